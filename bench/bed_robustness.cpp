@@ -1,4 +1,4 @@
-/// Random profiles under a lay: how many are solved, how many refused with a reason that holds, how many given up.
+/// Random profiles under a lay: how many are solved, how many rejected for a valid reason, how many abandoned.
 ///
 ///     overbend_bed_robustness MODEL.yaml COUNT SEED
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ int run(const std::string& file, int count, unsigned seed) {
   Description d = read_model(file).description.value();
   const double tension = d.tensioner.tension.value();
   Dice dice(seed);
-  int solved = 0, refused = 0, given_up = 0, spans = 0;
+  int solved = 0, rejected = 0, given_up = 0, spans = 0;
   double slowest = 0.0;
   for (int i = 0; i < count; ++i) {
     d.environment.seabed.profile = random_profile(dice, d.environment.water_depth, 800.0);
@@ -69,12 +69,12 @@ int run(const std::string& file, int count, unsigned seed) {
       ++given_up;
       fmt::print("{}: {:.1f} kN: {}\n", i, 1e-3 * *d.tensioner.tension, outcome.failure->why);
     } else {
-      ++refused;
-      fmt::print("{}: {:.1f} kN: refused: {} {}\n", i, 1e-3 * *d.tensioner.tension, outcome.failure->what,
+      ++rejected;
+      fmt::print("{}: {:.1f} kN: rejected: {} {}\n", i, 1e-3 * *d.tensioner.tension, outcome.failure->what,
                  outcome.failure->why);
     }
   }
-  fmt::print("{} solved with {} free spans, {} refused, {} given up, slowest {:.2f} s\n", solved, spans, refused,
+  fmt::print("{} solved with {} free spans, {} rejected, {} given up, slowest {:.2f} s\n", solved, spans, rejected,
              given_up, slowest);
   return 0;
 }

@@ -1,4 +1,4 @@
-/// A line of 450 nodes beside borders of several widths: a held ship (0), a far force (1), a free hull with winches
+/// A line of 450 nodes with borders of several widths: a held ship (0), a far force (1), a free hull with winches
 /// (8), bodies and machines (32). Border rows stand at 40 nodes, as where rollers touch.
 #include <benchmark/benchmark.h>
 
@@ -72,7 +72,7 @@ void solve_border(benchmark::State& state) {
 }
 BENCHMARK(solve_border)->Arg(0)->Arg(1)->Arg(8)->Arg(32)->Unit(benchmark::kMicrosecond);
 
-/// What statics do in each Newton step.
+/// One Newton step of statics.
 void factor_and_solve_border(benchmark::State& state) {
   Line line(static_cast<int>(state.range(0)));
   double* const lines[] = {line.x.data()};

@@ -4,8 +4,8 @@
     bench/chance.py examples/bgl1.yaml [--runs 8] [--duration "600 s"] [--build-up "60 s"]
                     [--program build/release/overbend]
 
-All runs see the same waves and are as accurate as one another. Whatever differs between them, a single run does not
-tell. Prints every value's smallest and largest, and their distance over the mean.
+All runs see the same waves and are as accurate as one another. A single run does not
+show their differences. Prints every value's smallest and largest, and their distance over the mean.
 """
 
 import argparse
@@ -22,8 +22,8 @@ VALUES = {
     "tension, mean [kN]": lambda d: 1e-3 * d["top_tension"]["mean"],
     "tension, standard deviation [kN]": lambda d: 1e-3 * d["top_tension"]["std"],
     "tension, largest [kN]": lambda d: 1e-3 * d["top_tension"]["max"],
-    "overbend von Mises, largest [MPa]": lambda d: 1e-6 * d["overbend"]["max_von_mises"]["max"],
-    "sagbend von Mises, largest [MPa]": lambda d: 1e-6 * d["sagbend"]["max_von_mises"]["max"],
+    "max. overbend von Mises [MPa]": lambda d: 1e-6 * d["overbend"]["max_von_mises"]["max"],
+    "max. sagbend von Mises [MPa]": lambda d: 1e-6 * d["sagbend"]["max_von_mises"]["max"],
     "travel of the tensioner, std [m]": lambda d: d["tensioner"]["travel_std"],
     "surge, std [m]": lambda d: d["vessel"]["surge"]["std"],
     "sway, std [m]": lambda d: d["vessel"]["sway"]["std"],
@@ -47,7 +47,7 @@ def run(options, tolerance, directory):
     text, count = re.subn(r"dynamic: \{.*\}", settings, text)
     if count != 1:
         raise SystemExit(f"{options.model}: 'dynamic: {{...}}' expected in one line")
-    model = options.model.parent / f".chance-{os.getpid()}-{tolerance:.3e}.yaml"  # beside the RAO file it names
+    model = options.model.parent / f".chance-{os.getpid()}-{tolerance:.3e}.yaml"  # next to its RAO file
     model.write_text(text)
     try:
         subprocess.run([options.program, "dynamic", model, "-o", directory], check=True, capture_output=True)

@@ -29,7 +29,7 @@ struct MovingLine {
     slips.assign(kGaussPoints * kBedDirections * line.elements.padded(), 0.0);
     tangent.resize(line.mesh.nodes());
     LineState& pipe = state.lines.front();
-    lay_at_rest(line, solution, pipe);
+    set_initial_memories(line, solution, pipe);
     for (std::size_t i = 0; i < pipe.v.size(); ++i) pipe.v[i] = 0.01 * static_cast<double>(i % 7);
   }
 
@@ -62,66 +62,67 @@ struct MovingLine {
 };
 
 void moving_forces(benchmark::State& state) {
-  MovingLine at;
+  MovingLine moving_line;
   for (auto _ : state) {
-    at.evaluate(false);
-    benchmark::DoNotOptimize(at.residual.data());
+    moving_line.evaluate(false);
+    benchmark::DoNotOptimize(moving_line.residual.data());
   }
 }
 BENCHMARK(moving_forces)->Unit(benchmark::kMicrosecond);
 
 void moving_forces_with_tangent(benchmark::State& state) {
-  MovingLine at;
+  MovingLine moving_line;
   for (auto _ : state) {
-    at.evaluate(true);
-    benchmark::DoNotOptimize(at.residual.data());
+    moving_line.evaluate(true);
+    benchmark::DoNotOptimize(moving_line.residual.data());
   }
 }
 BENCHMARK(moving_forces_with_tangent)->Unit(benchmark::kMicrosecond);
 
 void resting_forces(benchmark::State& state, bool with_tangent) {
-  MovingLine at;
+  MovingLine moving_line;
   for (auto _ : state) {
-    LineTarget target{at.residual.data(), nullptr, nullptr, nullptr, at.cuts.data()};
+    LineTarget target{moving_line.residual.data(), nullptr, nullptr, nullptr, moving_line.cuts.data()};
     if (with_tangent) {
-      at.tangent.set_zero();
-      target.diag = at.tangent.diag(0);
-      target.upper = at.tangent.upper(0);
-      target.lower = at.tangent.lower(0);
+      moving_line.tangent.set_zero();
+      target.diag = moving_line.tangent.diag(0);
+      target.upper = moving_line.tangent.upper(0);
+      target.lower = moving_line.tangent.lower(0);
     }
-    add_line_forces(at.line.elements, at.line.environment, at.shape(), target, best_isa());
-    benchmark::DoNotOptimize(at.residual.data());
+    add_line_forces(moving_line.line.elements, moving_line.line.environment, moving_line.shape(), target, best_isa());
+    benchmark::DoNotOptimize(moving_line.residual.data());
   }
 }
 BENCHMARK_CAPTURE(resting_forces, alone, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(resting_forces, with_tangent, true)->Unit(benchmark::kMicrosecond);
 
 void energies(benchmark::State& state) {
-  MovingLine at;
+  MovingLine moving_line;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(line_energy(at.line.elements, at.line.environment, at.shape(), at.motion(), best_isa()));
+    benchmark::DoNotOptimize(line_energy(moving_line.line.elements, moving_line.line.environment, moving_line.shape(),
+                                         moving_line.motion(), best_isa()));
   }
 }
 BENCHMARK(energies)->Unit(benchmark::kMicrosecond);
 
 /// The tangent must be made anew for every factorisation: its cost is that of moving_forces_with_tangent less.
 void tangent_and_factors(benchmark::State& state) {
-  MovingLine at;
+  MovingLine moving_line;
   for (auto _ : state) {
-    at.evaluate(true);
-    benchmark::DoNotOptimize(solve(at.tangent));
+    moving_line.evaluate(true);
+    benchmark::DoNotOptimize(solve(moving_line.tangent));
   }
 }
 BENCHMARK(tangent_and_factors)->Unit(benchmark::kMicrosecond);
 
 void solution_with_factors(benchmark::State& state) {
-  MovingLine at;
-  std::vector<double> dq(at.residual.size(), 1.0);
-  at.evaluate(true);
-  solve(at.tangent);
+  MovingLine moving_line;
+  std::vector<double> dq(moving_line.residual.size(), 1.0);
+  moving_line.evaluate(true);
+  solve(moving_line.tangent);
   for (auto _ : state) {
     std::fill(dq.begin(), dq.end(), 1.0);
-    resolve(at.tangent, dq.data());
+    resolve(moving_line.tangent, dq.data());
     benchmark::DoNotOptimize(dq.data());
   }
 }

@@ -41,8 +41,8 @@ class Page:
         return json.loads(self.connection.getresponse().read())
 
     def statics(self, path: str, value: str) -> dict:
-        wish = {"changes": [{"path": path, "value": value}], "lists": ["bending_stress"]}
-        return self.ask("POST", "/api/static", wish)
+        request = {"changes": [{"path": path, "value": value}], "lists": ["bending_stress"]}
+        return self.ask("POST", "/api/static", request)
 
     def close(self) -> None:
         self.program.terminate()
@@ -94,7 +94,7 @@ def main() -> None:
             middle = paths[len(paths) // 2]
             measure(page, f"height of a box ({middle})", dragged(middle, heights), seconds)
             each = [dragged(path, heights) for path in paths]
-            turns = itertools.chain.from_iterable(itertools.islice(one, 42) for one in itertools.cycle(each))
+            turns = itertools.chain.from_iterable(itertools.islice(turn, 42) for turn in itertools.cycle(each))
             measure(page, f"heights of {len(paths)} boxes, one after the other", turns, seconds)
         finally:
             page.close()

@@ -1,4 +1,4 @@
-/// Rests of a lay whose barge floats free on its moorings, beside the same lay on a barge that is held: counts lays
+/// Rests of a lay whose barge floats free on its moorings, compared with the same lay on a fixed barge: counts lays
 /// that a held barge has and a floating one has not.
 ///
 ///     overbend_moored_lay_robustness [COUNT] [SEED]
@@ -70,13 +70,13 @@ int main(int argc, char** argv) {
   int held = 0, floating = 0, only_held = 0;
   for (int i = 0; i < count; ++i) {
     const Description d = random_lay(example, random);
-    const std::string of_held = why_not(d, false), of_floating = why_not(d, true);
+    const std::string of_held = why_not(d, false), select_floating = why_not(d, true);
     held += of_held.empty() ? 1 : 0;
-    floating += of_floating.empty() ? 1 : 0;
-    if (of_held.empty() && !of_floating.empty()) {
+    floating += select_floating.empty() ? 1 : 0;
+    if (of_held.empty() && !select_floating.empty()) {
       ++only_held;
       fmt::print("trial {}: {}, {} kN, {}\n", i, d.moorings->find == FindMooring::pose ? "pose" : "lengths",
-                 std::lround(1e-3 * *d.moorings->lines[0].tension), of_floating);
+                 std::lround(1e-3 * *d.moorings->lines[0].tension), select_floating);
     }
   }
   fmt::print("{} of {} lays rest on a held barge, {} on a floating one; {} on a held one alone\n", held, count,

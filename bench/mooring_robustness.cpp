@@ -6,7 +6,7 @@
 /// Hulls of 60 to 300 m on 4 to 12 lines, 20 to 500 m of water, spans of 3 to 20 depths, wire, chain, chain behind wire
 /// and wire with a clump or a buoy, tensions of 3 to 40 % of the breaking load, loads of up to half of what all lines
 /// pull. A tension that a line cannot have at its span (less than the weight that hangs from the fairlead) is a true
-/// refusal; so is a line that would break before it reaches.
+/// rejection; so is a line that would break before it reaches.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ class Dice {
 
 struct Trial {
   Description description;
-  HullAtRest hull;
+  StaticHull hull;
   double depth = 0.0;
 };
 
@@ -107,7 +107,7 @@ Trial random_trial(Dice& dice) {
   return trial;
 }
 
-/// Whether the line that was refused cannot have its tension: less than what hangs from the fairlead to the bed.
+/// True if the rejected line cannot have its tension: less than what hangs from the fairlead to the bed.
 bool asks_too_little(const Trial& trial, const MooringSpread& spread) {
   const MooringLineDescription& asked = trial.description.moorings->lines[spread.lines.size() - 1];
   const MooredLine& line = spread.lines.back();
@@ -123,9 +123,9 @@ void add_point(Dice& dice, MooringSpread& spread) {
   for (MooredLine& line : spread.lines) {
     CatenaryPiece& first = line.line.pieces.front();
     CatenaryPiece rest = first;
-    const double at = dice.between(0.2, 0.6) * first.length;
-    rest.length = first.length - at;
-    first.length = at;
+    const double position = dice.between(0.2, 0.6) * first.length;
+    rest.length = first.length - position;
+    first.length = position;
     line.line.first_segment_rest += rest.length;
     line.line.pieces.insert(line.line.pieces.begin() + 1, rest);
     const double weight = dice.between(5.0, 60.0) * rest.weight_submerged;
@@ -144,38 +144,38 @@ int main(int argc, char** argv) {
   using namespace overbend;
   const int count = argc > 1 ? std::stoi(argv[1]) : 1000;
   Dice dice(argc > 2 ? std::stoull(argv[2]) : 1);
-  int solved = 0, refused = 0;
-  double longest = 0.0, total = 0.0;
+  int solved = 0, rejected = 0;
+  double max_time = 0.0, total = 0.0;
   std::map<std::string, int> failures;
   for (int i = 0; i < count; ++i) {
     Trial trial = random_trial(dice);
-    const BedSurface bed(Vec3(0.0, 0.0, -trial.depth),
-                         (Vec3::UnitZ() + dice.between(0.0, 0.03) * Vec3::UnitX() * (i % 2)).normalized());
+    const SeabedSurface bed(Vec3(0.0, 0.0, -trial.depth),
+                            (Vec3::UnitZ() + dice.between(0.0, 0.03) * Vec3::UnitX() * (i % 2)).normalized());
     SpreadOutcome outcome = build_spread(*trial.description.moorings, bed, Mat3::Identity());
-    if (outcome.fault) {
+    if (outcome.error) {
       if (asks_too_little(trial, outcome.spread)) {
-        ++refused;
+        ++rejected;
       } else {
-        fmt::print("trial {}: {}\n", i, *outcome.fault);
+        fmt::print("trial {}: {}\n", i, *outcome.error);
       }
       continue;
     }
     if (i % 3 == 0) add_point(dice, outcome.spread);
     const std::clock_t start = std::clock();  // of this process: the machine may be busy
-    const RestOutcome rest = find_rest(outcome.spread, trial.hull, HullOffset::Zero());
+    const HullEquilibrium rest = find_hull_equilibrium(outcome.spread, trial.hull, HullOffset::Zero());
     const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    longest = std::max(longest, time);
+    max_time = std::max(max_time, time);
     total += time;
-    if (!rest.fault) {
+    if (!rest.error) {
       ++solved;
     } else {
-      ++failures[*rest.fault];
-      fmt::print("trial {}: {}\n", i, *rest.fault);
+      ++failures[*rest.error];
+      fmt::print("trial {}: {}\n", i, *rest.error);
     }
   }
-  fmt::print("{} solved, {} refused for a tension that cannot be, {} failed of {}: {:.2f} % solved or truly refused\n",
-             solved, refused, count - solved - refused, count, 100.0 * (solved + refused) / count);
-  fmt::print("time of a rest: mean {:.3f} ms, longest {:.2f} ms\n", 1e3 * total / std::max(count - refused, 1),
-             1e3 * longest);
+  fmt::print("{} solved, {} rejected for an infeasible tension, {} failed of {}: {:.2f} % solved or rightly rejected\n",
+             solved, rejected, count - solved - rejected, count, 100.0 * (solved + rejected) / count);
+  fmt::print("time of a rest: mean {:.3f} ms, longest {:.2f} ms\n", 1e3 * total / std::max(count - rejected, 1),
+             1e3 * max_time);
   return 0;
 }

@@ -11,7 +11,7 @@ namespace {
 /// A barge on eight wires of 998.998 m in 89 m of water.
 MooringSpread eight_wires() {
   MooringSpread spread;
-  spread.bed = BedSurface(Vec3(0.0, 0.0, -89.0), Vec3::UnitZ());
+  spread.bed = SeabedSurface(Vec3(0.0, 0.0, -89.0), Vec3::UnitZ());
   for (const double azimuth : {25.0, 65.0, 115.0, 155.0, 205.0, 245.0, 295.0, 335.0}) {
     const double angle = azimuth * 0.017453292519943295;
     const Vec3 to(std::cos(angle), std::sin(angle), 0.0);
@@ -24,8 +24,8 @@ MooringSpread eight_wires() {
   return spread;
 }
 
-HullAtRest barge() {
-  HullAtRest hull;
+StaticHull barge() {
+  StaticHull hull;
   hull.length = 120.0;
   hull.restoring = Vec3(36198.9e3, 2075448e3, 42799210e3).asDiagonal();
   hull.steady << -205.5e3, 400e3, 0.0, 0.0, 0.0, 8e6;
@@ -43,20 +43,20 @@ BENCHMARK(catenary)->Unit(benchmark::kMicrosecond);
 
 void rest_on_eight_lines(benchmark::State& state) {
   const MooringSpread spread = eight_wires();
-  const HullAtRest hull = barge();
-  for (auto _ : state) benchmark::DoNotOptimize(find_rest(spread, hull, HullOffset::Zero()).residual);
+  const StaticHull hull = barge();
+  for (auto _ : state) benchmark::DoNotOptimize(find_hull_equilibrium(spread, hull, HullOffset::Zero()).residual);
 }
 BENCHMARK(rest_on_eight_lines)->Unit(benchmark::kMicrosecond);
 
 void lengths_for_a_place(benchmark::State& state) {
   const MooringSpread spread = eight_wires();
-  const HullAtRest hull = barge();
-  const RestOutcome rest = find_rest(spread, hull, HullOffset::Zero());
-  HullOffset there = rest.offset;
-  there[0] += 12.0;
+  const StaticHull hull = barge();
+  const HullEquilibrium rest = find_hull_equilibrium(spread, hull, HullOffset::Zero());
+  HullOffset hull_offset = rest.offset;
+  hull_offset[0] += 12.0;
   for (auto _ : state) {
     MooringSpread copy = spread;
-    benchmark::DoNotOptimize(plan_lengths(copy, hull, there, pulls_of(spread, rest.lines)).residual);
+    benchmark::DoNotOptimize(plan_lengths(copy, hull, hull_offset, horizontal_pulls(spread, rest.lines)).residual);
   }
 }
 BENCHMARK(lengths_for_a_place)->Unit(benchmark::kMicrosecond);

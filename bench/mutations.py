@@ -15,7 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
-HANG = 120.0  # a case that takes longer hangs [s]
+MAX_TIME = 120.0  # of a case, after which it counts as hanging [s]
 SPECIAL = [b"0", b"-1", b"1e308", b"-1e-308", b"nan", b"inf", b"999", b"1e6", b"0.001", b"", b"\xff", b"1,5", b"--", b"#"]
 NUMBER = re.compile(rb"-?\d+\.?\d*(?:[eE][-+]?\d+)?")
 NAMED = re.compile(r"[\w./-]+\.\w+")
@@ -25,9 +25,9 @@ def damage_number(data, rng):
     places = list(NUMBER.finditer(data))
     if not places:
         return data
-    at = rng.choice(places)
-    scaled = b"%g" % (float(at.group()) * rng.choice([-1.0, 0.0, 1e-3, 0.1, 0.5, 2.0, 10.0, 1e3, 1e9]))
-    return data[: at.start()] + rng.choice([scaled, scaled, rng.choice(SPECIAL)]) + data[at.end() :]
+    match = rng.choice(places)
+    scaled = b"%g" % (float(match.group()) * rng.choice([-1.0, 0.0, 1e-3, 0.1, 0.5, 2.0, 10.0, 1e3, 1e9]))
+    return data[: match.start()] + rng.choice([scaled, scaled, rng.choice(SPECIAL)]) + data[match.end() :]
 
 
 def damage_line(data, rng):
@@ -48,12 +48,12 @@ def damage_line(data, rng):
 def damage_bytes(data, rng):
     if not data:
         return data
-    at, way = rng.randrange(len(data)), rng.randrange(3)
+    i, way = rng.randrange(len(data)), rng.randrange(3)
     if way == 0:
-        return data[:at] + bytes([rng.randrange(256)]) + data[at + 1 :]
+        return data[:i] + bytes([rng.randrange(256)]) + data[i + 1 :]
     if way == 1:
-        return data[:at] + data[at + rng.randrange(1, 9) :]
-    return data[:at] if rng.random() < 0.2 else data[:at] + bytes(rng.randrange(256) for _ in range(3)) + data[at:]
+        return data[:i] + data[i + rng.randrange(1, 9) :]
+    return data[:i] if rng.random() < 0.2 else data[:i] + bytes(rng.randrange(256) for _ in range(3)) + data[i:]
 
 
 def damaged(data, rng):
@@ -76,7 +76,7 @@ def data_case(path, rng, folder):
 
 
 def work(kind, models, first, last):
-    """Tells each case as it begins and as it ends."""
+    """Prints each case as it begins and as it ends."""
     import overbend
 
     with tempfile.TemporaryDirectory() as folder:
@@ -91,8 +91,8 @@ def work(kind, models, first, last):
                 model.static()
             except overbend.OverbendError as error:
                 end = type(error).__name__
-            except BaseException as fault:  # noqa: BLE001: whatever else is a fault of the program
-                end = f"FAULT {type(fault).__name__}: {fault}"[:300].replace("\n", " ")
+            except BaseException as error:  # noqa: BLE001: any other exception is an error of the program
+                end = f"FAILURE {type(error).__name__}: {error}"[:300].replace("\n", " ")
             print("end", seed, end, flush=True)
 
 
@@ -108,15 +108,15 @@ def batch(kind, models, first, last, tally):
             begun = time.monotonic()
             continue
         end = rest[0].strip()
-        if time.monotonic() - begun > HANG:
-            end = f"FAULT slow: {time.monotonic() - begun:.0f} s"
-        if end.startswith("FAULT"):
+        if time.monotonic() - begun > MAX_TIME:
+            end = f"FAILURE slow: {time.monotonic() - begun:.0f} s"
+        if end.startswith("FAILURE"):
             print(seed, end, flush=True)
         tally[end.split(":")[0]] = tally.get(end.split(":")[0], 0) + 1
     if child.wait() == 0:
         return last
-    print(seed, f"FAULT crash: {child.returncode}", flush=True)
-    tally["FAULT crash"] = tally.get("FAULT crash", 0) + 1
+    print(seed, f"FAILURE crash: {child.returncode}", flush=True)
+    tally["FAILURE crash"] = tally.get("FAILURE crash", 0) + 1
     return seed + 1
 
 

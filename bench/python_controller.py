@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What a controller in Python costs a storm: bench/python_controller.py [SECONDS [PAIRS]].
+"""Cost of a Python controller in a storm: bench/python_controller.py [SECONDS [PAIRS]].
 
-BGL-1 in its storm with and without a controller that is asked every 0.1 s and answers nothing, in turn, so that what else
-the computer does falls on both alike. Told are processor times, steps, and the ratio of the medians; beside them the time
-that the function itself takes.
+BGL-1 in its storm with and without a controller that is asked every 0.1 s and answers nothing, in turn, so that other load
+on the computer affects both alike. Prints processor times, steps, the ratio of the medians, and the time of the function
+itself.
 """
 
 import pathlib

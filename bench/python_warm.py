@@ -14,7 +14,7 @@ MODEL = ob.Model.read(pathlib.Path(__file__).resolve().parents[1] / "examples" /
 TENSIONS = range(230, 330)
 
 
-def at(tension, start=None):
+def lay_at(tension, start=None):
     """The lay at a tension [kN], and its lay-back [m]."""
     lay = MODEL.with_({"tensioner.tension": f"{tension} kN"}).static(start=start)
     return lay, float(lay.lay_back)
@@ -24,7 +24,7 @@ def chain(tensions):
     """Each from the one before."""
     lay, found = None, []
     for tension in tensions:
-        lay, lay_back = at(tension, lay)
+        lay, lay_back = lay_at(tension, lay)
         found.append(lay_back)
     return found
 
@@ -37,8 +37,8 @@ def timed(what, work):
 
 
 def main():
-    at(TENSIONS[0])
-    alone = timed("from nothing", lambda: [at(tension)[1] for tension in TENSIONS])
+    lay_at(TENSIONS[0])
+    alone = timed("from nothing", lambda: [lay_at(tension)[1] for tension in TENSIONS])
     warm = timed("each from the one before", lambda: chain(TENSIONS))
     halves = [TENSIONS[:50], TENSIONS[50:]]
     with ThreadPoolExecutor(2) as pool:

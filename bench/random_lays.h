@@ -127,9 +127,9 @@ inline Description random_lay(std::uint64_t seed) {
   const bool j_lay = d.environment.water_depth > 150.0 && dice.chance(0.4);
   const Section pipe = derive_section("pipe", d.pipe.section, d.environment.water_weight_density);
   const double above = j_lay ? dice.between(10.0, 40.0) : d.vessel.stern_shoe_z;
-  const double least = pipe.weight_submerged * d.environment.water_depth + pipe.weight_in_air * above;
+  const double min_value = pipe.weight_submerged * d.environment.water_depth + pipe.weight_in_air * above;
   const double factor = dice.log_between(1.05, 4.0);
-  d.tensioner.tension = factor * least;
+  d.tensioner.tension = factor * min_value;
   if (j_lay) {
     d.tensioner.guide = Guide::pinned;
     d.tensioner.z = above - d.vessel.stern_shoe_z;
@@ -138,7 +138,7 @@ inline Description random_lay(std::uint64_t seed) {
   d.tensioner.z = 0.5 * pipe.outer_diameter;
   // The pipe of a heavy stinger leaves where the hanging line has the support's slope; bending lets a stiff pipe leave
   // flatter.
-  const double bottom = std::max((factor - 1.0) * least, std::cbrt(pipe.EI * std::pow(pipe.weight_submerged, 2)));
+  const double bottom = std::max((factor - 1.0) * min_value, std::cbrt(pipe.EI * std::pow(pipe.weight_submerged, 2)));
   const double rise = 1.0 + pipe.weight_submerged * d.environment.water_depth / bottom;
   random_supports(dice, d, std::acos(1.0 / rise));
   return d;
@@ -154,8 +154,8 @@ inline void put_on_route(std::uint64_t seed, Description& d) {
   }
   if (dice.chance(0.5)) return;
   const Section pipe = derive_section("pipe", d.pipe.section, d.environment.water_weight_density);
-  const double least = pipe.weight_submerged * d.environment.water_depth;
-  const double held = std::max(*d.tensioner.tension - least, 0.05 * least) /
+  const double min_value = pipe.weight_submerged * d.environment.water_depth;
+  const double held = std::max(*d.tensioner.tension - min_value, 0.05 * min_value) /
                       (d.environment.seabed.friction_lateral * pipe.weight_submerged);
   const double sharpest = 1000.0 * d.pipe.section.steel.outside_diameter;  // no one bends a pipe more on purpose
   const double length = dice.between(1.0, 4.0) * std::sqrt(held * d.environment.water_depth);

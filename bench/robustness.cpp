@@ -3,7 +3,7 @@
 ///
 ///     overbend_robustness [COUNT] [SEED] [FILE.csv] [yields | routes]
 ///
-/// What is told of each lay in the file, places and reactions too, lets two programs be compared lay by lay.
+/// The file reports each lay with places and reactions, which lets two programs be compared lay by lay.
 ///
 /// With `routes` every lay has lateral friction, three of four a current and every other a route that bends, with 0.6
 /// to 3 times the radius that friction holds; it says, too, how often no line of steady laying was found.
@@ -27,10 +27,10 @@ namespace overbend {
 namespace {
 
 struct Tally {
-  int beside = 0;  ///< For which no line of steady laying was found.
+  int without_steady_lay = 0;  ///< For which no line of steady laying was found.
   int solved = 0, wrong = 0;
-  int missed = 0;             ///< Whose recovered tension misses the wanted one by more than 0.1 %.
-  double largest_miss = 0.0;  ///< Over the wanted tension [-].
+  int missed = 0;         ///< Lays whose recovered tension misses the wanted one by more than 0.1 %.
+  double max_miss = 0.0;  ///< Over the wanted tension [-].
   std::map<std::string, int> reasons;
   std::vector<double> times;
 };
@@ -57,12 +57,12 @@ void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ost
   tally.solved += sound ? 1 : 0;
   tally.wrong += sound ? 0 : 1;
   if (has_code(results.findings, FindingCode::steady_laying_not_found)) {
-    ++tally.beside;
+    ++tally.without_steady_lay;
     fmt::print("lay {}: no line of steady laying\n", seed);
   }
   const double miss = std::abs(results.top_tension / *d.tensioner.tension - 1.0);
   tally.missed += miss > 1e-3 ? 1 : 0;
-  tally.largest_miss = std::max(tally.largest_miss, miss);
+  tally.max_miss = std::max(tally.max_miss, miss);
   tally.times.push_back(results.solve.wall_time);
   double lateral = 0.0;
   for (const SupportResult& support : results.supports) lateral = std::max(lateral, std::abs(support.lateral));
@@ -78,14 +78,14 @@ void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ost
 }  // namespace
 }  // namespace overbend
 
-int main(int count, char** words) {
-  const int lays = count > 1 ? std::stoi(words[1]) : 1000;
-  const std::uint64_t seed = count > 2 ? std::stoull(words[2]) : 1;
-  auto csv = fmt::output_file(count > 3 ? words[3] : "robustness.csv");
+int main(int count, char** arguments) {
+  const int lays = count > 1 ? std::stoi(arguments[1]) : 1000;
+  const std::uint64_t seed = count > 2 ? std::stoull(arguments[2]) : 1;
+  auto csv = fmt::output_file(count > 3 ? arguments[3] : "robustness.csv");
   csv.print(
       "seed,diameter [in],depth [m],tension [kN],boxes,rows,outcome,method,time [ms],residual,global residual,"
       "bottom tension [N],lay-back [m],across [m],largest lateral reaction [N]\n");
-  const std::string kind = count > 4 ? words[4] : "";
+  const std::string kind = count > 4 ? arguments[4] : "";
   overbend::Tally tally;
   for (int i = 0; i < lays; ++i) {
     overbend::run_one(seed + static_cast<std::uint64_t>(i), kind, tally, csv);
@@ -93,9 +93,9 @@ int main(int count, char** words) {
   std::sort(tally.times.begin(), tally.times.end());
   fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays,
              tally.wrong);
-  fmt::print("{} without a line of steady laying\n", tally.beside);
+  fmt::print("{} without a line of steady laying\n", tally.without_steady_lay);
   fmt::print("{} miss the wanted tension by more than 0.1 %, the largest miss is {:.2g} %\n", tally.missed,
-             100.0 * tally.largest_miss);
+             100.0 * tally.max_miss);
   for (const auto& [reason, times] : tally.reasons) {
     fmt::print("  {} x {}\n", times, reason);
   }

@@ -40,20 +40,20 @@ void add_buoyancy(std::uint64_t seed, Description& d) {
 struct Trip {
   std::string outcome;
   double given = 0.0, found = 0.0;  ///< Tensions [N].
-  double seconds = 0.0;             ///< Of the way back.
+  double seconds = 0.0;             ///< Time of the way back [s].
 };
 
 Trip make_trip(std::uint64_t seed) {
   Description d = random_lay(seed);
   add_buoyancy(seed, d);
   Model pulled = build_model(d);
-  const StaticOutcome there = solve_statics(pulled);
+  const StaticOutcome static_outcome = solve_statics(pulled);
   Trip trip;
-  if (!there.solution) {
-    trip.outcome = "tension: " + there.failure->what;
+  if (!static_outcome.solution) {
+    trip.outcome = "tension: " + static_outcome.failure->what;
     return trip;
   }
-  const StaticResults given = recover_statics(pulled, *there.solution);
+  const StaticResults given = recover_statics(pulled, *static_outcome.solution);
   trip.given = given.top_tension;
   d.tensioner.tension.reset();
   d.pipe.length = given.total_length;
@@ -81,23 +81,23 @@ Trip make_trip(std::uint64_t seed) {
 }  // namespace
 }  // namespace overbend
 
-int main(int count, char** words) {
-  const int lays = count > 1 ? std::stoi(words[1]) : 500;
-  const std::uint64_t seed = count > 2 ? std::stoull(words[2]) : 1;
-  auto csv = fmt::output_file(count > 3 ? words[3] : "round_trips.csv");
+int main(int count, char** arguments) {
+  const int lays = count > 1 ? std::stoi(arguments[1]) : 500;
+  const std::uint64_t seed = count > 2 ? std::stoull(arguments[2]) : 1;
+  auto csv = fmt::output_file(count > 3 ? arguments[3] : "round_trips.csv");
   csv.print("seed,outcome,given [kN],found [kN],time [ms]\n");
   std::map<std::string, int> outcomes;
-  double longest = 0.0, total = 0.0;
+  double max_time = 0.0, total = 0.0;
   for (int i = 0; i < lays; ++i) {
     const std::uint64_t number = seed + static_cast<std::uint64_t>(i);
     const overbend::Trip trip = overbend::make_trip(number);
     ++outcomes[trip.outcome];
-    longest = std::max(longest, trip.seconds);
+    max_time = std::max(max_time, trip.seconds);
     total += trip.seconds;
     csv.print("{},{},{:.3f},{:.3f},{:.1f}\n", number, trip.outcome, 1e-3 * trip.given, 1e-3 * trip.found,
               1e3 * trip.seconds);
   }
   for (const auto& [outcome, times] : outcomes) fmt::print("{} x {}\n", times, outcome);
-  fmt::print("way back: mean {:.1f} ms, longest {:.1f} ms\n", 1e3 * total / lays, 1e3 * longest);
+  fmt::print("way back: mean {:.1f} ms, longest {:.1f} ms\n", 1e3 * total / lays, 1e3 * max_time);
   return 0;
 }

@@ -1,9 +1,9 @@
-// What seeds of one model would share if they were advanced side by side in vector lanes, one step for all.
+// Work that seeds of one model would share if they were advanced side by side in vector lanes, one step for all.
 //
 //     overbend_seeds_in_step [MODEL] [SECONDS] [SEEDS]
 //
 // Defaults: examples/bgl1.yaml of the sources, 100 s, 8 seeds. Each seed is advanced by itself, with the steps it
-// needs; then its steps are laid over those of the others, which would all have to take the smallest. Tells steps a
+// needs; then its steps are laid over those of the others, which would all have to take the smallest. Prints steps a
 // seed alone and together: their ratio is what lanes have to make up for before they gain anything. Also how many of
 // the steps alone are those in which impacts are resolved, about 1 ms long.
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ namespace overbend {
 namespace {
 
 /// The instants that the steps of a run lead from and to, rising [s].
-std::vector<double> instants_of(const Model& model, const StaticSolution& start, double tension,
-                                const DynamicOptions& options) {
+std::vector<double> find_instants(const Model& model, const StaticSolution& start, double tension,
+                                  const DynamicOptions& options) {
   Simulation simulation(model, start, tension, options);
   std::vector<double> instants = {simulation.time()};
   while (!simulation.finished()) {
@@ -44,22 +44,22 @@ double steps_together(const std::vector<std::vector<double>>& seeds) {
   double steps = 0.0;
   for (std::size_t i = 1; i < all.size(); ++i) {
     if (all[i] == all[i - 1]) continue;
-    double shortest = all.back() - all.front();
+    double min_step = all.back() - all.front();
     for (const std::vector<double>& instants : seeds) {
       const auto end = std::lower_bound(instants.begin() + 1, instants.end(), all[i]);
-      if (end != instants.end()) shortest = std::min(shortest, *end - *(end - 1));
+      if (end != instants.end()) min_step = std::min(min_step, *end - *(end - 1));
     }
-    steps += (all[i] - all[i - 1]) / shortest;
+    steps += (all[i] - all[i - 1]) / min_step;
   }
   return steps;
 }
 
 /// Steps shorter than any but those that follow an impact.
 std::ptrdiff_t impact_steps(const std::vector<double>& instants) {
-  constexpr double kLongest = 1.5e-3;  // s
+  constexpr double kShortStep = 1.5e-3;  // s
   std::vector<double> steps(instants.size());
   std::adjacent_difference(instants.begin(), instants.end(), steps.begin());
-  return std::count_if(steps.begin() + 1, steps.end(), [](double step) { return step < kLongest; });
+  return std::count_if(steps.begin() + 1, steps.end(), [](double step) { return step < kShortStep; });
 }
 
 int measure(const std::string& file, double duration, std::size_t seeds) {
@@ -75,7 +75,7 @@ int measure(const std::string& file, double duration, std::size_t seeds) {
   double alone = 0.0, in_impacts = 0.0;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     options.seed = seed;
-    runs.push_back(instants_of(model, start, tension, options));
+    runs.push_back(find_instants(model, start, tension, options));
     alone += static_cast<double>(runs.back().size() - 1);
     in_impacts += static_cast<double>(impact_steps(runs.back()));
     const double together = steps_together(runs), mean = alone / static_cast<double>(seed);

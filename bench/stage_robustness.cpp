@@ -1,5 +1,5 @@
-/// Random stages of abandonments and start-ups of a lay, each without a stage before it: how many are solved, how many
-/// refused with a reason that holds, how many given up.
+/// Random stages of abandonments and start-ups of a lay, each without a previous stage: how many are solved, how many
+/// rejected for a valid reason, how many abandoned.
 ///
 ///     overbend_stage_robustness MODEL.yaml COUNT SEED abandonment|start_up
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// A wire of 30 to 120 mm, a head of 1 to 8 m; a tension of 0.95 to 4 times what hangs plumb.
+/// A wire of 30 to 120 mm, a head of 1 to 8 m; a tension of 0.95 to 4 times the vertically suspended weight.
 LayStageDescription random_stage(Dice& dice, bool start_up, Description& d) {
   LayOperationDescription& lay = d.operation.lay;
   CableDescription cable;
@@ -51,19 +51,19 @@ LayStageDescription random_stage(Dice& dice, bool start_up, Description& d) {
     stage.cable_out = dice.between(1.0, 500.0);
   }
   lay.cable = cable;
-  const Model model = build_model(at_stage(d, stage));
-  stage.tension = least_stage_tension(model, lay_plane(model, model.mean_pose)) * dice.between(0.95, 4.0);
+  const Model model = build_model(make_stage_description(d, stage));
+  stage.tension = min_stage_top_tension(model, lay_plane(model, model.mean_pose)) * dice.between(0.95, 4.0);
   return stage;
 }
 
 int run(const std::string& file, int count, unsigned seed, bool start_up) {
   Description d = read_model(file).description.value();
   Dice dice(seed);
-  int solved = 0, refused = 0, given_up = 0;
+  int solved = 0, rejected = 0, given_up = 0;
   double slowest = 0.0;
   for (int i = 0; i < count; ++i) {
     const LayStageDescription stage = random_stage(dice, start_up, d);
-    Model model = build_model(at_stage(d, stage));
+    Model model = build_model(make_stage_description(d, stage));
     const auto begin = std::chrono::steady_clock::now();
     const ModelEquilibrium outcome = solve_lay(model);
     slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -74,10 +74,10 @@ int run(const std::string& file, int count, unsigned seed, bool start_up) {
       fmt::print("{}: {:.1f} m out, {:.1f} kN: {}\n", i, stage.cable_out.value_or(stage.pipe_out.value_or(0.0)),
                  1e-3 * *stage.tension, outcome.failure->what);
     } else {
-      ++refused;
+      ++rejected;
     }
   }
-  fmt::print("{} solved, {} refused, {} given up, slowest {:.2f} s\n", solved, refused, given_up, slowest);
+  fmt::print("{} solved, {} rejected, {} given up, slowest {:.2f} s\n", solved, rejected, given_up, slowest);
   return 0;
 }
 

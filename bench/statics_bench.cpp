@@ -28,12 +28,12 @@ void bgl1_hundred_tensions(benchmark::State& state) {
   const StaticSolution first = solve_statics(build_model(d)).solution.value();
   int failures = 0;
   for (auto _ : state) {
-    StaticSolution at = first;
+    StaticSolution static_solution = first;
     for (int i = 0; i < 100; ++i) {
       d.tensioner.tension = 250e3 + 1e3 * i;
-      const StaticOutcome outcome = solve_statics(build_model(d), &at);
+      const StaticOutcome outcome = solve_statics(build_model(d), &static_solution);
       failures += outcome.solution ? 0 : 1;
-      at = outcome.solution.value_or(at);
+      static_solution = outcome.solution.value_or(static_solution);
     }
   }
   state.counters["failures"] = failures;
@@ -53,15 +53,15 @@ void bgl1_one_tension_on(benchmark::State& state) {
 BENCHMARK(bgl1_one_tension_on)->Unit(benchmark::kMillisecond);
 
 /// The same lay without its current, which the code checks ask for.
-void bgl1_still_lay(benchmark::State& state) {
+void bgl1_static_lay(benchmark::State& state) {
   const Model model = build_model(bgl1());
   const StaticSolution solution = solve_statics(model).solution.value();
-  const Model still = without_current(model);
+  const Model at_rest = without_current(model);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(solve_still_lay(still, solution));
+    benchmark::DoNotOptimize(solve_still_water_lay(at_rest, solution));
   }
 }
-BENCHMARK(bgl1_still_lay)->Unit(benchmark::kMillisecond);
+BENCHMARK(bgl1_static_lay)->Unit(benchmark::kMillisecond);
 
 void bgl1_recovery(benchmark::State& state) {
   const Model model = build_model(bgl1());

@@ -2,9 +2,9 @@
 //
 //     overbend_study_throughput [THREADS] [TENSIONS] [FOLDER]
 //
-// Defaults: as many threads as cores, 200 tensions at three depths, a temporary folder that is thrown away. Tells lays
-// a second, the gain of the threads, and files and bytes that the folder holds. With `small` behind the folder it
-// solves a small lay instead, whose records weigh the same: what 10,000 cases ask of a shared folder.
+// Defaults: as many threads as cores, 200 tensions at three depths, a temporary folder that is thrown away. Prints lays
+// per second, the gain of the threads, and files and bytes that the folder holds. With `small` behind the folder it
+// solves a small lay instead, whose records weigh the same: the load of 10,000 cases on a shared folder.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Unwatched : public StudyWatch {
+class Unwatched : public StudyObserver {
  public:
   bool stop() override { return false; }
 };
@@ -69,12 +69,12 @@ int measure(int threads, int tensions, const fs::path& folder, bool small) {
   if (!reading.study) return 2;
   const CaseBase base(*reading.base, *reading.study);
   const StudyCases cases(base.study());
-  const double one = run(base, cases, folder, 1);
+  const double single = run(base, cases, folder, 1);
   const Folder weight = weighed(folder);
   std::cout << fmt::format("{} files and folders, {} bytes: {:.2f} and {:.0f} a case\n", weight.entries, weight.bytes,
                            static_cast<double>(weight.entries) / static_cast<double>(cases.count()),
                            static_cast<double>(weight.bytes) / static_cast<double>(cases.count()));
-  if (threads > 1) std::cout << fmt::format("gain {:.2f}\n", run(base, cases, folder, threads) / one);
+  if (threads > 1) std::cout << fmt::format("gain {:.2f}\n", run(base, cases, folder, threads) / single);
   fs::remove_all(folder);
   return 0;
 }
@@ -82,10 +82,10 @@ int measure(int threads, int tensions, const fs::path& folder, bool small) {
 }  // namespace
 }  // namespace overbend
 
-int main(int count, char** words) {
-  const int threads = count > 1 ? std::atoi(words[1]) : static_cast<int>(std::thread::hardware_concurrency());
-  const int tensions = count > 2 ? std::atoi(words[2]) : 200;
+int main(int count, char** args) {
+  const int threads = count > 1 ? std::atoi(args[1]) : static_cast<int>(std::thread::hardware_concurrency());
+  const int tensions = count > 2 ? std::atoi(args[2]) : 200;
   const std::filesystem::path folder =
-      count > 3 ? std::filesystem::path(words[3]) : std::filesystem::temp_directory_path() / "overbend-throughput";
-  return overbend::measure(threads, tensions, folder, count > 4 && std::string(words[4]) == "small");
+      count > 3 ? std::filesystem::path(args[3]) : std::filesystem::temp_directory_path() / "overbend-throughput";
+  return overbend::measure(threads, tensions, folder, count > 4 && std::string(args[4]) == "small");
 }

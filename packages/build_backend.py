@@ -100,8 +100,8 @@ def fits(build):
     if entries.get("OVERBEND_PYTHON_MODULE:BOOL") != "ON" or entries.get("CMAKE_BUILD_TYPE:STRING") != "Release":
         return False
     suffix = "import sysconfig; print(sysconfig.get_config_var('EXT_SUFFIX'))"
-    told = subprocess.run([python, "-c", suffix], capture_output=True, encoding="utf-8")
-    return told.stdout.strip() == sysconfig.get_config_var("EXT_SUFFIX")
+    suffix_run = subprocess.run([python, "-c", suffix], capture_output=True, encoding="utf-8")
+    return suffix_run.stdout.strip() == sysconfig.get_config_var("EXT_SUFFIX")
 
 
 def configure(build):
@@ -143,13 +143,13 @@ def digest(content):
     return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 
-def run(*words):
+def run(*command):
     """Runs a command of the build; its output is pip's."""
     try:
-        done = subprocess.run(words, cwd=ROOT)
+        done = subprocess.run(command, cwd=ROOT)
     except FileNotFoundError:
-        raise BuildFailed(f"{words[0]} is not installed; on Debian `scripts/install.sh build` installs all that the "
+        raise BuildFailed(f"{command[0]} is not installed; on Debian `scripts/install.sh build` installs all that the "
                           "build needs") from None
     if done.returncode != 0:
-        raise BuildFailed(f"`{' '.join(words)}` failed; on Debian `scripts/install.sh build` installs all that the "
+        raise BuildFailed(f"`{' '.join(command)}` failed; on Debian `scripts/install.sh build` installs all that the "
                           "build needs")

@@ -16,7 +16,7 @@ Version: {version}
 Summary: Offshore pipelay analysis: statics, dynamics, code checks, studies
 License: MIT
 Platform: Linux
-Classifier: Development Status :: 4 - Beta
+Classifier: Development Status :: 5 - Production/Stable
 Classifier: Intended Audience :: Science/Research
 Classifier: License :: OSI Approved :: MIT License
 Classifier: Operating System :: POSIX :: Linux

@@ -2,7 +2,8 @@
 # Installs the Debian packages that Overbend needs; nothing is touched when all are there.
 #
 #   scripts/install.sh build   what it takes to build and run the program
-#   scripts/install.sh test    the same, and what the tests and linters use
+#   scripts/install.sh test    the same, and what the tests, linters and the documentation use
+#   scripts/install.sh docs    what scripts/docs.sh takes to build the documentation site
 #   scripts/install.sh arm     what tools/arm_check.sh takes: a compiler for 64-bit ARM and a machine to run what it makes
 set -euo pipefail
 
@@ -12,13 +13,15 @@ build_packages=(
   libcpp-httplib-dev libxlsxwriter-dev pkgconf
   pybind11-dev python3-dev python3-numpy
 )
+docs_packages=(python3-sphinx python3-myst-parser furo libjs-mathjax)
 test_packages=(
   libgtest-dev libbenchmark-dev
-  python3 python3-h5py python3-jsonschema
+  python3 python3-h5py python3-jsonschema python3-yaml
   python3-xarray python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy
   python3-pip python3-setuptools python3-venv dpkg-dev file
   chromium fontconfig fonts-dejavu-core fonts-liberation2
   clang-format clang-tidy
+  "${docs_packages[@]}"
 )
 arm_packages=(g++-aarch64-linux-gnu qemu-user libeigen3-dev)
 
@@ -32,7 +35,8 @@ case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   arm) wanted=("${arm_packages[@]}") ;;
-  *) echo "usage: scripts/install.sh [build|test|arm]" >&2; exit 2 ;;
+  docs) wanted=("${docs_packages[@]}") ;;
+  *) echo "usage: scripts/install.sh [build|test|arm|docs]" >&2; exit 2 ;;
 esac
 
 installed() {

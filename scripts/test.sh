@@ -17,6 +17,9 @@ bash scripts/install.sh test
 step "Layers: who includes whom"
 /usr/bin/python3 tools/check_layers.py
 
+step "Words: the vocabulary of the field"
+/usr/bin/python3 tools/check_words.py
+
 step "Format"
 bash tools/format.sh --check
 

@@ -8,7 +8,7 @@
 
 #include "app/commands.h"
 #include "recording/run_dynamics.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
@@ -40,7 +40,7 @@ StaticResults solved(const Description& description) {
 }
 
 /// A run as the pages' column of one minute has it: 60 s after the build-up, which is the file's own if not given.
-DynamicResults minute_of(Description description, std::optional<double> build_up = {}) {
+DynamicResults run_one_minute(Description description, std::optional<double> build_up = {}) {
   description.dynamics->duration = 60.0;
   description.dynamics->build_up = build_up.value_or(description.dynamics->build_up);
   const Model model = build_model(description);
@@ -91,13 +91,13 @@ TEST(examples, static_page_holds) {
   EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 330.0, kWhole);
   EXPECT_NEAR(1e-6 * r.sagbend.von_mises.value, 90.0, kWhole);
   EXPECT_NEAR(*r.stinger_tip_clearance, 0.29, 0.02);
-  EXPECT_EQ(r.largest_reaction_support, "ramp 1");
-  EXPECT_NEAR(1e-3 * r.largest_reaction, 47.8, 1.0);  // a millimetre of roller height is worth kilonewtons
+  EXPECT_EQ(r.max_reaction_support, "ramp 1");
+  EXPECT_NEAR(1e-3 * r.max_reaction, 47.8, 1.0);  // a millimetre of roller height is worth kilonewtons
   EXPECT_EQ(carrying_boxes(r), 9);
-  // What the lay hangs on and rests on is its weight: nothing is lost on the way.
+  // The forces that carry the lay are its weight: nothing is lost on the way.
   EXPECT_LT(r.global_residual, 1e-9);
   // Over frictionless rollers the tension falls by the weight of pipe as long as the way is deep: 5.222 m in
-  // air, 88.756 m in water, whatever the shape. What bending adds at the tensioner is below 0.1 kN.
+  // air, 88.756 m in water, for any shape. The addition of bending at the tensioner is below 0.1 kN.
   EXPECT_NEAR(1e-3 * (r.top_tension - r.bottom_tension), 2.2559 * 5.222 + 0.36849 * 88.756, kTenth);
 }
 
@@ -105,8 +105,8 @@ TEST(examples, stinger_as_printed_loads_one_box_and_passes_yield) {
   const StaticResults r = solved(example("bgl1-as-printed.yaml"));
   EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 545.0, kWhole);
   EXPECT_NEAR(1e-3 * box(r, "stinger 2").reaction, 111.0, 2.0);
-  EXPECT_NEAR(1e-3 * r.largest_reaction, 68.3, 1.0);
-  EXPECT_EQ(r.largest_reaction_support, "stinger 2");
+  EXPECT_NEAR(1e-3 * r.max_reaction, 68.3, 1.0);
+  EXPECT_EQ(r.max_reaction_support, "stinger 2");
   EXPECT_EQ(carrying_boxes(r), 6);
   const StaticResults mended = solved(example("bgl1.yaml"));
   EXPECT_GT(carrying_boxes(mended), carrying_boxes(r));
@@ -127,7 +127,7 @@ TEST(examples, yielding_page_holds) {
   EXPECT_FALSE(std::ranges::any_of(messages(linear.findings), says_roll));
   EXPECT_NEAR(1e-3 * linear.sagbend.bending_moment.value, 98.0, 1.0);
   EXPECT_NEAR(1e-3 * steel.sagbend.bending_moment.value, 269.0, 4.0);
-  EXPECT_NEAR(1e-3 * steel.largest_reaction, 76.1, 1.0);
+  EXPECT_NEAR(1e-3 * steel.max_reaction, 76.1, 1.0);
   const auto criterion = [](const StaticResults& r) {
     return std::find_if(
                r.checks.rows.begin(), r.checks.rows.end(),
@@ -139,7 +139,7 @@ TEST(examples, yielding_page_holds) {
 }
 
 TEST(examples, workable_sea_keeps_the_pipe_between_its_rollers_and_below_yield) {
-  const DynamicResults r = minute_of(example("bgl1-workable-sea.yaml"), 20.0);
+  const DynamicResults r = run_one_minute(example("bgl1-workable-sea.yaml"), 20.0);
   EXPECT_TRUE(r.findings.empty())
       << messages(r.findings).front();  // the pipe leaves no box, nothing yields, tension stays
   // One minute has some eight waves, so these are loose: the extremes of three hours are inside the page's ranges.
@@ -159,9 +159,9 @@ TEST(examples, workable_sea_keeps_the_pipe_between_its_rollers_and_below_yield) 
 TEST(examples, workable_sea_does_not_see_where_nodes_lie_over_the_rollers) {
   Description d = example("bgl1-workable-sea.yaml");
   d.mesh.overbend_element = 0.25;
-  const DynamicResults fine = minute_of(d, 20.0);
+  const DynamicResults fine = run_one_minute(d, 20.0);
   d.mesh.overbend_element = 1.0;
-  const DynamicResults coarse = minute_of(d, 20.0);
+  const DynamicResults coarse = run_one_minute(d, 20.0);
   EXPECT_NEAR(coarse.overbend.bending_moment.over_time.max / fine.overbend.bending_moment.over_time.max, 1.0, 1e-3);
   EXPECT_NEAR(coarse.sagbend.bending_moment.over_time.max / fine.sagbend.bending_moment.over_time.max, 1.0, 1e-3);
   EXPECT_NEAR(coarse.top_tension.max / fine.top_tension.max, 1.0, 1e-3);
@@ -174,14 +174,14 @@ bool left_over_its_side(const DynamicResults& r, const std::string& name) {
 }
 
 TEST(examples, irregular_sea_takes_the_pipe_off_its_stinger) {
-  const DynamicResults r = minute_of(example("bgl1.yaml"));
+  const DynamicResults r = run_one_minute(example("bgl1.yaml"));
   for (int k = 1; k <= 8; ++k) {
     EXPECT_TRUE(left_over_its_side(r, "stinger " + std::to_string(k))) << k;
   }
   EXPECT_EQ(std::ranges::count_if(messages(r.findings),
                                   [](const std::string& w) { return w.find("the pipe left '") != std::string::npos; }),
             1);
-  // What follows is the motion of a pipe beside its rollers, which rounding alone drives apart: only its kind is
+  // From here on the pipe moves next to its rollers, which rounding alone drives apart: only its kind is
   // stated.
   EXPECT_GT(r.overbend.von_mises.over_time.max, 800e6);  // twice the yield stress, of a steel that does not yield
   EXPECT_LT(r.stinger_tip_clearance.min, -3.0);
@@ -194,7 +194,7 @@ constexpr double kTension = 1.0, kTime = 0.5, kTravel = 0.01, kStress = 2.0;
 DynamicResults tensioner_study(TensionerMode mode) {
   Description description = example("bgl1-tensioner.yaml");
   description.tensioner.mode = mode;
-  return minute_of(description);
+  return run_one_minute(description);
 }
 
 TEST(examples, tensioner_page_holds) {
@@ -233,7 +233,7 @@ struct Contacts {
   double peak = 0.0;            ///< Largest reaction of one of them [N].
 };
 
-Contacts contacts_of(const DynamicResults& r) {
+Contacts count_row_contacts(const DynamicResults& r) {
   Contacts found;
   for (const SupportDynamics& support : r.supports) {
     for (int row = 0;; ++row) {
@@ -256,11 +256,11 @@ Contacts contacts_of(const DynamicResults& r) {
 }
 
 TEST(examples, contact_models_page_holds) {
-  const DynamicResults rollers = minute_of(example("bgl1-tensioner.yaml"));
+  const DynamicResults rollers = run_one_minute(example("bgl1-tensioner.yaml"));
   Description traditional = example("bgl1-tensioner.yaml");
   traditional.supports.contact = SupportContact::gap_springs;
-  const DynamicResults springs = minute_of(traditional);
-  const Contacts rigorous = contacts_of(rollers), simple = contacts_of(springs);
+  const DynamicResults springs = run_one_minute(traditional);
+  const Contacts rigorous = count_row_contacts(rollers), simple = count_row_contacts(springs);
   EXPECT_EQ(rigorous.places, 39);
   EXPECT_EQ(simple.places, 13);
   EXPECT_NEAR(rigorous.touched, 13, 1);

@@ -7,7 +7,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
 #include "study/run/input_findings.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 #include "support/us_units.h"
@@ -26,7 +26,7 @@ void add_texts(const Results& results, std::vector<std::string>& all) {
 }
 
 /// All that is said of a model and of its statics.
-std::vector<std::string> texts_of(const Description& description) {
+std::vector<std::string> collect_texts(const Description& description) {
   Model model = build_model(description);
   std::vector<std::string> all = messages(input_findings(model));
   for (std::string& text : texts(assumptions(model))) all.push_back(std::move(text));
@@ -54,10 +54,10 @@ void expect_no_metric_unit(const std::vector<std::string>& texts) {
 
 /// Texts of a lay with findings, and of one whose tension does not carry the pipe.
 std::vector<std::string> texts_with_findings() {
-  std::vector<std::string> all = texts_of(example("bgl1-as-printed.yaml"));
+  std::vector<std::string> all = collect_texts(example("bgl1-as-printed.yaml"));
   Description low = example("bgl1.yaml");
   low.tensioner.tension = 30e3;
-  for (std::string& text : texts_of(low)) all.push_back(std::move(text));
+  for (std::string& text : collect_texts(low)) all.push_back(std::move(text));
   std::erase_if(all, [](const std::string& text) { return text.find("laid pipe is extended") != std::string::npos; });
   return all;  // without the 3 km, which are feet as well
 }
@@ -84,7 +84,8 @@ TEST(us_texts, have_the_numbers_of_the_metric_ones_times_the_ratio_of_their_unit
 TEST(us_texts, of_all_examples_have_no_metric_unit) {
   const UsUnits units;
   for (const auto& file : std::filesystem::directory_iterator(OVERBEND_SOURCE_DIR "/examples")) {
-    if (file.path().extension() == ".yaml") expect_no_metric_unit(texts_of(example(file.path().filename().string())));
+    if (file.path().extension() == ".yaml")
+      expect_no_metric_unit(collect_texts(example(file.path().filename().string())));
   }
 }
 

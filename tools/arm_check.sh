@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 # The line kernel asks bed_shape.cpp for a bed that is not a plane; how one is set up is left out by --gc-sections.
-sources=(src/overbend/*/*_kernel.cpp src/overbend/model/site/bed_shape.cpp tests/arm/*.cpp)
+sources=(src/overbend/*/*_kernel.cpp src/overbend/model/site/seabed_shape.cpp tests/arm/*.cpp)
 options=(-std=c++20 -ffunction-sections -Wall -Wextra -Werror -Wno-psabi -fno-math-errno -fno-trapping-math -DEIGEN_MPL2_ONLY
          -Isrc/overbend -isystem /usr/include/eigen3
          -DOVERBEND_ISA_NAMESPACE=isa_baseline -DOVERBEND_ISA_WIDTH=2)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the layers of src/overbend apart: prints file:line of every include that the plan does not allow.
+"""Checks the layers of src/overbend: prints file:line of every include that the plan does not allow.
 
     tools/check_layers.py [ROOT]     ROOT is the repository (default: the one this file lies in)
 
@@ -15,7 +15,7 @@ EVERYTHING = {
     "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python",
 }
 
-# Layer -> the layers it may include, besides itself.
+# Layer -> the layers that it may include in addition to itself.
 PLAIN = {"results", "model", "base"}
 ENGINE = {"mechanics", "hull", "moorings", "numerics"} | PLAIN
 MAY_INCLUDE = {
@@ -42,8 +42,8 @@ MAY_INCLUDE = {
     "app": EVERYTHING - {"python"},
 }
 
-# Layers in sub-rooms, lowest first: a file may include those of its own room that stand before its sub-room. "" is the
-# room itself: what stands above all of its sub-rooms.
+# Layers in sub-rooms, lowest first: a file may include the sub-rooms listed before its own. "" is the room itself, which
+# is above all of its sub-rooms.
 SUB_ROOMS = {
     "model": ["waves", "description", "pipe", "site", "vessel", ""],
     "results": ["", "fields", "tables"],
@@ -57,7 +57,7 @@ SUB_ROOMS = {
     "serve": ["embedded", "http", "answers", "model", "runs", ""],
 }
 
-# How a library's headers begin -> the layers that may use it. A library that is not here may not be used anywhere.
+# Prefix of a library's headers -> the layers that may use it. A library that is not listed may not be used.
 LIBRARIES = [
     ("Eigen/", EVERYTHING),
     ("unsupported/Eigen/", {"numerics"}),
@@ -77,17 +77,17 @@ LIBRARIES = [
 SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|spawn|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
 SYSTEM_LAYERS = {"base", "runstore", "resultfiles", "study", "serve", "app"}
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<header>[^"]+)"|<(?P<angle>[^>]+)>)')
 
 
 def sub_room(path):
-    """The sub-room of a file given from src/overbend, "" for one that stands in the room itself."""
+    """The sub-room of a file given from src/overbend, "" for a file in the room itself."""
     parts = path.split("/")
     return parts[1] if len(parts) > 2 else ""
 
 
-def offence_of_place(relative):
-    """Why a file may not stand where it does, or None."""
+def check_location(relative):
+    """Reason why a file may not be at its location, or None."""
     room = relative.split("/")[0]
     if "/" not in relative or room not in MAY_INCLUDE:
         return f"{relative} lies in no layer of the plan"
@@ -96,21 +96,21 @@ def offence_of_place(relative):
     return None
 
 
-def offence_in_room(relative, header):
-    """Why a file may not include a header of another sub-room of its own room, or None."""
+def check_sub_room(relative, header):
+    """Reason why a file may not include a header of another sub-room of its room, or None."""
     order = SUB_ROOMS.get(relative.split("/")[0])
-    own, other = sub_room(relative), sub_room(header)
-    if order is None or other == own:
+    room, target = sub_room(relative), sub_room(header)
+    if order is None or target == room:
         return None
-    if other not in order:
+    if target not in order:
         return f'"{header}" lies in no sub-room of the plan'
-    if order.index(other) > order.index(own):
-        return f'{own} may not include "{header}" ({own} stands below {other or "the room itself"})'
+    if order.index(target) > order.index(room):
+        return f'{room} may not include "{header}" ({room} stands below {target or "the room itself"})'
     return None
 
 
-def offence_of_own(relative, header):
-    """Why a file given from src/overbend may not include "header", or None."""
+def check_own_header(relative, header):
+    """Reason why a file given from src/overbend may not include "header", or None."""
     layer = relative.split("/")[0]
     target, slash, _ = header.partition("/")
     if not slash or target not in MAY_INCLUDE:
@@ -118,11 +118,11 @@ def offence_of_own(relative, header):
     if target != layer and target not in MAY_INCLUDE[layer]:
         allowed = ", ".join(sorted(MAY_INCLUDE[layer])) or "no other layer"
         return f'{layer} may not include "{header}" (it may see {allowed})'
-    return offence_in_room(relative, header) if target == layer else None
+    return check_sub_room(relative, header) if target == layer else None
 
 
-def offence_of_library(layer, header):
-    """Why a file of `layer` may not include <header>, or None."""
+def check_library(layer, header):
+    """Reason why a file of `layer` may not include <header>, or None."""
     if SYSTEM_HEADER.match(header):
         return None if layer in SYSTEM_LAYERS else f"{layer} may not include the system header <{header}>"
     if not re.search(r"[./]", header):
@@ -143,7 +143,7 @@ def offences(root):
         read += 1
         relative = path.relative_to(source).as_posix()
         layer = relative.split("/")[0]
-        misplaced = offence_of_place(relative)
+        misplaced = check_location(relative)
         if misplaced:
             found.append((path, 1, misplaced))
             continue
@@ -151,8 +151,8 @@ def offences(root):
             match = INCLUDE.match(line)
             if not match:
                 continue
-            own, angle = match["own"], match["angle"]
-            reason = offence_of_own(relative, own) if own else offence_of_library(layer, angle)
+            header, angle = match["header"], match["angle"]
+            reason = check_own_header(relative, header) if header else check_library(layer, angle)
             if reason:
                 found.append((path, number, reason))
     return found, read

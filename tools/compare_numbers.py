@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds two lists of named numbers against each other: tools/compare_numbers.py ONE OTHER TOLERANCE.
+"""Compares two lists of named numbers: tools/compare_numbers.py FIRST SECOND TOLERANCE.
 
 A line is "NAME NUMBER". Numbers of one name may differ by TOLERANCE of the largest of that name.
 """
@@ -18,16 +18,16 @@ def numbers(path):
 
 
 def main():
-    one, other, tolerance = numbers(sys.argv[1]), numbers(sys.argv[2]), float(sys.argv[3])
-    if not one or {n: len(v) for n, v in one.items()} != {n: len(v) for n, v in other.items()}:
+    first, second, tolerance = numbers(sys.argv[1]), numbers(sys.argv[2]), float(sys.argv[3])
+    if not first or {n: len(v) for n, v in first.items()} != {n: len(v) for n, v in second.items()}:
         sys.exit("compare_numbers.py: the two do not list the same")
     bad = False
-    for name in one:
-        size = max(map(abs, other[name]))
-        apart = max(abs(a - b) for a, b in zip(one[name], other[name]))
+    for name in first:
+        size = max(map(abs, second[name]))
+        apart = max(abs(a - b) for a, b in zip(first[name], second[name]))
         good = math.isfinite(size) and apart <= tolerance * size  # a NaN on either side is not good
         bad |= not good
-        print(f"{name:20} {len(one[name]):5} numbers, largest {size:9.3g}, apart {apart:8.1e}{'' if good else '  WRONG'}")
+        print(f"{name:20} {len(first[name]):5} numbers, largest {size:9.3g}, apart {apart:8.1e}{'' if good else '  WRONG'}")
     sys.exit(bad)
 
 

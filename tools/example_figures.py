@@ -36,7 +36,7 @@ def mode(name):
 
 GAP_SPRINGS = (r"^supports:", "supports:\n  contact: gap_springs")
 
-# name: (kind, example, further words, change of its text)
+# name: (kind, example, further options, change of its text)
 RUNS = {
     "static": ("static", "bgl1.yaml", [], None),
     "as-printed": ("static", "bgl1-as-printed.yaml", [], None),
@@ -69,9 +69,9 @@ PICTURES = {
 }
 
 
-def results_of(program, name, folder):
+def run_example(program, name, folder):
     """Folder with the results of a run."""
-    kind, example, words, change = RUNS[name]
+    kind, example, options, change = RUNS[name]
     out = folder / name
     text = (ROOT / "examples" / example).read_text(encoding="utf-8")
     if change:
@@ -81,11 +81,11 @@ def results_of(program, name, folder):
     model = folder / f"{name}.yaml"
     model.write_text(text.replace("../data/", f"{ROOT}/data/"), encoding="utf-8")
     print(f"{kind} {example} for {name}", flush=True)
-    subprocess.run([program, kind, model, *words, "-o", out], check=True, capture_output=True, timeout=600)
+    subprocess.run([program, kind, model, *options, "-o", out], check=True, capture_output=True, timeout=600)
     return out
 
 
-# Leaves of the report's page only the panels wanted, one below the other, and tells their height.
+# Keeps only the requested panels of the report's page, one below the other, and puts their height in the title.
 ALONE = """<script>
 (() => {
   const kept = %s.map((p) => document.querySelector(`.panel[data-figure="%s"][data-part="${p}"]`));
@@ -97,13 +97,13 @@ ALONE = """<script>
 </script>"""
 
 
-def chromium(words, folder):
-    command = ["chromium", *FLAGS, f"--user-data-dir={folder}/profile", *words]
+def chromium(options, folder):
+    command = ["chromium", *FLAGS, f"--user-data-dir={folder}/profile", *options]
     return subprocess.run(command, capture_output=True, encoding="utf-8", timeout=120, check=True).stdout
 
 
 def photographed(page, picture, folder, height=None):
-    """Writes the page as a picture, as tall as its own title says unless told."""
+    """Writes the page as a picture; without a height that of its title is used."""
     if height is None:
         height = int(re.search(r"<title>height (\d+)", chromium(["--dump-dom", page.as_uri()], folder))[1])
     size = [f"--window-size={WIDTH},{height}", "--force-device-scale-factor=2"]
@@ -187,12 +187,12 @@ class Chart:
 
 
 def legend(entries, y):
-    """Words with their colours, in one line."""
+    """Labels with their colours, in one line."""
     out, x = [], LEFT
-    for colour, words, block in entries:
+    for colour, text, block in entries:
         out.append(svg.rect(x, y - (10 if block else 6), 18, 12 if block else 3, fill=colour))
-        out.append(svg.text(x + 24, y, words))
-        x += 46 + 7.2 * len(words)
+        out.append(svg.text(x + 24, y, text))
+        x += 46 + 7.2 * len(text)
     return out
 
 
@@ -210,7 +210,7 @@ TIME = "Time from the end of the build-up [s]"
 def draw_tension(runs, picture, folder):
     """Top tension, tensioner off against on: the whole run, and three waves of it with what the machine does."""
     lines = [(RANGE, "range 240 to 260 kN", True), (OFF, "off (brake locked)", False), (ON, "on (controlled)", False)]
-    parts = legend([*lines, *((colour, words, True) for colour, words in STATES.values())], 22)
+    parts = legend([*lines, *((colour, text, True) for colour, text in STATES.values())], 22)
     whole = Chart(66, 200, (0, 300), (180, 310), "Top tension", "Tension [kN]")
     title = "Three waves of it; the strip shows what the machine does"
     near = Chart(334, 250, (216, 252), (180, 310), title, "Tension [kN]", TIME)
@@ -230,7 +230,7 @@ def draw_travel(runs, picture, folder):
     chart = Chart(66, 300, (0, 120), (-0.25, 0.35), "Pipe movement at the tensioner, paid out positive", "Travel [m]", TIME)
     for run, colour, _ in lines:
         chart.line(*history(runs[run], "tensioner/travel"), colour, 2)
-    write_chart([*legend([(colour, words, False) for _, colour, words in lines], 22), *chart.parts()], 418, picture, folder)
+    write_chart([*legend([(colour, text, False) for _, colour, text in lines], 22), *chart.parts()], 418, picture, folder)
 
 
 DRAWN = {
@@ -240,11 +240,11 @@ DRAWN = {
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    words.add_argument("program", nargs="?", default=ROOT / "build" / "release" / "overbend", type=pathlib.Path)
-    words.add_argument("--only", default="", help="pictures whose name holds this")
-    words.add_argument("--keep", type=pathlib.Path, help="folder for the runs; those already in it are not run again")
-    asked = words.parse_args()
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", nargs="?", default=ROOT / "build" / "release" / "overbend", type=pathlib.Path)
+    parser.add_argument("--only", default="", help="pictures whose name holds this")
+    parser.add_argument("--keep", type=pathlib.Path, help="folder for the runs; those already in it are not run again")
+    asked = parser.parse_args()
     if not shutil.which("chromium"):
         sys.exit("chromium is not installed")
     IMAGES.mkdir(parents=True, exist_ok=True)
@@ -256,8 +256,8 @@ def main():
 
         def run(name):
             if name not in done:
-                there = (keep / name / "results.h5").exists()
-                done[name] = keep / name if there else results_of(asked.program.resolve(), name, keep)
+                is_done = (keep / name / "results.h5").exists()
+                done[name] = keep / name if is_done else run_example(asked.program.resolve(), name, keep)
             return done[name]
 
         for name, (source, figure, parts) in PICTURES.items():

@@ -50,7 +50,7 @@ def wrapped(text, first="", rest=""):
 
 
 def entries(lines):
-    """Lines of a part as a list; those indented deeper go on with the entry above."""
+    """Lines of a part as a list; lines indented deeper continue the entry above."""
     indent = min(len(line) - len(line.lstrip()) for line in lines if line.strip())
     found = []
     for line in lines:
@@ -58,7 +58,7 @@ def entries(lines):
             found.append(line.strip())
         elif line.strip():
             found[-1] += " " + line.strip()
-    return [wrapped(re.sub(r"^([\w*]+(, [\w*]+)*):\s", named, one), "- ", "  ") for one in found]
+    return [wrapped(re.sub(r"^([\w*]+(, [\w*]+)*):\s", named, entry), "- ", "  ") for entry in found]
 
 
 def named(found):
@@ -67,18 +67,18 @@ def named(found):
 
 def paragraphs(doc):
     """A docstring as (first line, indented lines below it) and paragraphs, in their order."""
-    lines, at, blocks = inspect.cleandoc(doc).splitlines(), 0, []
-    while at < len(lines):
-        start, indented = at, lines[at].startswith(" ") or bool(PART.match(lines[at]))
-        at += 1
+    lines, i, blocks = inspect.cleandoc(doc).splitlines(), 0, []
+    while i < len(lines):
+        start, indented = i, lines[i].startswith(" ") or bool(PART.match(lines[i]))
+        i += 1
         if indented:
-            while at < len(lines) and (lines[at].startswith(" ") or not lines[at].strip()):
-                at += 1
+            while i < len(lines) and (lines[i].startswith(" ") or not lines[i].strip()):
+                i += 1
         else:
-            while at < len(lines) and lines[at].strip() and not lines[at].startswith(" ") and not PART.match(lines[at]):
-                at += 1
-        if any(line.strip() for line in lines[start:at]):
-            blocks.append(lines[start:at])
+            while i < len(lines) and lines[i].strip() and not lines[i].startswith(" ") and not PART.match(lines[i]):
+                i += 1
+        if any(line.strip() for line in lines[start:i]):
+            blocks.append(lines[start:i])
     return blocks
 
 
@@ -137,7 +137,7 @@ def is_property(member):
 
 
 def member_text(owner, name, member):
-    """What is told of a member of a class; nothing where it has no docstring."""
+    """Description of a member of a class; empty if it has no docstring."""
     if is_property(member):
         getter = member.fget if isinstance(member, property) else member.func
         doc, result = member.__doc__, inspect.signature(getter).return_annotation
@@ -184,7 +184,7 @@ def page():
     out = [HEAD]
     for home, found in public().items():
         out += [f"## {HEADINGS.get(home, home)}", "", *described(sys.modules[f"overbend.{home}"].__doc__)]
-        for name, what in sorted(found.items(), key=lambda one: inspect.getsourcelines(one[1])[1]):
+        for name, what in sorted(found.items(), key=lambda item: inspect.getsourcelines(item[1])[1]):
             out += class_text(name, what) if inspect.isclass(what) else function_text(name, what)
     return re.sub(r"\n{3,}", "\n\n", "\n".join(out)).rstrip() + "\n"
 
@@ -196,16 +196,16 @@ def undocumented():
         for name, what in found.items():
             whole = {"": what, **(members(what) if inspect.isclass(what) else {})}
             for each, member in whole.items():
-                told = getattr(member, "__func__", member)
-                own = is_property(member) or inspect.isfunction(told) or inspect.isclass(told)
-                if own and not told.__doc__ and not each.startswith("__"):
+                function = getattr(member, "__func__", member)
+                needs_docstring = is_property(member) or inspect.isfunction(function) or inspect.isclass(function)
+                if needs_docstring and not function.__doc__ and not each.startswith("__"):
                     missing.append(f"overbend.{home}.{name}" + (f".{each}" if each else ""))
     return missing
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("--check", action="store_true", help="only say whether the page is up to date")
+    options.add_argument("--check", action="store_true", help="only check that the page is up to date")
     checking = options.parse_args().check
     if missing := undocumented():
         sys.exit("no docstring: " + ", ".join(missing))

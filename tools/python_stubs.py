@@ -22,7 +22,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Sequ
 
 import numpy
 '''
-# What pybind11 calls its arguments where it has no Python type.
+# Names that pybind11 gives to arguments without a Python type.
 TYPES = [
     (re.compile(r"\bhandle\b"), "Any"),
     (re.compile(r"(?<![\w.])object\b"), "Any"),
@@ -36,7 +36,7 @@ EMPTY = {"dict": "Dict[str, Any]", "list": "List[Any]", "tuple": "Tuple[Any, ...
 
 
 def split_arguments(text):
-    """The arguments of a signature: text between commas that stand in no brackets."""
+    """The arguments of a signature: text between commas outside brackets."""
     found, depth = [""], 0
     for letter in text:
         depth += (letter in "([{<") - (letter in ")]}>")
@@ -44,7 +44,7 @@ def split_arguments(text):
             found.append("")
         else:
             found[-1] += letter
-    return [one.strip() for one in found if one.strip()]
+    return [part.strip() for part in found if part.strip()]
 
 
 def type_word(word, module):
@@ -71,7 +71,7 @@ def typed(signature, module):
     """A signature of pybind11, "name(argument: type = default) -> type", as Python reads it."""
     head, _, result = signature.rpartition(") -> ")
     name, _, arguments = head.partition("(")
-    listed = ", ".join(argument(one, module) for one in split_arguments(arguments))
+    listed = ", ".join(argument(text, module) for text in split_arguments(arguments))
     return f"{name}({listed}) -> {type_word(result, module)}"
 
 

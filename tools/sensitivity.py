@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How far the results of the BGL-1 examples move when one input moves: table and tornado diagrams of docs/reproduction.md.
+"""Sensitivity of the results of the BGL-1 examples to single inputs: table and tornado diagrams of docs/reproduction.md.
 
     tools/sensitivity.py [PROGRAM]      default: build/release/overbend; a few minutes
     tools/sensitivity.py --draw         only the diagrams again, from the table
 
-Runs examples/bgl1.yaml in statics and examples/bgl1-tensioner.yaml for 120 s, once as they are and once for each change,
-one change at a time. Writes docs/sensitivity.csv and docs/images/tornado-*.svg.
+Runs examples/bgl1.yaml in statics and examples/bgl1-tensioner.yaml for 120 s, once unchanged and once for
+each change of a single input. Writes docs/sensitivity.csv and docs/images/tornado-*.svg.
 """
 
 import csv
@@ -118,10 +118,10 @@ def scaled_raos(factor, path):
     """The barge's RAOs with the amplitude of surge multiplied."""
     lines = []
     for line in (ROOT / "data" / "bgl1" / "rao.csv").read_text(encoding="utf-8").splitlines():
-        words = line.split(",")
-        if len(words) == 5 and words[2] == "surge":
-            words[3] = f"{float(words[3]) * factor:.6e}"
-        lines.append(",".join(words))
+        cells = line.split(",")
+        if len(cells) == 5 and cells[2] == "surge":
+            cells[3] = f"{float(cells[3]) * factor:.6e}"
+        lines.append(",".join(cells))
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -129,8 +129,8 @@ def run(program, kind, text, folder):
     """The summary of a run of a model's text; none if there is no equilibrium to start from."""
     model = folder / "model.yaml"
     model.write_text(text.replace("../data/bgl1/rao.csv", str(ROOT / "data" / "bgl1" / "rao.csv")), encoding="utf-8")
-    words = ["--duration", DURATION] if kind == "dynamic" else []
-    done = subprocess.run([program, kind, model, *words, "-o", folder / "out"], capture_output=True, encoding="utf-8", timeout=300)
+    extra = ["--duration", DURATION] if kind == "dynamic" else []
+    done = subprocess.run([program, kind, model, *extra, "-o", folder / "out"], capture_output=True, encoding="utf-8", timeout=300)
     if done.returncode == 3 and "no equilibrium found" in done.stderr:
         return None
     if done.returncode != 0:
@@ -139,7 +139,7 @@ def run(program, kind, text, folder):
 
 
 def measured(kind, summary):
-    """What the table keeps of a run."""
+    """Results of a run for the table."""
     if summary is None:
         return None
     if kind == "static":
@@ -164,10 +164,10 @@ def studied(program, folder):
         text = (ROOT / "examples" / name).read_text(encoding="utf-8")
         base = measured(kind, run(program, kind, text, folder))
         changed = []
-        for label, at, changes, static in INPUTS:
+        for label, base_value, changes, static in INPUTS:
             for value, change in changes if static or kind == "dynamic" else []:
                 print(f"{study}: {label} {value}", flush=True)
-                changed.append((label, at, value, measured(kind, run(program, kind, change(text), folder))))
+                changed.append((label, base_value, value, measured(kind, run(program, kind, change(text), folder))))
         studies[study] = (base, changed)
     return studies
 
@@ -183,13 +183,13 @@ def write_table(studies):
         for key, study, _, unit, digits, _ in RESULTS:
             base, changed = studies[study]
             number = lambda value, sign="": f"{value:{sign}.{digits + 1}f}"
-            for label, at, value, found in changed:
-                words = [study, label, at, value, key, unit, number(base[key])]
+            for label, base_value, value, found in changed:
+                cells = [study, label, base_value, value, key, unit, number(base[key])]
                 if found is None:
-                    table.writerow([*words, "no equilibrium", "", ""])
+                    table.writerow([*cells, "no equilibrium", "", ""])
                 else:
                     left = "yes" if found["left"] else "no"
-                    table.writerow([*words, number(found[key]), number(found[key] - base[key], "+"), left])
+                    table.writerow([*cells, number(found[key]), number(found[key] - base[key], "+"), left])
 
 
 def tick_step(span):
@@ -229,9 +229,9 @@ class Tornado:
             self.out.append(svg.text(x, self.bottom + 18, f"{tick:g}", text_anchor="middle", fill=svg.SOFT))
             tick += step
 
-    def words(self, x, y, before, words, **attributes):
+    def write(self, x, y, before, label, **attributes):
         anchor = "end" if before else "start"
-        self.out.append(svg.text(x + (-5 if before else 5), y, words, text_anchor=anchor, **attributes))
+        self.out.append(svg.text(x + (-5 if before else 5), y, label, text_anchor=anchor, **attributes))
 
     def row(self, y, ends):
         """The bars of one input; two that go the same way lie one above the other."""
@@ -240,15 +240,15 @@ class Tornado:
         for i, (value, result, left) in enumerate(ends):
             if result is None:  # on the side that the other end leaves free
                 before = found[0] > self.base or (found[0] == self.base and i == 0)
-                self.words(self.x(self.base), y + 20, before, f"{value}: no equilibrium found", font_size=12, fill="#b3261e")
+                self.write(self.x(self.base), y + 20, before, f"{value}: no equilibrium found", font_size=12, fill="#b3261e")
                 continue
             before = result < self.base or (result == self.base and i == 0)
             x0, x1 = sorted((self.x(self.base), self.x(self.shown(result))))
             y0, tall = (y + 4 + 13 * i, 12) if same_side else (y + 6, 20)
             self.out.append(svg.rect(x0, y0, max(x1 - x0, 1.0), tall, fill=self.COLOURS[i]))
             note = (" *" if left else "") + (" (bar cut)" if self.shown(result) != result else "")
-            words = f"{value}: {result:.{self.digits}f}{note}"
-            self.words(x0 if before else x1, y0 + 0.5 * tall + 4, before, words, font_size=12)
+            label = f"{value}: {result:.{self.digits}f}{note}"
+            self.write(x0 if before else x1, y0 + 0.5 * tall + 4, before, label, font_size=12)
 
     def drawn(self):
         self.axis()
@@ -258,8 +258,8 @@ class Tornado:
             self.row(y, ends)
         x = self.x(self.base)
         self.out.append(svg.line(x, self.TOP - 8, x, self.bottom, stroke=svg.INK, stroke_width=1.5))
-        words = f"base {self.base:.{self.digits}f} {self.unit}"
-        self.out.append(svg.text(x, self.TOP - 14, words, text_anchor="middle", font_weight=600))
+        label = f"base {self.base:.{self.digits}f} {self.unit}"
+        self.out.append(svg.text(x, self.TOP - 14, label, text_anchor="middle", font_weight=600))
         note = "Blue: the first value of an input, orange: the second."
         if any(left for _, ends in self.bars for _, _, left in ends):
             note += "  * the pipe left a roller box over its side"
@@ -284,18 +284,18 @@ def draw(studies):
 
 
 def kept():
-    """The studies as the table has them."""
+    """Reads the studies from the table."""
     studies = {study: ({}, {}) for _, study, *_ in RESULTS}
     with TABLE.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
             base, changed = studies[row["study"]]
             base[row["result"]] = float(row["base result"])
-            at = (row["input"], row["base value"], row["value"])
-            changed.setdefault(at, None)
+            key = (row["input"], row["base value"], row["value"])
+            changed.setdefault(key, None)
             if row["result value"] != "no equilibrium":
                 left = row["pipe left a box"] == "yes"
-                changed[at] = {**(changed[at] or {}), row["result"]: float(row["result value"]), "left": left}
-    return {study: (base, [(*at, results) for at, results in changed.items()]) for study, (base, changed) in studies.items()}
+                changed[key] = {**(changed[key] or {}), row["result"]: float(row["result value"]), "left": left}
+    return {study: (base, [(*key, results) for key, results in changed.items()]) for study, (base, changed) in studies.items()}
 
 
 def main():

@@ -1,4 +1,4 @@
-"""Elements of SVG drawings as text, for the scripts beside this file."""
+"""Elements of SVG drawings as text, for the scripts in this folder."""
 
 INK, SOFT, GRID, FRAME = "#1b2733", "#5b6b7a", "#d5dce3", "#8794a0"
 
@@ -14,8 +14,8 @@ def element(name, content=None, **attributes):
     return f"{start}/>" if content is None else f"{start}>{content}</{name}>"
 
 
-def text(x, y, words, **attributes):
-    return element("text", escaped(words), x=x, y=y, **attributes)
+def text(x, y, content, **attributes):
+    return element("text", escaped(content), x=x, y=y, **attributes)
 
 
 def line(x1, y1, x2, y2, **attributes):

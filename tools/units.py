@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Says which sources may be compiled together.
+"""Groups sources that may be compiled together.
 
     tools/units.py LARGEST SOURCE...      prints a line "UNIT SOURCE" for every source
 
@@ -18,7 +18,7 @@ import pathlib
 import re
 import sys
 
-# Words that may mean something declared outside of what they stand in: called, or named like types and constants.
+# Names that may refer to an outer declaration: called, or named like types and constants.
 WORD = re.compile(r"(?<![\w.:>])(?:[a-z_]\w*(?=\()|(?:[A-Z]|k[A-Z])\w*)")
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 NOT_CODE = re.compile(r'//(?! namespace$)[^\n]*|"(?:\\.|[^"\\\n])*"', re.MULTILINE)
@@ -41,18 +41,18 @@ def code(path):
 
 
 @functools.cache
-def words(path):
+def candidate_names(path):
     return frozenset(WORD.findall(code(path)))
 
 
 @functools.cache
-def all_words(path):
+def identifiers(path):
     return frozenset(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", code(path)))
 
 
 @functools.cache
 def hidden(path):
-    """Names that the source keeps to itself."""
+    """Names declared in unnamed namespaces of the source."""
     text = code(path)
     parts = UNNAMED.findall(text)
     names = {name for part in parts for name in DECLARED.findall(part)}
@@ -62,13 +62,13 @@ def hidden(path):
 
 @functools.cache
 def borrowed(path):
-    """What it says of the hidden names that stand for something declared elsewhere, by name."""
+    """Declarations of hidden names that stand for something declared elsewhere, by name."""
     return {found[1]: found[0] for part in UNNAMED.findall(code(path)) for found in BORROWED.finditer(part)}
 
 
 @functools.cache
 def headers(path):
-    """Of this project, that the source includes, however far down."""
+    """Headers of this project that the source includes, directly or indirectly."""
     found, ahead = set(), [path]
     while ahead:
         for name in INCLUDE.findall(ahead.pop().read_text(encoding="utf-8")):
@@ -95,7 +95,7 @@ def outside(root):
 def may_be_hidden(header):
     """Words of a header that a name outside could stand for."""
     members = frozenset(INSIDE.findall(code(header))).difference(*(outside(root) for root in roots(header)))
-    return words(header) - members
+    return candidate_names(header) - members
 
 
 def by_name(places, names):
@@ -110,21 +110,21 @@ def by_name(places, names):
 def apart(sources):
     """By source, those in which one of its names could mean something else, or that have such a name for it."""
     others = {source: set() for source in sources}
-    meant = by_name(sources, lambda source: words(source) | hidden(source))
-    written = by_name(sources, all_words)
+    meant = by_name(sources, lambda source: candidate_names(source) | hidden(source))
+    written = by_name(sources, identifiers)
     included = by_name(sources, headers)  # by header
     in_headers = by_name(included, may_be_hidden)
     for source in sources:
         for name in hidden(source):
             of_headers = in_headers[name] - headers(source)
             found = meant[name].union(*(included[header] for header in of_headers))
-            here = borrowed(source).get(name)
-            if here:  # a type, say, that a parameter of that name would hide
+            declaration = borrowed(source).get(name)
+            if declaration:  # a type, say, that a parameter of that name would hide
                 found |= written[name]
-                found = {other for other in found if borrowed(other).get(name) != here}
-            for other in found - {source}:
-                others[source].add(other)
-                others[other].add(source)
+                found = {clash for clash in found if borrowed(clash).get(name) != declaration}
+            for clash in found - {source}:
+                others[source].add(clash)
+                others[clash].add(source)
     return others
 
 
@@ -169,7 +169,7 @@ def main():
     largest = int(sys.argv[1])
     sources = [pathlib.Path(name).resolve() for name in sys.argv[2:]]
     for name, unit in named_units(sources, largest):
-        for source in unit:  # as the bytes that the path came as, whatever the locale
+        for source in unit:  # with the original bytes of the path, for any locale
             sys.stdout.buffer.write(f"{name} ".encode() + os.fsencode(source) + b"\n")
 
 

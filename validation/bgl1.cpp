@@ -1,4 +1,4 @@
-/// The 16-inch example of [silva2009] beside an independent beam solver.
+/// The 16-inch example of [silva2009] compared with an independent beam solver.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -120,6 +120,7 @@ Table sensitivities() {
 Group bgl1_example() {
   return {
       "The BGL-1 example with one support per box",
+      "independent beam solver",
       "Corrected table, tensioner as a pin, rollers of 1e5 kN/m, no friction, no current. The beam solver's bottom "
       "tensions\n(205.6 kN for 250, 156.0 for 200, 255.7 for 300) are not used: they violate the first integral of a "
       "frictionless rod,\nT+T2/(2 EA)+EI kappa2/2+(suspended weight) = constant, by 0.5 to 1 kN; it "

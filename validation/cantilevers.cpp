@@ -59,7 +59,8 @@ Table roll_up() {
               "The moment acts on the rotation of the last tangent; 64 elements, so that each element rotates by 0.2 "
               "rad when the rod is rolled up twice. The rod is held in its plane: under a moment about a fixed axis a "
               "rod without torsion also has equilibria out of the plane.",
-              {}};
+              {},
+              "closed form"};
   Rod rod = cantilever(64, Vec3::UnitX());
   const int tip = rod.nodes() - 1;
   const Vec3 axis = -Vec3::UnitY();
@@ -91,6 +92,7 @@ Table roll_up() {
 
 Group cantilevers() {
   return {"Large bending",
+          "elliptic integrals",
           "Single rods using the element kernel and the block solver, with their own boundary conditions and loads and "
           "a plain Newton iteration.\n\nNot compared: the 45-degree bend of Bathe and Bolourchi (1979). Its rod is "
           "initially curved and responds in torsion as well as in bending; the torsion-free element has neither "

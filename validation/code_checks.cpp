@@ -1,4 +1,4 @@
-/// The formulas of the code checks beside values computed apart from the program.
+/// The formulas of the code checks compared with values computed independently.
 #include "checks/dnv_combined.h"
 #include "checks/dnv_strain.h"
 #include "checks/test_pipes.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kBasis = "computed independently; digits printed";
 constexpr double kDelta = 0.005;   ///< Ovality by API.
-constexpr double kStrain = 0.002;  ///< Of the displacement-controlled check.
+constexpr double kStrain = 0.002;  ///< Strain of the displacement-controlled check.
 
 void add_pressures(std::vector<Row>& rows, const TestPipe& p, double collapse) {
   const auto add = [&](const char* name, const char* unit, double ours, double reference, double digits) {
@@ -62,6 +62,7 @@ void add_api(std::vector<Row>& rows, const TestPipe& p) {
 Group code_checks() {
   Group group{
       "Code formulas",
+      "formulas computed independently",
       "The formulas of the [code checks](theory/checks.md) for three pipes: alpha_U 0.96, low safety class, O_0 "
       "0.005, alpha_h 0.93, load factors 1, water of 1025 kg/m3. The references were computed independently from the "
       "same formulas: they verify the implementation, not the agreement of the formulas with the standards, which has "

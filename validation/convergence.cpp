@@ -1,4 +1,4 @@
-/// How fast the element converges.
+/// Order of convergence of the element.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -64,7 +64,7 @@ Vec3 middle_of_sag(int elements) {
   return rod.position(last / 2);
 }
 
-Table hanging_order() {
+Table suspended_pipe_order() {
   const std::vector<int> meshes{8, 16, 32, 64};
   const Vec3 fine = middle_of_sag(512);
   std::vector<double> errors;
@@ -81,9 +81,10 @@ Table hanging_order() {
 
 Group convergence() {
   return {"Order of convergence",
+          "order of the element",
           "Each mesh halves the element length of the previous one; the order is the binary logarithm of the ratio of "
           "the errors.",
-          {cantilever_order(), hanging_order()}};
+          {cantilever_order(), suspended_pipe_order()}};
 }
 
 }  // namespace overbend::validation

@@ -1,4 +1,4 @@
-/// Rainflow counts and S-N curves beside published and independently computed values.
+/// Rainflow counts and S-N curves compared with published and independently computed values.
 #include <cmath>
 #include <map>
 #include <span>
@@ -11,7 +11,8 @@ namespace overbend::validation {
 namespace {
 
 Table rainflow_example() {
-  Table table{"Rainflow counting", "The example of ASTM E1049-85: -2, 1, -3, 5, -1, 3, -4, 4, -2.", {}};
+  Table table{
+      "Rainflow counting", "The example of ASTM E1049-85: -2, 1, -3, 5, -1, 3, -4, 4, -2.", {}, "ASTM E1049-85"};
   std::map<double, double> counts;
   const auto keep = [&](std::size_t, const RainflowCycle& cycle) { counts[cycle.range] += cycle.count; };
   RainflowCounter counter(1);
@@ -55,6 +56,7 @@ Table lives() {
 Group fatigue() {
   return {
       "Fatigue",
+      "computed from the tables",
       "Cycles and lives of the [fatigue of welds](theory/fatigue.md). Mean damage of narrow-banded Gaussian stress is "
       "compared with its closed form by a test, within 2 %.",
       {rainflow_example(), lives()}};

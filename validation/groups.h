@@ -6,6 +6,7 @@
 namespace overbend::validation {
 
 Group static_cases();
+Group field_lays();
 Group cantilevers();
 Group beams();
 Group roller_deck();

@@ -12,21 +12,21 @@ namespace {
 
 /// The lay whose tension on the bed is `H`: the top tension is sought by secants.
 Lay lay_with_bottom_tension(const Model& model, double H, double guess) {
-  const auto at = [&](double tension) {
+  const auto sample = [&](double tension) {
     Model m = model;
     m.description.tensioner.tension = tension;
     return m;
   };
-  double a = guess, fa = Lay(at(a)).solution().state.far_force - H;
-  double b = guess - fa, fb = Lay(at(b)).solution().state.far_force - H;
+  double a = guess, fa = Lay(sample(a)).solution().state.far_force - H;
+  double b = guess - fa, fb = Lay(sample(b)).solution().state.far_force - H;
   for (int i = 0; i < 10 && std::abs(fb) > 1e-6 * H; ++i) {
     const double next = b - fb * (b - a) / (fb - fa);
     a = b;
     fa = fb;
     b = next;
-    fb = Lay(at(b)).solution().state.far_force - H;
+    fb = Lay(sample(b)).solution().state.far_force - H;
   }
-  return Lay(at(b));
+  return Lay(sample(b));
 }
 
 Description bare_jlay(double diameter, double wall, double density) {
@@ -38,7 +38,7 @@ Description bare_jlay(double diameter, double wall, double density) {
   return d;
 }
 
-/// The catenary's own numbers beside the rod's: they differ by what bending does, so only the shared ones are compared.
+/// Only values on which catenary and rod agree are compared with the catenary: bending changes the others.
 Table deep_water() {
   Description d = bare_jlay(0.3239, 0.0191, 7850.0 * kGravity);
   d.title = "1000 m";
@@ -51,7 +51,7 @@ Table deep_water() {
   const Lay lay = lay_with_bottom_tension(model, 200e3, 779.6e3);
   const StaticResults& r = lay.results();
   const DerivedSection& s = r.sections.front();
-  const Station top = lay.at(0.0);
+  const Station top = lay.station_at(0.0);
   const std::string name = "1000 m, H = 200 kN", solver = "planar beam solver";
   const double w = s.weight_submerged, h = 1000.0 - 0.5 * 0.3239;
   return {"Deep water",
@@ -87,7 +87,7 @@ Table rigid_bed() {
   model.sections.front().poissons_ratio = 0.5;  // pressure does not lengthen the pipe
   const Lay lay = lay_with_bottom_tension(model, 80e3, 182.14e3);
   const StaticResults& r = lay.results();
-  const Station top = lay.at(0.0);
+  const Station top = lay.station_at(0.0);
   const double soil = std::pow(4.0 * r.sections.front().EI / d.environment.seabed.stiffness, 0.25);
   const std::string name = "J12-D150-H80-rigid-inext", basis = "elastica";
   return {
@@ -112,7 +112,7 @@ Table rigid_bed() {
 }  // namespace
 
 Group jlays() {
-  return {"J-lay at a given bottom tension", "", {deep_water(), rigid_bed()}};
+  return {"J-lay at a given bottom tension", "independent beam solver", "", {deep_water(), rigid_bed()}};
 }
 
 }  // namespace overbend::validation

@@ -24,7 +24,7 @@ Station Lay::station(int element, double xi) const {
       .front();
 }
 
-Station Lay::at(double from_top) const {
+Station Lay::station_at(double from_top) const {
   const LineMesh& mesh = system_->mesh();
   const double s = std::clamp(mesh.total_length() - from_top, 0.0, mesh.total_length());
   const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
@@ -34,8 +34,8 @@ Station Lay::at(double from_top) const {
 }
 
 Station Lay::at_roller(std::size_t roller) const {
-  const ClosestPoint& at = system_->contacts()[roller].at;
-  return station(at.element, at.xi);
+  const ClosestPoint& closest = system_->contacts()[roller].closest;
+  return station(closest.element, closest.xi);
 }
 
 Description case_description(const std::string& name) {

@@ -20,9 +20,9 @@ class Lay {
   const StaticSystem& system() const { return *system_; }
   const StaticSolution& solution() const { return solution_; }
 
-  /// The line at an unstressed length from the top, by the balance of what lies beside it [m].
-  Station at(double from_top) const;
-  /// The line where a roller pushes it: exactly at the contact.
+  /// Station at an unstressed length from the top, with the forces of the neighbouring cuts [m].
+  Station station_at(double from_top) const;
+  /// Station exactly at the contact with a roller.
   Station at_roller(std::size_t roller) const;
   double from_top(const Station& station) const { return system_->mesh().total_length() - station.s; }
 

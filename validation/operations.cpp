@@ -39,7 +39,7 @@ class StageRows {
   }
 
  private:
-  /// Where pipe hangs; a head that only just rests on the bed has a moment of its own there.
+  /// Adds the sagbend of a suspended pipe; a head that barely touches the seabed has a moment of its own.
   void add_sagbend(const StaticResults& r) {
     constexpr double kWorthComparing = 20e3;  // [N m]
     if (!expected_.contains("sagbend")) return;
@@ -49,9 +49,9 @@ class StageRows {
   }
 
   void add(const std::string& quantity, const std::string& unit, double scale, double ours, double reference,
-           double share, double least, const std::string& allowed) {
+           double share, double min_value, const std::string& allowed) {
     rows_.push_back({stage_.stage.name, quantity, unit, scale * ours, scale * reference,
-                     scale * share_of(reference, share, least), "elastica and string, " + allowed});
+                     scale * relative_tolerance(reference, share, min_value), "elastica and string, " + allowed});
   }
 
   const StageResult& stage_;
@@ -59,7 +59,7 @@ class StageRows {
   std::vector<Row>& rows_;
 };
 
-Table stages_of(const std::string& name) {
+Table make_stage_table(const std::string& name) {
   const OperationResults found = solve_operation(read_model(kFolder + name + ".yaml").description.value());
   const Json expected = read_json_file(kFolder + name + ".expected.json")["operation"]["stages"];
   Table table{name, found.title, {}};
@@ -75,9 +75,11 @@ Table stages_of(const std::string& name) {
 Group lay_operations() {
   return {
       "Lay operations",
-      "Abandonment and start-up ([theory](theory/lay-operations.md)) stage by stage beside a spectral collocation of "
-      "the planar elastica, the cable a string without bending stiffness, rollers frictionless and rigid.",
-      {stages_of("AR12-J"), stages_of("AR16-S"), stages_of("SU10-J"), stages_of("SU16")}};
+      "elastica by spectral collocation",
+      "Abandonment and start-up ([theory](theory/lay-operations.md)) stage by stage, compared with a spectral "
+      "collocation of "
+      "the planar elastica; the cable is a string without bending stiffness; rollers are frictionless and rigid.",
+      {make_stage_table("AR12-J"), make_stage_table("AR16-S"), make_stage_table("SU10-J"), make_stage_table("SU16")}};
 }
 
 }  // namespace overbend::validation

@@ -7,7 +7,7 @@
 namespace overbend::validation {
 namespace {
 
-constexpr double kLargestTurn = 0.3;   ///< Of a tangent in one step [rad].
+constexpr double kMaxRotation = 0.3;   ///< Rotation of a tangent in one step [rad].
 constexpr double kSettledTurn = 1e-9;  ///< A step that turns no tangent by more ends the iteration [rad].
 
 Mat3 cross_matrix(const Vec3& v) {
@@ -118,21 +118,21 @@ void Rod::add_rollers(bool with_tangent) {
   contacts_.assign(rollers.size(), RollerContact{});
   for (std::size_t i = 0; i < rollers.size(); ++i) {
     RollerContact& contact = contacts_[i];
-    contact.at = closest_point(rollers[i], state.q.data(), lengths_.data(), 0, elements_.count);
-    if (!contact.at.found) {
+    contact.closest = closest_point(rollers[i], state.q.data(), lengths_.data(), 0, elements_.count);
+    if (!contact.closest.found) {
       continue;
     }
-    const int node = contact.at.element;
+    const int node = contact.closest.element;
     const double h = lengths_[static_cast<std::size_t>(node)];
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * node));
-    const RollerDistance distance = roller_distance(rollers[i], contact.at);
+    const RollerDistance distance = roller_distance(rollers[i], contact.closest);
     contact.normal_direction = distance.direction;
     contact.penetration = pipe_.radius + rollers[i].radius - distance.value;
     if (contact.penetration <= 0.0) {
       continue;
     }
     contact.normal = rollers[i].stiffness * contact.penetration;
-    const RollerDistanceDerivatives d = roller_distance_derivatives(rollers[i], contact.at, distance, q, h);
+    const RollerDistanceDerivatives d = roller_distance_derivatives(rollers[i], contact.closest, distance, q, h);
     for (int k = 0; k < 12; ++k) {
       residual_[static_cast<std::size_t>(6 * node + k)] -= contact.normal * d.gradient(k);
     }
@@ -149,18 +149,18 @@ void Rod::settle() {
   double worst = 0.0;
   for (int iteration = 0; iteration < 200; ++iteration) {
     evaluate(true);
-    double largest = 1e-300;
+    double max_force = 1e-300;
     worst = 0.0;
     for (int node = 0; node < nodes(); ++node) {
       for (int i = 0; i < kNodeDofs; ++i) {
         const std::size_t dof = static_cast<std::size_t>(6 * node + i);
-        largest = std::max({largest, std::abs(residual_[dof]), std::abs(dead[dof])});
+        max_force = std::max({max_force, std::abs(residual_[dof]), std::abs(dead[dof])});
         worst = held_[dof] != 0 ? worst : std::max(worst, std::abs(residual_[dof]));
         tangent_.rhs(node, i, 0) = -residual_[dof];
       }
     }
-    largest = std::max(largest, end_moment.norm());
-    if (worst <= 1e-12 * largest) {
+    max_force = std::max(max_force, end_moment.norm());
+    if (worst <= 1e-12 * max_force) {
       return;
     }
     for (int node = 0; node < nodes(); ++node) {
@@ -191,7 +191,7 @@ void Rod::settle() {
       turn = std::max(turn, Eigen::Map<const Vec3>(dq.data() + 6 * node + 3).norm());
     }
     const LineState from = state;
-    advance(state, from, dq, std::min(1.0, kLargestTurn / std::max(turn, 1e-300)));
+    advance(state, from, dq, std::min(1.0, kMaxRotation / std::max(turn, 1e-300)));
     if (turn < kSettledTurn) {
       return;
     }
@@ -205,15 +205,16 @@ Vec3 Rod::reaction(int node) {
 }
 
 ElementVector Rod::element_residual(int element) const {
-  const LineElements one = rod_elements(pipe_, {lengths_[static_cast<std::size_t>(element)]});
+  const LineElements line_elements = rod_elements(pipe_, {lengths_[static_cast<std::size_t>(element)]});
   alignas(64) double out[12] = {};
   const LineShape shape = state.shape();
-  add_line_forces(one, surrounds, {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
+  add_line_forces(line_elements, surrounds,
+                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
                   {out, nullptr, nullptr, nullptr}, best_isa());
   ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
   for (const RollerContact& contact : contacts_) {
-    if (contact.normal > 0.0 && contact.at.element == element) {
-      const HermiteValues n = hermite(contact.at.xi, lengths_[static_cast<std::size_t>(element)]);
+    if (contact.normal > 0.0 && contact.closest.element == element) {
+      const HermiteValues n = hermite(contact.closest.xi, lengths_[static_cast<std::size_t>(element)]);
       for (int j = 0; j < 4; ++j) {
         residual.segment<3>(3 * j) -= contact.normal * n.value(j) * contact.normal_direction;
       }
@@ -230,13 +231,13 @@ Vec3 Rod::moment_at(int node) const {
 }
 
 Vec3 Rod::moment_at_roller(std::size_t roller) const {
-  const ClosestPoint& at = contacts_[roller].at;
-  const double h = lengths_[static_cast<std::size_t>(at.element)];
-  const ElementVector g = element_residual(at.element);
-  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * at.element));
+  const ClosestPoint& closest = contacts_[roller].closest;
+  const double h = lengths_[static_cast<std::size_t>(closest.element)];
+  const ElementVector g = element_residual(closest.element);
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * closest.element));
   // The stretch before the contact carries the cut at its first node and its weight.
-  const Vec3 lever = centreline(q, at.xi, h).r - q.segment<3>(0);
-  const Vec3 weight(0.0, 0.0, -pipe_.weight * at.xi * h);
+  const Vec3 lever = centreline(q, closest.xi, h).r - q.segment<3>(0);
+  const Vec3 weight(0.0, 0.0, -pipe_.weight * closest.xi * h);
   const Vec3 force = -g.segment<3>(0);
   const Vec3 start = -Vec3(q.segment<3>(3)).cross(Vec3(g.segment<3>(3)));
   return start - lever.cross(force) + 0.5 * lever.cross(weight);

@@ -8,7 +8,7 @@
 
 namespace overbend::validation {
 
-/// What the rod is made of, one for its whole length.
+/// Properties of the rod, constant along its length.
 struct RodPipe {
   double EA = 0.0, EI = 0.0;  ///< [N], [N m2]
   double weight = 0.0;        ///< [N/m]

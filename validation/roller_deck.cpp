@@ -10,7 +10,7 @@
 namespace overbend::validation {
 namespace {
 
-constexpr int kBefore = 12;   ///< Rollers before and after the tangent point: what lies beyond does not tell.
+constexpr int kBefore = 12;   ///< Rollers before and after the tangent point; more do not change the results.
 constexpr int kInside = 8;    ///< A roller of the arc far from both its ends.
 constexpr int kPerSpan = 16;  ///< Elements.
 
@@ -21,7 +21,7 @@ struct Steel {
   double EI() const { return E * kPi / 64.0 * (std::pow(D, 4) - std::pow(D - 2.0 * wall, 4)); }
 };
 
-/// What lies on what: `R` of the arc, spacing `L`, tension `T` at the deck's end, weight `w`.
+/// Pipe and rollers: radius `R` of the arc, spacing `L`, tension `T` at the deck's end, weight `w`.
 struct Deck {
   Steel steel;
   double R, L, T, w;
@@ -127,7 +127,7 @@ struct DeckTheory {
   double on_arc() const { return 3.0 / (2.0 * alpha + beta); }
   double midspan() const { return u > 1e-3 ? 0.5 * u / std::sinh(0.5 * u) : 1.0; }
   /// At roller `i` from the tangent roller 0: half the arc's value there, and exponential decay either way.
-  double at(int i) const {
+  double moment_at(int i) const {
     const double ratio = 2.0 * alpha / beta;
     const double decay = -ratio + std::sqrt(ratio * ratio - 1.0);
     const double part = 0.5 * on_arc() * std::pow(decay, std::abs(i));
@@ -159,13 +159,13 @@ Table moments(const std::string& name, const Deck& deck) {
     table.rows.push_back({name + ", " + where, what, "", ours, reference, 1e-3, basis});
   };
   for (const int i : {-1, 0, 1, 2, 3}) {
-    add(roller_name(i), "m", pipe.m(pipe.moment(i)), theory.at(i));
+    add(roller_name(i), "m", pipe.m(pipe.moment(i)), theory.moment_at(i));
   }
   add("inside the arc", "m at a roller", pipe.m(pipe.moment(kInside)), theory.on_arc());
   add("inside the arc", "m at midspan", pipe.m(pipe.moment_behind(kInside)), theory.midspan());
   const double unit = deck.steel.EI() / (deck.R * deck.L);
   for (const int i : {-1, 0, 1, kInside}) {
-    const double bent = 2.0 * theory.at(i) - theory.at(i - 1) - theory.at(i + 1);
+    const double bent = 2.0 * theory.moment_at(i) - theory.moment_at(i - 1) - theory.moment_at(i + 1);
     add(i == kInside ? "inside the arc" : roller_name(i), "reaction", pipe.reaction(i) / unit,
         bent + DeckTheory::step(i) * deck.u() * deck.u());
   }
@@ -219,6 +219,7 @@ Table strain() {
 
 Group roller_deck() {
   return {"Over equally spaced rollers",
+          "three-moment equations of the tensioned beam",
           "A pipe under tension over a horizontal deck followed by an arc: at the tangent roller SR1 the pipe has half "
           "the curvature of the arc, at the next roller more than that of the arc. Theory: three-moment equations of "
           "the tensioned beam with "

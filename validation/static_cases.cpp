@@ -43,12 +43,12 @@ class CaseTable {
            double allowed, const std::string& basis) {
     rows_.push_back({name_, quantity, unit, scale * ours, scale * reference, scale * allowed, basis});
   }
-  /// Where the case has the value; it stands in the file in the unit it is printed in.
+  /// Adds the value if the case has it; the file holds it in the printed unit.
   void add_if(const Json& from, const char* key, const std::string& quantity, const std::string& unit, double scale,
-              double ours, double share, double least, const std::string& basis) {
+              double ours, double share, double min_value, const std::string& basis) {
     if (from.contains(key)) {
       const double reference = from[key].get<double>() / scale;
-      add(quantity, unit, scale, ours, reference, share_of(reference, share, least), basis);
+      add(quantity, unit, scale, ours, reference, relative_tolerance(reference, share, min_value), basis);
     }
   }
 
@@ -56,19 +56,21 @@ class CaseTable {
     const DerivedSection& s = lay_.results().sections.front();
     const Json& d = expected_["derived"];
     const char* basis = "arithmetic; digits the inputs give";
-    add("EA", "MN", 1e-6, s.EA, d["EA"], share_of(d["EA"], 1e-6), basis);
-    add("EI", "kN m2", 1e-3, s.EI, d["EI"], share_of(d["EI"], 1e-6), basis);
-    add("weight in air", "kN/m", 1e-3, s.weight_in_air, d["weight_in_air"], share_of(d["weight_in_air"], 1e-6), basis);
+    add("EA", "MN", 1e-6, s.EA, d["EA"], relative_tolerance(d["EA"], 1e-6), basis);
+    add("EI", "kN m2", 1e-3, s.EI, d["EI"], relative_tolerance(d["EI"], 1e-6), basis);
+    add("weight in air", "kN/m", 1e-3, s.weight_in_air, d["weight_in_air"],
+        relative_tolerance(d["weight_in_air"], 1e-6), basis);
     add("submerged weight", "kN/m", 1e-3, s.weight_submerged, d["weight_submerged"],
-        share_of(d["weight_submerged"], 2e-6), basis);
+        relative_tolerance(d["weight_submerged"], 2e-6), basis);
   }
 
   void add_whole_line() {
     const StaticResults& r = lay_.results();
     const Json& e = expected_["static"];
     const double T = e["top_tension"], H = e["bottom_tension"];
-    add("tension at the tensioner", "kN", 1e-3, r.top_tension, T, share_of(T, 1e-3), "elastica, 0.1 %");
-    add("tension on the bed", "kN", 1e-3, lay_.solution().state.far_force, H, share_of(H, 1e-3), "elastica, 0.1 %");
+    add("tension at the tensioner", "kN", 1e-3, r.top_tension, T, relative_tolerance(T, 1e-3), "elastica, 0.1 %");
+    add("tension on the bed", "kN", 1e-3, lay_.solution().state.far_force, H, relative_tolerance(H, 1e-3),
+        "elastica, 0.1 %");
     add_if(e, "lay_back", "lay-back", "m", 1.0, r.lay_back, 0.0, kPlace, "elastica, 0.10 m");
     add_if(e, "top_to_touchdown", "top to touchdown, horizontal", "m", 1.0, r.top_to_touchdown, 0.0, kPlace,
            "elastica, 0.10 m");
@@ -80,10 +82,10 @@ class CaseTable {
   void add_region(const Json& e, const RegionResult& region, const std::string& where, double share,
                   const std::string& basis) {
     const double moment = e["max_bending_moment"], stress = e["max_bending_stress"];
-    add("largest bending moment, " + where, "kN m", 1e-3, region.bending_moment.value, moment, share_of(moment, share),
-        basis);
-    add("largest bending stress, " + where, "MPa", 1e-6, region.bending_stress.value, stress, share_of(stress, share),
-        basis);
+    add("largest bending moment, " + where, "kN m", 1e-3, region.bending_moment.value, moment,
+        relative_tolerance(moment, share), basis);
+    add("largest bending stress, " + where, "MPa", 1e-6, region.bending_stress.value, stress,
+        relative_tolerance(stress, share), basis);
   }
 
   void add_regions() {
@@ -103,7 +105,7 @@ class CaseTable {
       const SupportResult& ours = support_named(support);
       const double reaction = e["reaction"];
       if (reaction >= kCountsAsContact) {
-        add(support + ": reaction", "kN", 1e-3, ours.reaction, reaction, share_of(reaction, 0.01, 500.0),
+        add(support + ": reaction", "kN", 1e-3, ours.reaction, reaction, relative_tolerance(reaction, 0.01, 500.0),
             "elastica, the larger of 1 % and 0.5 kN");
       } else {
         add(support + ": gap", "mm", 1e3, ours.separation, e["separation"], 5e-3, "elastica, 5 mm");
@@ -121,22 +123,24 @@ class CaseTable {
   }
 
   void add_stations() {
-    double x = 0.0, z = 0.0, angle = 0.0, tension = 0.0, moment = 0.0, largest_moment = 0.0;
+    double x = 0.0, z = 0.0, angle = 0.0, tension = 0.0, moment = 0.0, max_moment = 0.0;
     const Json& stations = expected_["stations_from_top"];
     int count = 0;
     for (const Json& e : stations) {
       if (e["s"].get<double>() > lay_.system().mesh().total_length()) {
         continue;  // our line lies on the bed for a shorter stretch
       }
-      const Station ours = lay_.at(e["s"]);
-      const auto worst = [](double& largest, double a, double b) { largest = std::max(largest, std::abs(a - b)); };
+      const Station ours = lay_.station_at(e["s"]);
+      const auto worst = [](double& difference, double a, double b) {
+        difference = std::max(difference, std::abs(a - b));
+      };
       const double origin = expected_["static"].contains("supports") ? 0.0 : tensioner_astern();
       worst(x, ours.astern - origin, e["x"]);
       worst(z, ours.p_W.z(), e["z"]);
       worst(angle, ours.inclination, e["inclination"]);
       worst(tension, ours.effective_tension, e["effective_tension"]);
       worst(moment, ours.vertical_moment, e["bending_moment"]);
-      largest_moment = std::max(largest_moment, std::abs(e["bending_moment"].get<double>()));
+      max_moment = std::max(max_moment, std::abs(e["bending_moment"].get<double>()));
       ++count;
     }
     const std::string over = fmt::format(", largest difference at {} stations", count);
@@ -145,15 +149,15 @@ class CaseTable {
     add("z" + over, "m", 1.0, z, 0.0, 0.05, "elastica, 0.05 m");
     add("inclination" + over, "rad", 1.0, angle, 0.0, kAngle, "elastica, 0.05 deg");
     add("tension" + over, "kN", 1e-3, tension, 0.0, 1e-3 * top, "elastica, 0.1 % of the top tension");
-    add("moment" + over, "kN m", 1e-3, moment, 0.0, 3e-3 * largest_moment, "elastica, 0.3 % of the largest");
+    add("moment" + over, "kN m", 1e-3, moment, 0.0, 3e-3 * max_moment, "elastica, 0.3 % of the largest");
   }
 
   double tensioner_astern() const { return lay_.results().stations.back().astern; }
 
-  /// What the file with all details has beyond the summary's values.
+  /// Adds the values that only the file with all details has.
   void add_details(const Json& e) {
     const StaticResults& r = lay_.results();
-    const Station top = lay_.at(0.0), landing = lay_.at(r.length_top_to_touchdown);
+    const Station top = lay_.station_at(0.0), landing = lay_.station_at(r.length_top_to_touchdown);
     double penetration = 0.0;
     for (const Station& s : r.stations) {
       penetration = std::max(penetration, s.penetration);
@@ -164,7 +168,8 @@ class CaseTable {
     add_if(e, "M_touchdown_kNm", "moment at touchdown", "kN m", 1e-3, landing.vertical_moment, 0.0,
            3e-3 * 1e3 * e["sagbend_max_moment_kNm"].get<double>(), "elastica, 0.3 % of the sagbend's");
     const double deepest = e["max_penetration_m"];
-    add("largest penetration of the bed", "mm", 1e3, penetration, deepest, share_of(deepest, 0.01), "elastica, 1 %");
+    add("largest penetration of the bed", "mm", 1e3, penetration, deepest, relative_tolerance(deepest, 0.01),
+        "elastica, 1 %");
     if (const auto waterline = find_waterline(lay_.system(), lay_.solution().state); waterline) {
       add_if(e, "s_waterline", "length from the top to the water", "m", 1.0,
              lay_.system().mesh().total_length() - waterline->s, 0.0, 0.05, "elastica, 0.05 m");
@@ -183,7 +188,7 @@ class CaseTable {
   }
 
   void add_contacts(const Json& supports) {
-    double angle = 0.0, moment = 0.0, largest = 0.0;
+    double angle = 0.0, moment = 0.0, max_moment = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < supports.size(); ++i) {
       if (supports[i]["reaction_kN"].get<double>() < 1.0) {
@@ -194,11 +199,11 @@ class CaseTable {
       const double theta = -supports[i]["theta_deg"].get<double>() * std::numbers::pi / 180.0;
       moment = std::max(moment, std::abs(ours.vertical_moment - reference));
       angle = std::max(angle, std::abs(ours.inclination - theta));
-      largest = std::max(largest, std::abs(reference));
+      max_moment = std::max(max_moment, std::abs(reference));
       ++count;
     }
     const std::string over = fmt::format(", largest difference at {} contacts", count);
-    add("moment" + over, "kN m", 1e-3, moment, 0.0, 1e-3 * largest, "elastica, 0.1 % of the largest");
+    add("moment" + over, "kN m", 1e-3, moment, 0.0, 1e-3 * max_moment, "elastica, 0.1 % of the largest");
     add("inclination" + over, "rad", 1.0, angle, 0.0, kAngle, "elastica, 0.05 deg");
   }
 
@@ -213,6 +218,7 @@ class CaseTable {
 Group static_cases() {
   Group group{
       "Complete lays",
+      "elastica by spectral collocation",
       "Complete lays: tensioner, ramp, stinger, sagbend and seabed. The references are solutions of the planar "
       "extensible elastica by spectral collocation with an active set of rollers, with an error below 1e-8; the "
       "tolerances correspond to the scatter of a chain of rigid links of 0.25 to 1 m. Bending moments are taken at the "

@@ -15,15 +15,15 @@ namespace {
 
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
 
-Json expected_of(const std::string& name) {
+Json read_expected(const std::string& name) {
   return read_json_file(kFolder + name + ".expected.json");
 }
 
 void add_rows(const std::string& subject, const StaticResults& r, const Json& expected, std::vector<Row>& rows) {
   const auto add = [&](const char* quantity, const char* unit, double scale, double ours, double reference,
-                       double share, double least, const char* allowed) {
-    rows.push_back({subject, quantity, unit, scale * ours, scale * reference, scale * share_of(reference, share, least),
-                    std::string("elastica, ") + allowed});
+                       double share, double min_value, const char* allowed) {
+    rows.push_back({subject, quantity, unit, scale * ours, scale * reference,
+                    scale * relative_tolerance(reference, share, min_value), std::string("elastica, ") + allowed});
   };
   const StingerSectionResult& stinger = r.stinger.at(0);
   const Json& e = expected["stinger"];
@@ -49,22 +49,22 @@ StaticResults solved(const Description& description, std::optional<StaticSolutio
   return recover_state(model, *last);
 }
 
-Table rest_of(const std::string& name) {
+Table make_static_table(const std::string& name) {
   const Description description = read_model(kFolder + name + ".yaml").description.value();
   std::optional<StaticSolution> none;
   Table table{name, description.title, {}};
-  add_rows(name, solved(description, none), expected_of(name)["static"], table.rows);
+  add_rows(name, solved(description, none), read_expected(name)["static"], table.rows);
   return table;
 }
 
-Table stages_of(const std::string& name) {
+Table make_stage_table(const std::string& name) {
   const Description description = read_model(kFolder + name + ".yaml").description.value();
-  const Json expected = expected_of(name)["operation"]["stages"];
+  const Json expected = read_expected(name)["operation"]["stages"];
   std::optional<StaticSolution> last;
   Table table{name, description.title, {}};
   std::size_t i = 0;
   for (const LayStageDescription& stage : lay_stages(description)) {
-    add_rows(stage.name, solved(at_stage(description, stage), last), expected[i++], table.rows);
+    add_rows(stage.name, solved(make_stage_description(description, stage), last), expected[i++], table.rows);
   }
   return table;
 }
@@ -74,10 +74,12 @@ Table stages_of(const std::string& name) {
 Group stingers() {
   return {
       "Stingers on a hinge",
-      "A stinger that turns until the moments of rollers, weight and buoyancy about its hinge balance, or that lies "
-      "at its stop ([theory](theory/stinger.md)), beside a spectral collocation of the planar elastica with "
+      "elastica by spectral collocation",
+      "A stinger that turns until the moments of rollers, weight and buoyancy about its hinge balance, or that rests "
+      "on its stop ([theory](theory/stinger.md)), compared with a spectral collocation of the planar elastica with "
       "frictionless rigid rollers.",
-      {rest_of("HS16-float"), rest_of("HS16-stop"), rest_of("HS16-tanks"), stages_of("HS16-ballast")}};
+      {make_static_table("HS16-float"), make_static_table("HS16-stop"), make_static_table("HS16-tanks"),
+       make_stage_table("HS16-ballast")}};
 }
 
 }  // namespace overbend::validation

@@ -22,9 +22,10 @@ int complain(const std::vector<std::string>& lines) {
 }
 
 int run(const std::string& mode, const std::string& file) {
-  const std::vector<Group> groups{static_cases(), cantilevers(), beams(),   roller_deck(),    bgl1_example(), jlays(),
-                                  code_checks(),  dynamic(),     lines(),   lay_operations(), lifts(),        pulls(),
-                                  uneven_beds(),  stingers(),    fatigue(), convergence()};
+  const std::vector<Group> groups{static_cases(),   field_lays(), cantilevers(), beams(),       roller_deck(),
+                                  bgl1_example(),   jlays(),      code_checks(), dynamic(),     lines(),
+                                  lay_operations(), lifts(),      pulls(),       uneven_beds(), stingers(),
+                                  fatigue(),        convergence()};
   if (mode == "--check") {
     return complain(failures(groups));
   }

@@ -1,7 +1,7 @@
 import { defineConfig } from 'vite';
 
-// While developing, `OVERBEND_ADDRESS=http://127.0.0.1:PORT npm run dev` passes /api on to a running `overbend serve`.
-// The program refuses pages of another origin, so the origin is rewritten on the way.
+// During development, `OVERBEND_ADDRESS=http://127.0.0.1:PORT npm run dev` forwards /api to a running `overbend serve`.
+// The program rejects pages of another origin, so the origin is rewritten.
 const program = process.env.OVERBEND_ADDRESS ?? 'http://127.0.0.1:8765';
 
 export default defineConfig({

@@ -1,7 +1,7 @@
 // The page of the HTML report: one classic script and one style sheet, which the program writes into every report.
 import { defineConfig, type Plugin } from 'vite';
 
-/** Lists the packages that are bundled, whose licences go with every report. The script must not end its element. */
+/** Lists the bundled packages, whose licences are included in every report. The script must not end its element. */
 function listPackages(): Plugin {
   return {
     name: 'list-packages',

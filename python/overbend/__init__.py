@@ -5,7 +5,7 @@
     static = model.static()
     static.lay_back, static.pipe.effective_tension, static.supports['stinger 3'].reaction
 
-All numbers are in SI units and know them: `static.lay_back.units`. Values given for keys of a model have theirs in the text:
+All numbers are in SI units and carry them: `static.lay_back.units`. Values of model keys are strings with units:
 `model.with_({'tensioner.tension': '260 kN'})`.
 """
 

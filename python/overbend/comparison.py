@@ -1,4 +1,4 @@
-"""Folders of results beside each other."""
+"""Comparison of folders of results."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 def compare_folders(folders: Iterable[PathLike]) -> "FolderComparison":
-    """Compares results that are in folders, as `overbend compare` does; the first is what the others are compared with.
+    """Compares folders of results, as `overbend compare` does; the first folder is the reference.
 
     Args:
-        folders: Two or more folders of static or dynamic analyses, seeds or operations, or their results.h5. Mixtures
-            are compared on what they share.
+        folders: Two or more folders of static or dynamic analyses, seeds or operations, or their results.h5. Folders of
+            different kinds are compared on what they have in common.
 
     Raises:
-        ResultsError: Where one holds no results that can be compared.
+        ResultsError: If a folder holds no results that can be compared.
     """
     places = [os.fspath(folder) for folder in folders]
     if len(places) < 2:
@@ -33,35 +33,35 @@ def compare_folders(folders: Iterable[PathLike]) -> "FolderComparison":
 
 
 class FolderComparison:
-    """Results of several folders beside each other.
+    """Comparison of several folders.
 
     Attributes:
-        folders: name, path, title, version, governing and warnings of each.
-        keys: Keys of the models that not all have alike: key, values (empty where not given).
-        results: Results, those that differ most first: name, text, unit, key (whether it is looked at first), values
-            [SI], None where a folder has none, changes against the first in parts of it.
-        warnings: Findings that not all have: text, code, severity, has.
-        notes: What is not compared and why.
+        folders: Name, path, title, version, governing check and warnings of each.
+        keys: Keys in which the models differ: key, values (empty if not given).
+        results: Results, largest difference first: name, text, unit, key (True for key results), values [SI] (None if a
+            folder has none), relative changes from the first folder.
+        warnings: Findings not common to all folders: text, code, severity, has.
+        notes: Results that are not compared, with the reason.
     """
 
     def __init__(self, core: "_core.FolderComparison"):
         """Not for users: see compare_folders()."""
         self._core = core
-        told: dict[str, Any] = core.told()
-        self.folders = Records([Record(one) for one in told["folders"]])
-        self.keys = Records([Record({"name": one["key"], **one}) for one in told["keys"]])
-        self.results = Records([_result(one) for one in told["results"]])
-        self.warnings = Records([Record(one) for one in told["warnings"]])
-        self.notes: list[str] = told["notes"]
+        content: dict[str, Any] = core.told()
+        self.folders = Records([Record(folder) for folder in content["folders"]])
+        self.keys = Records([Record({"name": key["key"], **key}) for key in content["keys"]])
+        self.results = Records([_result(result) for result in content["results"]])
+        self.warnings = Records([Record(warning) for warning in content["warnings"]])
+        self.notes: list[str] = content["notes"]
 
     @property
     def table(self) -> Table:
-        """A row for each result: name, unit, a column for each folder [SI], `change` of the last against the first."""
-        rows = [one.to_dict() for one in self.results]
-        columns: dict[str, Any] = {"name": [one["name"] for one in rows], "unit": [one["unit"] for one in rows]}
+        """One row per result: name, unit, one column per folder [SI], `change` from the first to the last folder."""
+        rows = [result.to_dict() for result in self.results]
+        columns: dict[str, Any] = {"name": [row["name"] for row in rows], "unit": [row["unit"] for row in rows]}
         for index, name in enumerate(self.folders.names()):
-            columns[name] = np.array([one["values"][index] for one in rows], dtype=float)
-        columns["change"] = np.array([one["changes"][-1] for one in rows], dtype=float)
+            columns[name] = np.array([row["values"][index] for row in rows], dtype=float)
+        columns["change"] = np.array([row["changes"][-1] for row in rows], dtype=float)
         number = np.arange(len(rows))
 
         def column(name: str) -> Any:
@@ -75,7 +75,7 @@ class FolderComparison:
         """Writes comparison.csv and comparison.html.
 
         Raises:
-            ResultsError: Where the folder cannot be written.
+            ResultsError: If the folder cannot be written.
         """
         self._core.save(os.fspath(folder))
         return pathlib.Path(folder)
@@ -84,10 +84,10 @@ class FolderComparison:
         return f"<FolderComparison of {', '.join(self.folders.names())}: {len(self.keys)} keys differ>"
 
 
-def _result(told: dict[str, Any]) -> Record:
-    values = told["values"]
+def _result(result: dict[str, Any]) -> Record:
+    values = result["values"]
     changes = [_change(value, values[0]) for value in values]
-    return Record({**told, "unit": stored_unit(told["unit"]), "changes": changes})
+    return Record({**result, "unit": stored_unit(result["unit"]), "changes": changes})
 
 
 def _change(value: Optional[float], first: Optional[float]) -> Optional[float]:

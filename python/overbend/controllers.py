@@ -1,4 +1,4 @@
-"""Controllers of one's own for the tensioner and the winches of mooring lines."""
+"""User-defined controllers for the tensioner and mooring winches."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 from . import _core
 from .errors import ModelError
 
-#: What a controller sees; see overbend.controllers.Controller.
+#: Instrument readings passed to a controller; see overbend.controllers.Controller.
 MachineReading = _core.MachineReading
 
-#: Of a compiled controller: int f(const struct overbend_reading *seen, double *command, double *memory).
+#: Type of a compiled controller: int f(const struct overbend_reading *seen, double *command, double *memory).
 CONTROLLER_TYPE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double),
                                    ctypes.POINTER(ctypes.c_double))
 
 
 class SetTension(float):
-    """A tension that a machine shall restore by its own law [N]: what a controller answers in place of a speed.
+    """A target tension for the machine's own control law [N], returned by a controller instead of a speed.
 
     Args:
-        tension: In newtons, or a text with its unit: SetTension('250 kN').
+        tension: In newtons, or a string with unit: SetTension('250 kN').
     """
 
     def __new__(cls, tension: Union[float, str]) -> "SetTension":
@@ -32,37 +32,37 @@ class SetTension(float):
         return f"SetTension({float(self):g} N)"
 
 
-#: What a controller answers: a speed of paying out [m/s], a SetTension, or None: the machine works by its own law.
+#: Command of a controller: a pay-out speed [m/s], a SetTension, or None for the machine's own control law.
 Command = Union[float, SetTension, None]
 ControllerFunction = Callable[[float, MachineReading], Command]
 
 
 class Controller:
-    """What drives a machine of a run, and how often it is asked.
+    """A control law for a machine of a run, and its sampling interval.
 
-    A controller is a function `f(t, seen)` of the time [s] and of what the instruments show. It answers with what the
-    machine shall do until it is asked again: a number is a speed of paying out [m/s], negative to haul in; a SetTension is
-    a tension that the machine restores by its own law; None leaves it to that law. The machine goes to a speed within its
-    acceleration and keeps it, within its velocity and its travel.
+    A controller is a function `f(t, seen)` of the time [s] and the instrument readings. It returns the command that applies
+    until the next call: a number is a pay-out speed [m/s], negative to haul in; a SetTension is a target for the machine's
+    own control law; None leaves the machine to that law. The machine accelerates to a commanded speed and keeps it, within
+    its velocity and travel limits.
 
-    It is asked for the multiples of its interval exactly. What it answers is in force from the end of the time step within
-    which that instant falls; no step is longer than 1.25 intervals.
+    The controller is called exactly at multiples of its interval. A command takes effect at the end of the time step that
+    contains this time; no step is longer than 1.25 intervals.
 
     `seen` has `time` [s], `tension` [N], `paid_out` [m], `speed` [m/s], `set_tension` [N], `length` of a mooring line [m],
-    `guide_speed`, that of the guide or fairlead along the line [m/s], `vessel` and `vessel_velocity`: (6,) surge, sway,
+    `guide_speed`, the speed of guide or fairlead along the line [m/s], `vessel` and `vessel_velocity`: (6,) surge, sway,
     heave [m], roll, pitch, yaw [rad] and their rates (world axes).
 
-    What a function remembers is its own affair as long as a run goes through. For one that is to be taken up again it may
-    be an object with `save()`, which gives a list of numbers, and `restore(numbers)`.
+    A controller may keep a memory of its own. If the run is to be resumed, the controller should be an object with `save()`,
+    which returns a list of numbers, and `restore(numbers)`.
     """
 
     def __init__(self, function: Union[ControllerFunction, Any], interval: float = 0.1, memory: Sequence[float] = ()):
         """
         Args:
-            function: A function of Python, or a compiled one: from ctypes (of its address CONTROLLER_TYPE(address)) or from
+            function: A Python function, or a compiled one: from ctypes (of its address CONTROLLER_TYPE(address)) or from
                 numba's `cfunc`; see overbend_controller.h in get_include().
-            interval: It is asked for the multiples of this [s].
-            memory: Of a compiled one: the numbers that its last argument points to at the start of a run.
+            interval: Time between calls [s].
+            memory: For a compiled controller: initial values of the numbers that its last argument points to.
         """
         self.interval = float(interval)
         self._function = function
@@ -78,11 +78,11 @@ class Controller:
 
     @property
     def memory(self) -> list[float]:
-        """What it remembers: of the last run, where it was in one."""
+        """Memory of a compiled controller, after the last run if there was one."""
         return self._memory if self._core is None else self._core.memory
 
     def _given(self) -> _core.Controller:
-        """For one run."""
+        """The controller for the engine, for one run."""
         if self._compiled is not None:
             self._core = _core.Controller.compiled(self._compiled, self.interval, self._memory)
         else:
@@ -91,23 +91,23 @@ class Controller:
         return self._core
 
 
-#: By the machine: 'tensioner', or the name of a mooring line for its winch. None: the machine takes commands by calls.
+#: Controllers by machine: 'tensioner', or the name of a mooring line for its winch. None: commands by calls only.
 Controllers = Mapping[str, Union[ControllerFunction, Controller, None]]
 
 
 def given_controllers(controllers: Optional[Controllers], interval: float = 0.1) -> dict[str, _core.Controller]:
-    """Controllers as the engine takes them, for one run; functions are asked every `interval` [s]."""
+    """Controllers for the engine, for one run; functions are called every `interval` [s]."""
     given = {}
-    for machine, one in (controllers or {}).items():
-        if one is None:
+    for machine, controller in (controllers or {}).items():
+        if controller is None:
             given[machine] = _core.Controller.by_calls()
         else:
-            given[machine] = (one if isinstance(one, Controller) else Controller(one, interval))._given()
+            given[machine] = (controller if isinstance(controller, Controller) else Controller(controller, interval))._given()
     return given
 
 
 def get_include() -> str:
-    """The folder of overbend_controller.h, which compiled controllers include."""
+    """Folder of overbend_controller.h, the header for compiled controllers."""
     folder = pathlib.Path(__file__).resolve().parent / "include"
     if not (folder / "overbend_controller.h").is_file():
         raise ModelError(f"overbend_controller.h is not in '{folder}'")
@@ -115,7 +115,7 @@ def get_include() -> str:
 
 
 def _compiled(function: Any) -> Any:
-    """A compiled function as one of ctypes; None of one of Python."""
+    """A compiled function as a ctypes function; None for a Python function."""
     if isinstance(function, numbers.Number):
         raise TypeError(f"a controller is a function, found the number {function!r}; an address in memory becomes one by "
                         "overbend.controllers.CONTROLLER_TYPE(address)")

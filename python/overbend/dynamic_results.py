@@ -1,4 +1,4 @@
-"""Results of runs in time: key results and tables as of statics, histories, envelopes, spectra, snapshots."""
+"""Results of dynamic analyses: key results, tables, histories, envelopes, spectra, snapshots."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from .groups import Table, nearest
-from .results import (Checks, PathLike, Results, StaticResults, copied_folder, file_in, model_of, summary_descriptions,
+from .results import (Checks, PathLike, Results, StaticResults, copied_folder, file_in, load_model, summary_descriptions,
                       summary_in, summary_units)
 from .values import labelled, xarray_module
 
@@ -18,14 +18,15 @@ if TYPE_CHECKING:
 
 
 class DynamicResults(Results):
-    """A run in time: key results of summary.json's `dynamic` (top_tension.max [N], lay_back, ...), tables, histories.
+    """Results of a dynamic analysis: key results of `dynamic` in summary.json (top_tension.max [N], lay_back, ...), tables,
+    histories.
 
-    Attributes beside them:
-        static: The statics that it began at, a StaticResults.
-        stations: Table of the stations: the static state and the envelopes.
-        supports, rollers: Tables over time: reactions [N], separations [m], impacts.
+    Further attributes:
+        static: The initial static state, a StaticResults.
+        stations: Table of the stations: static state and envelopes.
+        supports, rollers: Tables of statistics: reactions [N], separations [m], impacts.
         impacts, hardest_impacts: Tables of impacts: time [s], roller, peak_force [N], ...
-        extremes: Table of the most probable largest or smallest values in three hours.
+        extremes: Table of the most probable three-hour maxima or minima.
     """
 
     _part = "dynamic"
@@ -44,7 +45,7 @@ class DynamicResults(Results):
 
     @property
     def folder(self) -> pathlib.Path:
-        """Where the results are."""
+        """Folder of the results."""
         return self._folder
 
     @functools.cached_property
@@ -58,23 +59,23 @@ class DynamicResults(Results):
 
     @property
     def model(self) -> "Model":
-        """The model that these are the results of."""
-        return model_of(self)
+        """Model of these results."""
+        return load_model(self)
 
     @functools.cached_property
     def checks(self) -> "Checks":
-        """The code checks of the run; `static.checks` are those of the state it began at."""
+        """Code checks of the run; `static.checks` are those of the initial static state."""
         units, descriptions = summary_units()[self._part], summary_descriptions()[self._part]
         return Checks(self.summary.get(self._part, {}).get("checks", {}), units.get("checks"), descriptions.get("checks"))
 
     @functools.cached_property
     def static(self) -> StaticResults:
-        """The statics that the run began at, with their own `checks`."""
+        """The initial static state with its own `checks`."""
         return StaticResults(None, self._model, self._folder)
 
     @functools.cached_property
     def _histories(self) -> dict[str, str]:
-        """Where every history is; of lines by themselves those at their ends, by the names of the lines."""
+        """Path of every history, including the end tensions of lines other than the pipe and moorings."""
         paths = {name: f"/dynamic/histories/{name}" for name in _below(self._source, "/dynamic/histories")}
         for number, line in enumerate(self._quick.get("static", {}).get("lines", [])):
             for end in ("first_tension", "second_tension"):
@@ -86,12 +87,12 @@ class DynamicResults(Results):
 
     @property
     def histories(self) -> list[str]:
-        """The names of the histories."""
+        """Names of the histories."""
         return [name for name in self._histories if name != "time"]
 
     @functools.cached_property
     def time(self) -> np.ndarray:
-        """Instants of the histories [s], from the beginning of the build-up; statistics count from t = 0."""
+        """Times of the histories [s], from the start of the build-up; statistics cover t >= 0."""
         return self._source.dataset(self._histories["time"])[0]
 
     def history(self, name: str) -> Any:
@@ -101,7 +102,7 @@ class DynamicResults(Results):
             name: One of `histories`: 'top_tension', 'support/stinger 8/reaction', ...
 
         Raises:
-            KeyError: Where there is none of that name.
+            KeyError: If there is no history of that name.
         """
         if name not in self.histories:
             raise KeyError(f"there is no history '{name}'{nearest(name, self.histories)}; `histories` lists them")
@@ -109,14 +110,14 @@ class DynamicResults(Results):
         return labelled(values, name, ("time",), {"time": self.time}, units, description, frame)
 
     def envelope(self, name: str) -> Any:
-        """What a quantity along the pipe was over time: min, max, mean, std and static over the arc length s [m].
+        """Envelope of a quantity along the pipe: min, max, mean, std and static value over the arc length s [m].
 
         Args:
-            name: 'effective_tension' [N], 'bending_moment' [N m], 'bending_stress', 'von_mises' [Pa], 'strain', or a place
-                'x', 'y', 'z' [m].
+            name: 'effective_tension' [N], 'bending_moment' [N m], 'bending_stress', 'von_mises' [Pa], 'strain', or a
+                coordinate 'x', 'y', 'z' [m].
 
         Returns:
-            An xarray.Dataset, or a Table where xarray is not used.
+            An xarray.Dataset, or a Table if xarray is not used.
         """
         stations = self.stations
         known = sorted(column[:-4] for column in stations.keys() if column.endswith("_max"))
@@ -133,7 +134,7 @@ class DynamicResults(Results):
         return Table(["s", *columns], lambda column: stations.column("s") if column == "s" else columns[column])
 
     def spectrum(self, name: str) -> Any:
-        """Variance density of a history over frequency [Hz], of the histories that have one (see `spectra`)."""
+        """Variance density of a history over frequency [Hz], for the histories listed in `spectra`."""
         if name not in self.spectra:
             raise KeyError(f"there is no spectrum of '{name}'{nearest(name, self.spectra)}; `spectra` lists them")
         group = f"/dynamic/spectra/{name}"
@@ -143,17 +144,17 @@ class DynamicResults(Results):
 
     @functools.cached_property
     def spectra(self) -> list[str]:
-        """The names of the histories that have a spectrum."""
+        """Names of the histories with a spectrum."""
         names = _below(self._source, "/dynamic/spectra")
         return [name[: -len("/density")] for name in names if name.endswith("/density")]
 
     def snapshots(self, name: str = "z", first: int = 0, count: Optional[int] = None) -> Any:
-        """The line at successive instants, as a labelled array of shape (instants, stations).
+        """The line at successive times, as a labelled array of shape (times, stations).
 
         Args:
             name: 'x', 'y', 'z' [m], 'effective_tension' [N] or 'von_mises' [Pa].
-            first: First instant.
-            count: How many; left out all from there on. Only these are read.
+            first: Index of the first snapshot.
+            count: Number of snapshots; all following ones if omitted. Only these are read from the file.
         """
         path = f"/dynamic/snapshots/{name}"
         if name not in ("x", "y", "z", "effective_tension", "von_mises") or not self._source.has(path):
@@ -167,7 +168,7 @@ class DynamicResults(Results):
         return labelled(values, name, ("time", "s"), {"time": time, "s": arc}, units)
 
     def save(self, folder: PathLike) -> pathlib.Path:
-        """Copies the files of the run, report.html with them, into a folder that is new or empty."""
+        """Copies the files of the run, including report.html, into a new or empty folder."""
         return copied_folder(self._folder, folder)
 
     @property
@@ -186,7 +187,7 @@ def _renamed(column: Any, name: str) -> Any:
 
 
 def _below(source: Any, group: str) -> list[str]:
-    """The datasets in a group and the groups below it, by their paths from there."""
+    """Relative paths of the datasets in a group and the groups below it."""
     found: list[str] = []
     for name in source.names(group):
         if name.endswith("/"):

@@ -1,4 +1,4 @@
-"""The errors of the package: every one is an `OverbendError`, but for `Interrupted`."""
+"""Exceptions of the package: all are an `OverbendError`, except `Interrupted`."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from typing import Any, Mapping, Sequence
 
 
 class OverbendError(Exception):
-    """Whatever goes wrong in here."""
+    """Base class of the exceptions of this package."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong in a model file.
+    """One error in a model file.
 
     Attributes:
-        message: The whole in one line, as the command line prints it.
-        file: Name of the file, as it was given.
-        line: Line from 1; 0 where it belongs to no place.
-        column: Column from 1; 0 likewise.
+        message: The message in one line, as the command line prints it.
+        file: Name of the file as given.
+        line: Line number from 1; 0 if the error has no location.
+        column: Column number from 1; 0 likewise.
         key: Full path of the key, "pipe.steel.wall_thickness".
-        found: What was found.
-        expected: What should have been.
+        found: Value found.
+        expected: Value expected.
         hint: How to correct it; may be empty.
     """
 
@@ -39,12 +39,12 @@ class Fault:
 class ModelError(OverbendError, ValueError):
     """A model, or a key or value given for one, that cannot be used.
 
-    `faults` has all that is wrong; `file`, `line`, `column`, `key`, `found`, `expected` and `hint` are those of the first.
+    `faults` lists all errors; `file`, `line`, `column`, `key`, `found`, `expected` and `hint` are those of the first.
     """
 
     def __init__(self, sentence: str | None, faults: Sequence[Mapping[str, Any]] = ()):
-        self.faults: tuple[Fault, ...] = tuple(Fault(**fault) for fault in faults)
-        super().__init__(sentence or "\n".join(fault.message for fault in self.faults))
+        self.faults: tuple[Fault, ...] = tuple(Fault(**error) for error in faults)
+        super().__init__(sentence or "\n".join(error.message for error in self.faults))
         first = self.faults[0] if self.faults else Fault(sentence or "")
         self.file, self.line, self.column, self.key = first.file, first.line, first.column, first.key
         self.found, self.expected, self.hint = first.found, first.expected, first.hint
@@ -54,9 +54,9 @@ class NoSolution(OverbendError):
     """There is no equilibrium, or a time step cannot be solved.
 
     Attributes:
-        what: What went wrong, in one sentence.
-        where: Place along the line or instant; empty where it is the whole.
-        why: The reason, and what would mend it.
+        what: Description of the failure, in one sentence.
+        where: Location along the line, or time; empty if it concerns the whole.
+        why: Reason and remedy.
     """
 
     def __init__(self, what: str, where: str = "", why: str = ""):
@@ -65,12 +65,12 @@ class NoSolution(OverbendError):
 
 
 class ControllerError(OverbendError, ValueError):
-    """A controller answered what its machine cannot do.
+    """A controller returned a command that its machine cannot execute.
 
     Attributes:
-        what: Which controller, in one sentence.
-        where: The instant.
-        why: What is wrong with the answer.
+        what: The controller, in one sentence.
+        where: The time.
+        why: The error in the command.
     """
 
     def __init__(self, what: str, where: str = "", why: str = ""):
@@ -83,10 +83,10 @@ class ResultsError(OverbendError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """A run that Ctrl-C stopped. A checkpoint is in its folder, from which it goes on.
+    """A run was stopped by Ctrl-C. It can be resumed from the checkpoint in its folder.
 
     Attributes:
-        folder: Where the checkpoint is; given as `out` with `resume=True` the run goes on.
+        folder: Folder of the checkpoint; give it as `out` with `resume=True` to resume the run.
     """
 
     def __init__(self, sentence: str, folder: pathlib.Path):

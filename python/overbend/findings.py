@@ -1,4 +1,4 @@
-"""What an engineer should know of results, as records."""
+"""Findings: warnings and notes on results, as records."""
 
 from dataclasses import dataclass, field
 from typing import Any, Optional
@@ -6,7 +6,7 @@ from typing import Any, Optional
 
 @dataclass(frozen=True)
 class FindingNumber:
-    """A number of a finding: its name, its value [SI] and its SI unit."""
+    """A number of a finding: name, value [SI] and SI unit."""
 
     name: str
     value: float
@@ -15,17 +15,17 @@ class FindingNumber:
 
 @dataclass(frozen=True)
 class Finding:
-    """What an engineer should know of a result; docs/guide/findings.md has every code with its meaning and remedy.
+    """A warning or note on a result; docs/guide/findings.md explains every code and its remedy.
 
     Attributes:
         code: 'pipe-off-rollers', 'compression', ...
-        severity: 'serious', 'caution' or 'note'. A serious finding reserves the verdict.
+        severity: 'serious', 'caution' or 'note'. With a serious finding the verdict is passed with reservations at best.
         message: One sentence.
-        object: What it is about: 'stinger 8', 'mooring line port bow'; empty: the whole.
-        from_top: Place on the pipe, arc length from the tensioner [m].
-        time: When [s].
-        numbers: Its numbers in SI, the one that says how bad it is first.
-        accepted: By checks.accepted_findings.
+        object: Object concerned: 'stinger 8', 'mooring line port bow'; empty if it concerns the whole.
+        from_top: Location on the pipe, arc length from the tensioner [m].
+        time: Time [s].
+        numbers: Numbers in SI, the one that measures the severity first.
+        accepted: True if listed in checks.accepted_findings.
     """
 
     code: str
@@ -41,12 +41,12 @@ class Finding:
         return f"{self.severity}: {self.message} [{self.code}]"
 
 
-def _finding(told: dict[str, Any]) -> Finding:
-    record = dict(told)
-    record["numbers"] = tuple(FindingNumber(**number) for number in told.get("numbers", ()))
+def _finding(content: dict[str, Any]) -> Finding:
+    record = dict(content)
+    record["numbers"] = tuple(FindingNumber(**number) for number in content.get("numbers", ()))
     return Finding(**record)
 
 
-def findings_of(told: list[dict[str, Any]]) -> list[Finding]:
-    """The records of a list as JSON has it."""
-    return [_finding(one) for one in told]
+def make_findings(records: list[dict[str, Any]]) -> list[Finding]:
+    """Findings from their JSON records."""
+    return [_finding(record) for record in records]

@@ -1,4 +1,4 @@
-"""Groups of values and tables, as results are made of."""
+"""Groups of values, and tables."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ Summary = Mapping[str, Any]
 
 
 def nearest(name: str, names: Sequence[str]) -> str:
-    """A sentence on what might have been meant: "; did you mean 'lay_back'?", empty where nothing is like it."""
+    """Suggestion of a similar name: "; did you mean 'lay_back'?", or an empty string."""
     close = difflib.get_close_matches(name, list(names), n=1)
     return f"; did you mean '{close[0]}'?" if close else ""
 
 
 def wrapped(value: Any, units: Any = None, descriptions: Any = None) -> Any:
-    """A value of a summary as users get it: groups as Record, lists of groups as Records, numbers as Number."""
+    """A value of a summary for users: groups as Record, lists of groups as Records, numbers as Number."""
     if isinstance(value, dict):
         return Record(value, units if isinstance(units, dict) else {},
                       descriptions if isinstance(descriptions, dict) else {})
@@ -52,8 +52,8 @@ class Record:
             raise AttributeError(name)
         try:
             return self[name]
-        except KeyError as fault:
-            raise AttributeError(fault.args[0]) from None
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._values
@@ -68,7 +68,7 @@ class Record:
         return sorted({*super().__dir__(), *(name for name in self._values if name.isidentifier())})
 
     def keys(self) -> list[str]:
-        """The names of its values."""
+        """Names of the values."""
         return list(self._values)
 
     def to_dict(self) -> dict[str, Any]:
@@ -76,11 +76,11 @@ class Record:
         return _plain(self._values)
 
     def __repr__(self) -> str:
-        return "\n".join(_told(name, self[name]) for name in self._values) or "(nothing)"
+        return "\n".join(_as_line(name, self[name]) for name in self._values) or "(nothing)"
 
 
 class Records(Sequence[Record]):
-    """A list of groups; those that have names are also found by them: `records['stinger 3']`."""
+    """A list of groups; named groups can also be selected by name: `records['stinger 3']`."""
 
     def __init__(self, items: Sequence[Record]):
         self._items = list(items)
@@ -98,7 +98,7 @@ class Records(Sequence[Record]):
         return len(self._items)
 
     def names(self) -> list[str]:
-        """The names of the items, of those that have one."""
+        """Names of the items that have one."""
         return [item["name"] for item in self._items if "name" in item]
 
     def to_dict(self) -> list[dict[str, Any]]:
@@ -106,9 +106,9 @@ class Records(Sequence[Record]):
         return [item.to_dict() for item in self._items]
 
     def to_pandas(self) -> Any:
-        """A row for each group as a pandas.DataFrame: single values, those of groups within as "group.name".
+        """A pandas.DataFrame with one row per group; single values of nested groups are columns "group.name".
 
-        `attrs['units']` has the SI unit of every column, `attrs['descriptions']` what it is.
+        `attrs['units']` has the SI unit of every column, `attrs['descriptions']` its description.
         """
         columns: dict[str, tuple[str, str]] = {}
         rows = [_flat(item, "", columns) for item in self._items]
@@ -121,20 +121,20 @@ class Records(Sequence[Record]):
 class Table:
     """Columns over one dimension: `table.name` or `table['name']` is a labelled array, `len(table)` the number of rows.
 
-    A table of things with names also has a row for each: `supports['stinger 3'].reaction`.
+    Named rows can be selected by name: `supports['stinger 3'].reaction`.
     """
 
     def __init__(self, names: Sequence[str], column: Callable[[str], Any], records: Records | None = None):
         """
         Args:
-            names: Of the columns; the first is what the others stand over.
-            column: Gives the labelled array of a name.
-            records: The rows with all that is told of each, where that is more than the columns.
+            names: Names of the columns; the first is the coordinate of the others.
+            column: Returns the labelled array of a name.
+            records: The rows with all their values, if these are more than the columns.
         """
         self._names, self._make, self._records = list(names), functools.lru_cache(maxsize=None)(column), records
 
     def keys(self) -> list[str]:
-        """The names of the columns."""
+        """Names of the columns."""
         return list(self._names)
 
     def column(self, name: str) -> Any:
@@ -144,7 +144,7 @@ class Table:
         return self._make(name)
 
     def row_names(self) -> list[str]:
-        """The names of the rows; empty where they have none."""
+        """Names of the rows; empty if they have none."""
         if self._records is not None:
             return self._records.names()
         return [str(name) for name in self.column("name").values] if "name" in self._names else []
@@ -174,8 +174,8 @@ class Table:
             raise AttributeError(name)
         try:
             return self.column(name)
-        except KeyError as fault:
-            raise AttributeError(fault.args[0]) from None
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._names
@@ -204,11 +204,11 @@ class Table:
     def to_pandas(self) -> Any:
         """The table as a pandas.DataFrame, its first column as the index.
 
-        Values are SI, the columns in the order of the tables of text (pipe.csv, supports.csv, ...); `attrs['units']`
-        has the unit of every column and of the index, `attrs['descriptions']` what it is.
+        Values are SI, columns in the order of the CSV tables (pipe.csv, supports.csv, ...); `attrs['units']` has the
+        unit of every column and of the index, `attrs['descriptions']` its description.
         """
         attrs = {name: self.column(name).attrs for name in self._names}
-        frame = _frame(self.to_dict(), {name: (told["units"], told["description"]) for name, told in attrs.items()})
+        frame = _frame(self.to_dict(), {name: (column["units"], column["description"]) for name, column in attrs.items()})
         return frame.set_index(self._names[0]) if self._names else frame
 
     def __repr__(self) -> str:
@@ -220,18 +220,18 @@ class Table:
         return "\n".join(lines)
 
 
-def table_of(source: Any, group: str, records: Records | None = None) -> Table:
-    """The table of a group of datasets: those with one dimension in common, that of the scale first.
+def make_table(source: Any, group: str, records: Records | None = None) -> Table:
+    """Table of the datasets of a group that share a dimension, the dimension scale first.
 
     Args:
-        source: With names(group) and dataset(path), as results.h5 and trees in memory have them.
+        source: Has names(group) and dataset(path), like results.h5 and trees in memory.
         group: Path of the group, "/static/stations".
-        records: The rows, where more is told of them than the columns.
+        records: The rows, if they have more values than the columns.
     """
     names = [name for name in source.names(group) if not name.endswith("/")]
-    told = {name: source.dataset(f"{group}/{name}") for name in names}
-    columns = {name: one for name, one in told.items() if getattr(one[0], "ndim", 0) == 1}
-    scale = next((one[4][0].rsplit("/", 1)[-1] for one in columns.values() if one[4] and one[4][0]), "index")
+    datasets = {name: source.dataset(f"{group}/{name}") for name in names}
+    columns = {name: dataset for name, dataset in datasets.items() if getattr(dataset[0], "ndim", 0) == 1}
+    scale = next((dataset[4][0].rsplit("/", 1)[-1] for dataset in columns.values() if dataset[4] and dataset[4][0]), "index")
     ordered = ([scale] if scale in columns else []) + [name for name in columns if name != scale]
 
     def column(name: str) -> Any:
@@ -242,40 +242,43 @@ def table_of(source: Any, group: str, records: Records | None = None) -> Table:
     return Table(ordered, column, records)
 
 
-def record_of(source: Any, group: str) -> Record:
-    """The single values and the vectors that stand directly in a group of datasets.
+def make_record(source: Any, group: str) -> Record:
+    """Single values and vectors directly in a group of datasets.
 
     Args:
-        source: As of table_of().
+        source: As in make_table().
         group: Path of the group, "/static/scene".
     """
-    told = {name: source.dataset(f"{group}/{name}") for name in source.names(group) if not name.endswith("/")}
+    datasets = {name: source.dataset(f"{group}/{name}") for name in source.names(group) if not name.endswith("/")}
     vectors = ("component", "axis")
-    values = {name: labelled(one[0], name, vectors[:one[0].ndim], {}, *one[1:4]) if isinstance(one[0], np.ndarray) else one[0]
-              for name, one in told.items()}
-    return Record(values, {name: one[1] for name, one in told.items()}, {name: one[2] for name, one in told.items()})
+    values, units, descriptions = {}, {}, {}
+    for name, (value, unit, description, frame, _) in datasets.items():
+        array = isinstance(value, np.ndarray)
+        values[name] = labelled(value, name, vectors[:value.ndim], {}, unit, description, frame) if array else value
+        units[name], descriptions[name] = unit, description
+    return Record(values, units, descriptions)
 
 
-def _frame(columns: Mapping[str, Any], told: Mapping[str, tuple[str, str]]) -> Any:
-    """A pandas.DataFrame of columns, with unit and description of each as attributes."""
+def _frame(columns: Mapping[str, Any], labels: Mapping[str, tuple[str, str]]) -> Any:
+    """A pandas.DataFrame of the columns, with their units and descriptions as attributes."""
     import pandas
 
     frame = pandas.DataFrame(dict(columns))
-    frame.attrs["units"] = {name: unit for name, (unit, _) in told.items()}
-    frame.attrs["descriptions"] = {name: text for name, (_, text) in told.items()}
+    frame.attrs["units"] = {name: unit for name, (unit, _) in labels.items()}
+    frame.attrs["descriptions"] = {name: text for name, (_, text) in labels.items()}
     return frame
 
 
-def _flat(record: Record, before: str, told: dict[str, tuple[str, str]]) -> dict[str, Any]:
-    """The single values of a group and of the groups within, by their names; `told` takes units and descriptions."""
+def _flat(record: Record, before: str, labels: dict[str, tuple[str, str]]) -> dict[str, Any]:
+    """Single values of a group and its nested groups by name; `labels` collects units and descriptions."""
     row: dict[str, Any] = {}
     for name in record.keys():
         value, path = record[name], before + name
         if isinstance(value, Record):
-            row.update(_flat(value, path + ".", told))
+            row.update(_flat(value, path + ".", labels))
         elif isinstance(value, str) or not isinstance(value, (Sequence, np.ndarray)):
             unit, text = record._units.get(name), record._descriptions.get(name)
-            told.setdefault(path, (unit if isinstance(unit, str) else "1", text if isinstance(text, str) else ""))
+            labels.setdefault(path, (unit if isinstance(unit, str) else "1", text if isinstance(text, str) else ""))
             row[path] = _plain(value) if not isinstance(value, Number) else float(value)
     return row
 
@@ -292,7 +295,7 @@ def _unit(units: str) -> str:
     return "" if units == "1" else units
 
 
-def _told(name: str, value: Any) -> str:
+def _as_line(name: str, value: Any) -> str:
     if isinstance(value, Number):
         return f"{name:<28}{float(value):>14.6g} {_unit(value.units)}".rstrip()
     if isinstance(value, Record):

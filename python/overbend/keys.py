@@ -1,4 +1,4 @@
-"""Values that users give for keys of a model, as YAML."""
+"""Values of model keys, as YAML."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from . import _core
 from .errors import ModelError
 from .values import Number
 
-#: A time: seconds, or a text with its unit; None where it is left out.
+#: A time: seconds, or a string with unit; None if omitted.
 Time = Union[str, float, int, None]
 #: As in a model file: the largest seed, and how many there may be.
 MAX_SEED, MAX_SEEDS = 9_000_000_000_000_000, 10_000
 Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
 
 
-def changes_of(keys: Mapping[str, Any]) -> list[Change]:
-    """The changes that put the values into the text of a model.
+def make_changes(keys: Mapping[str, Any]) -> list[Change]:
+    """Changes that write values into the text of a model.
 
     Args:
-        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit,
-            truth values, lists and dicts of these for groups, None to remove the key.
+        keys: Values by model key: strings with units ("260 kN"), results (a Number), numbers for keys without unit,
+            booleans, lists and dicts of these for groups, None to remove the key.
     """
-    return [change_of(key, value) for key, value in keys.items()]
+    return [make_change(key, value) for key, value in keys.items()]
 
 
-def change_of(key: str, value: Any) -> Change:
+def make_change(key: str, value: Any) -> Change:
     """The change of one key."""
     if value is None:
         return key, "remove", ""
@@ -40,7 +40,7 @@ def change_of(key: str, value: Any) -> Change:
 
 
 def scalar(value: Any, key: str = "") -> str:
-    """A single value as YAML has it; numbers with all their digits."""
+    """A single value as YAML; numbers with all digits."""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, (str, numbers.Integral)):
@@ -66,18 +66,18 @@ def flow(value: Any, key: str = "") -> str:
 
 
 def bound(value: Any, what: str, unit: str) -> str:
-    """A quantity as a text with its unit; a result (a Number) with that of its own.
+    """A quantity as a string with unit; a result (a Number) has its own.
 
     Raises:
-        ModelError: For a number without a unit.
+        ModelError: If a number has no unit.
     """
     if isinstance(value, str) or (isinstance(value, Number) and value.units != "1"):
         return scalar(value)
     raise ModelError(f"{what}: found {value!r} without a unit, expected a text with its unit, such as '{value!r} {unit}'")
 
 
-def seeds_of(seeds: Iterable[Any]) -> list[int]:
-    """Seeds of random waves, whole numbers that are not negative."""
+def require_seeds(seeds: Iterable[Any]) -> list[int]:
+    """Seeds of random waves: non-negative integers."""
     chosen = list(itertools.islice(seeds, MAX_SEEDS + 1))
     if len(chosen) > MAX_SEEDS:
         raise ModelError(f"seeds: found more than {MAX_SEEDS} of them, expected fewer")
@@ -89,7 +89,7 @@ def seeds_of(seeds: Iterable[Any]) -> list[int]:
 
 
 def seconds(duration: Time) -> Optional[float]:
-    """A duration in seconds; None where it is left out."""
+    """A duration in seconds; None if omitted."""
     if duration is None:
         return None
     value = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)

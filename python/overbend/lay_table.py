@@ -10,8 +10,8 @@ import numpy as np
 
 from . import _core
 from .errors import ModelError
-from .findings import findings_of
-from .groups import Record, Table, table_of
+from .findings import make_findings
+from .groups import Record, Table, make_table
 from .keys import bound
 from .values import labelled
 
@@ -20,23 +20,23 @@ if TYPE_CHECKING:
 
 PathLike = Union[str, "os.PathLike[str]"]
 
-#: Called with rows done and rows asked for.
+#: Called with the number of rows done and requested.
 RowProgress = Callable[[int, int], object]
 
 
 class LayTable:
-    """A lay in each row; what is varied also has rows for its least and largest value within which all checks are
-    passed.
+    """A static solution in each row, with additional rows for the smallest and largest value of the varied quantity at which
+    all checks are passed.
 
     Attributes:
-        table: Table over `index`: kind ('step', 'least', 'largest'), what is varied, depth [m], top_tension,
+        table: Table over `index`: kind ('step', 'least', 'largest'), the varied quantity, depth [m], top_tension,
             bottom_tension [N], lay_back [m], departure_angle [rad], stinger_tip_clearance [m], stresses [Pa], strains,
             largest_reaction [N], utilisation, worst_check, verdict ('passed', 'reserved', 'exceeded', 'no lay') and reason; NaN
-            where there is no lay.
+            without a solution.
         vary: 'tension', 'lay_back', 'depth' or 'route'.
-        findings: What an engineer should know; warnings are their messages.
-        assumptions: What was assumed.
-        summary: The content of summary.json.
+        findings: Findings; `warnings` are their messages.
+        assumptions: Assumptions of the analysis.
+        summary: Content of summary.json.
     """
 
     def __init__(self, core: "_core.LayTable", model: "Model"):
@@ -44,32 +44,32 @@ class LayTable:
         self._core, self.model = core, model
         self.summary: dict[str, Any] = core.summary()
         self.vary: str = self.summary["lay_table"]["vary"]
-        self.findings = findings_of(self.summary["findings"])
+        self.findings = make_findings(self.summary["findings"])
         self.warnings: list[str] = self.summary["warnings"]
         self.assumptions: list[str] = self.summary["assumptions"]
-        self.table: Table = table_of(core.tree(), "/lay_table")
+        self.table: Table = make_table(core.tree(), "/lay_table")
 
     @property
     def least(self) -> Optional[Record]:
-        """The row of the least value with which every governing check is passed; None where there is none."""
+        """Row of the smallest value at which every governing check is passed; None if there is none."""
         return self._limit("least")
 
     @property
     def largest(self) -> Optional[Record]:
-        """The row of the largest value with which every governing check is passed; None where there is none."""
+        """Row of the largest value at which every governing check is passed; None if there is none."""
         return self._limit("largest")
 
     @property
     def steps(self) -> Table:
-        """The rows that were asked for, without the limits among them."""
+        """The requested rows, without the limits."""
         chosen = np.flatnonzero(self.table["kind"].values == "step")
         place = np.arange(len(chosen))
 
         def column(name: str) -> Any:
             whole = self.table.column(name)
             values = place if name == "index" else np.asarray(whole.values)[chosen]
-            told = whole.attrs
-            return labelled(values, name, ("index",), {"index": place}, told["units"], told["description"])
+            attrs = whole.attrs
+            return labelled(values, name, ("index",), {"index": place}, attrs["units"], attrs["description"])
 
         return Table(self.table.keys(), column)
 
@@ -90,7 +90,7 @@ class LayTable:
         """Writes lay-table.csv, lay-table.xlsx, summary.json and report.html.
 
         Raises:
-            ResultsError: Where the folder cannot be written.
+            ResultsError: If the folder cannot be written.
         """
         self._core.save(os.fspath(folder))
         return pathlib.Path(folder)

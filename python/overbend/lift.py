@@ -1,4 +1,4 @@
-"""Stages of a lift: pipe in the davits, its shape and moments, the wires, the weld."""
+"""Stages of a lift: the pipe in the davits with its shape and moments, the wires, the weld."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import functools
 from typing import Any, Mapping
 
 from . import _core
-from .groups import Record, Table, nearest, table_of
+from .groups import Record, Table, make_table, nearest
 from .values import labelled
 
 class LiftedLine(Record):
-    """A line that is pipe, at a stage of a lift.
+    """A pipe at a stage of a lift.
 
-    Attributes beside `nodes`: `first_end`, `second_end` (x, y, z [m], inclination [rad], tension [N]), `held_end`,
+    Attributes in addition to `nodes`: `first_end`, `second_end` (x, y, z [m], inclination [rad], tension [N]), `held_end`,
     `largest_bending_moment`, `largest_sagging_moment`, `largest_hogging_moment` (value [N m], arc_length, x, y, z [m]),
     `largest_bending_stress` [Pa], `largest_tension`, `least_tension` [N], `on_bed`, `lift_off`, `suspended_length` [m],
     `water_crossings` [m]. Inclinations are positive downwards, going from the first end to the second.
@@ -22,15 +22,15 @@ class LiftedLine(Record):
             tension, shear [N], sagging_moment, sideways_moment [N m], bending_stress [Pa].
     """
 
-    def __init__(self, told: dict[str, Any], units: Any, descriptions: Any, source: Any, group: str):
+    def __init__(self, values: dict[str, Any], units: Any, descriptions: Any, source: Any, group: str):
         """Not for users: see LiftStage."""
-        super().__init__(told, units, descriptions)
+        super().__init__(values, units, descriptions)
         self._source, self._group = source, group
 
     @functools.cached_property
     def nodes(self) -> Table:
-        """The nodes of the line from its first end: its shape and what it bears."""
-        plain = table_of(self._source, self._group + "/nodes")
+        """Nodes of the line from its first end: shape, forces and moments."""
+        plain = make_table(self._source, self._group + "/nodes")
         names = {name.removeprefix("position_"): name for name in plain.keys()}
         scale = plain.keys()[0]
 
@@ -45,14 +45,14 @@ class LiftedLine(Record):
 
 
 class LiftedLines(Record):
-    """The lines that are pipe, by their names: `stage.lines['pipe'].first_end.z`."""
+    """The pipes by name: `stage.lines['pipe'].first_end.z`."""
 
     def __init__(self, stage: Mapping[str, Any], source: Any, group: str):
         """Not for users: see LiftStage."""
         super().__init__(stage["lines"])
         units, descriptions = _core.lift_units()["lines"]["*"], _core.lift_descriptions()["lines"]["*"]
-        self._lines = {name: LiftedLine(told, units, descriptions, source, f"{group}/lines/{number}")
-                       for number, (name, told) in enumerate(stage["lines"].items())}
+        self._lines = {name: LiftedLine(values, units, descriptions, source, f"{group}/lines/{number}")
+                       for number, (name, values) in enumerate(stage["lines"].items())}
 
     def __getitem__(self, name: str) -> LiftedLine:
         if name not in self._lines:
@@ -61,5 +61,5 @@ class LiftedLines(Record):
 
 
 def named(places: dict[str, Any], stage: Mapping[str, Any]) -> dict[str, Any]:
-    """Units or descriptions of a stage with those of "*" under the name of each davit."""
+    """Units or descriptions of a stage, with those of "*" for each davit."""
     return {**places, "davits": dict.fromkeys(stage["davits"], places["davits"]["*"])}

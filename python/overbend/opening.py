@@ -1,4 +1,4 @@
-"""Results that are there already."""
+"""Reading of existing results."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from .studies import StudyResults
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
-    """The results in a folder that the command line or this package wrote.
+    """Opens a folder of results written by the command line or this package.
 
     Returns:
-        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults, StudyResults, by what the
-        folder holds. A study that is not finished gives what there is so far.
+        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults or StudyResults, depending on
+        the folder. An unfinished study returns the cases solved so far.
 
     Raises:
-        ResultsError: Where it holds none, or they are damaged.
+        ResultsError: If there are no results, or they are damaged.
     """
     path = pathlib.Path(folder)
     path = path.parent if path.name in ("results.h5", "summary.json") else path
     try:
         return _opened(path)
-    except (KeyError, TypeError, IndexError, AttributeError) as fault:
-        raise ResultsError(f"the results in '{path}' are damaged: {type(fault).__name__}: {fault}") from fault
+    except (KeyError, TypeError, IndexError, AttributeError) as error:
+        raise ResultsError(f"the results in '{path}' are damaged: {type(error).__name__}: {error}") from error
 
 
 def _opened(path: pathlib.Path) -> Any:

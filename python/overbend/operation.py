@@ -1,4 +1,4 @@
-"""Operations on the line: abandonment, recovery, start-up, the passage of structures, lifts, stage by stage."""
+"""Operations stage by stage: abandonment, recovery, start-up, passage of structures, lifts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _core
 from .errors import NoSolution
-from .findings import findings_of
+from .findings import make_findings
 from .groups import Record, Table, nearest, wrapped
 from .lift import LiftedLines, named
 from .objects import Objects, objects_in
@@ -23,23 +23,23 @@ if TYPE_CHECKING:
 
 PathLike = Union[str, "os.PathLike[str]"]
 
-# Key results that the table of the stages has beside what is asked for: column, part of the summary of a stage.
+# Key results in the table of stages, in addition to the targets.
 _KEY_RESULTS = ("top_tension", "bottom_tension", "lay_back", "suspended_length")
 
 
-# Of a lift: parts of the summary of a line and of a davit.
+# Results of a lift in the table of stages, by line and by davit.
 _OF_LIFT = {"lines": (("first_end", "z"), ("first_end", "inclination"), ("largest_bending_moment", "value"),
                       ("largest_bending_stress",)),
             "davits": (("length",), ("tension_upper",), ("utilisation",))}
 
 
 class Stage(Record):
-    """A stage: its place and tension by name (`stage.cable_out`, `stage.tension`, `stage.barge_ahead`), its key results
-    as of statics (`stage.lay_back`, `stage.sagbend.max_bending_stress`), `status`, `failure` and `checks`.
+    """A stage: its settings (`stage.cable_out`, `stage.tension`, `stage.barge_ahead`), its key results as in a static
+    analysis (`stage.lay_back`, `stage.sagbend.max_bending_stress`), `status`, `failure` and `checks`.
 
     Attributes:
-        static: StaticResults of the stage; raises NoSolution where it has no equilibrium.
-        stands: Whether it has one.
+        static: StaticResults of the stage; raises NoSolution if it has no equilibrium.
+        stands: True if it has one.
     """
 
     def __init__(self, operation: "OperationResults", number: int, content: dict[str, Any], units: dict[str, Any],
@@ -50,7 +50,7 @@ class Stage(Record):
 
     @property
     def stands(self) -> bool:
-        """Whether the stage has an equilibrium."""
+        """True if the stage has an equilibrium."""
         return bool(self["status"] == "converged")
 
     @property
@@ -63,15 +63,15 @@ class Stage(Record):
 
 
 class LiftStage(Stage):
-    """A stage of a lift: what hangs in the davits, and what the davits bear.
+    """A stage of a lift: the pipes and the davit wires.
 
     Attributes:
-        lines: The lines that are pipe, by their names: `lines['pipe'].first_end.z`, `lines['pipe'].nodes.z`.
-        davits: The lines that hang on others, by their names: length [m], tension_upper, tension_lower [N],
-            from_vertical_upper [rad], utilisation, force_on_pipe, and at their `attachment` moment, tension and shear.
-        gap: Where a weld is still to be made: dx, dy, dz [m], angle [rad].
-        join: Of the last weld: x, z [m], inclination [rad], tension, shear [N], moment [N m].
-        stands, static: As of every stage.
+        lines: The pipes by name: `lines['pipe'].first_end.z`, `lines['pipe'].nodes.z`.
+        davits: The davit wires by name: length [m], tension_upper, tension_lower [N], from_vertical_upper [rad],
+            utilisation, force_on_pipe, and at their `attachment` moment, tension and shear.
+        gap: Gap before a weld: dx, dy, dz [m], angle [rad].
+        join: The last weld: x, z [m], inclination [rad], tension, shear [N], moment [N m].
+        stands, static: As for every stage.
     """
 
     def __init__(self, operation: "OperationResults", number: int, content: dict[str, Any], units: dict[str, Any],
@@ -83,18 +83,18 @@ class LiftStage(Stage):
 
     @functools.cached_property
     def lines(self) -> LiftedLines:
-        """The lines that are pipe."""
+        """The pipes by name."""
         return LiftedLines(self._values, self._source, f"/operation/stage_{self._number + 1:03}/static")
 
 
 class OperationResults(Sequence[Stage]):
-    """The stages of an operation in their order, by number from 0 or by name: `operation['on the bed'].tension`.
+    """The stages of an operation in order, by number from 0 or by name: `operation['on the bed'].tension`.
 
     Attributes:
-        title, type: Of the operation: 'abandonment', 'recovery', 'start_up', ...
-        findings, assumptions: Of the operation as a whole; each stage has its own. warnings are messages of findings.
+        title, type: Title and type of the operation: 'abandonment', 'recovery', 'start_up', ...
+        findings, assumptions: Those of the whole operation; each stage has its own. `warnings` are messages of findings.
         model: The model.
-        summary: The content of summary.json.
+        summary: Content of summary.json.
     """
 
     def __init__(self, core: "_core.Operation", model: "Model"):
@@ -104,11 +104,11 @@ class OperationResults(Sequence[Stage]):
         content = self.summary["operation"]
         self.title: str = self.summary.get("title", "")
         self.type: str = content["type"]
-        self.findings = findings_of(self.summary.get("findings", []))
+        self.findings = make_findings(self.summary.get("findings", []))
         self.warnings: list[str] = self.summary.get("warnings", [])
         self.assumptions: list[str] = self.summary.get("assumptions", [])
         tree = core.tree()
-        self._stages = [self._stage(tree, number, one) for number, one in enumerate(content["stages"])]
+        self._stages = [self._stage(tree, number, stage) for number, stage in enumerate(content["stages"])]
 
     def _stage(self, tree: Any, number: int, content: dict[str, Any]) -> Stage:
         units, descriptions = dict(summary_units()["static"]), dict(summary_descriptions()["static"])
@@ -146,50 +146,51 @@ class OperationResults(Sequence[Stage]):
 
     @property
     def names(self) -> list[str]:
-        """The names of the stages."""
+        """Names of the stages."""
         return [stage["name"] for stage in self._stages]
 
     @functools.cached_property
     def objects(self) -> Objects:
-        """The results by object: `objects.stages['half way'].lines['pipe'].static.lay_back`."""
+        """Results by object: `objects.stages['half way'].lines['pipe'].static.lay_back`."""
         return objects_in(self.summary, {stage["name"]: stage._units for stage in self},
                           {stage["name"]: stage._descriptions for stage in self})
 
     @property
     def worst(self) -> Optional[Record]:
-        """The check that is used most at any stage, with `stage`, the name of that; None where none is judged."""
+        """The check with the largest utilisation over all stages, with the name of its `stage`; None without checks."""
         worst = self.summary["checks"]["worst"]
         content = summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]
         return wrapped(worst, *content) if worst else None
 
     @functools.cached_property
     def table(self) -> Table:
-        """A row for each stage: name, what is asked of it and found for it, key results, worst check; else NaN."""
+        """One row per stage: name, settings, key results, governing check; NaN for missing values."""
         columns: dict[str, Any] = {"name": _Column([stage["name"] for stage in self], "1", "Name of the stage")}
         for stage in self:
             for name, value in stage._values.items():
                 single = isinstance(value, (int, float)) and not isinstance(value, bool) and name in stage._units
                 if single and (name not in summary_units()["static"] or name in _KEY_RESULTS) and name not in columns:
-                    found = [one._values.get(name) for one in self]
+                    found = [each._values.get(name) for each in self]
                     columns[name] = _Column([np.nan if v is None else float(v) for v in found], stage._units[name],
                                             stage._descriptions.get(name, ""))
         columns.update(self._columns_of_lift())
-        worst = [one._values.get("checks", {}).get("worst") or {} for one in self]
+        worst = [stage._values.get("checks", {}).get("worst") or {} for stage in self]
         columns["status"] = _Column([stage["status"] for stage in self], "1", "converged or failed")
-        columns["worst_check"] = _Column([one.get("name", "") for one in worst], "1", "Check that is used most")
-        columns["utilisation"] = _Column([one.get("utilisation", np.nan) for one in worst], "1", "Of that check")
+        columns["worst_check"] = _Column([check.get("name", "") for check in worst], "1", "Check with the largest utilisation")
+        columns["utilisation"] = _Column([check.get("utilisation", np.nan) for check in worst], "1",
+                                         "Utilisation of that check")
         number = np.arange(len(self))
 
         def column(name: str) -> Any:
             if name == "stage":
                 return labelled(number, name, ("stage",), {"stage": number}, "1", "Number of the stage, from 0")
-            one = columns[name]
-            return labelled(np.array(one.values), name, ("stage",), {"stage": number}, one.units, one.description)
+            stored = columns[name]
+            return labelled(np.array(stored.values), name, ("stage",), {"stage": number}, stored.units, stored.description)
 
         return Table(["stage", *columns], column)
 
     def _columns_of_lift(self) -> dict[str, "_Column"]:
-        """Of a lift: of every line and davit what changes from stage to stage."""
+        """Columns of a lift: results of every line and davit that change from stage to stage."""
         if not any(isinstance(stage, LiftStage) for stage in self):
             return {}
         units, content = _core.lift_units(), _core.lift_descriptions()
@@ -207,18 +208,18 @@ class OperationResults(Sequence[Stage]):
         """Writes the files of `overbend static -o`: stages.csv, stages.xlsx, results.h5, summary.json, report.html.
 
         Raises:
-            ResultsError: Where the folder cannot be written.
+            ResultsError: If the folder cannot be written.
         """
         self._core.save(os.fspath(folder))
         return pathlib.Path(folder)
 
     def __repr__(self) -> str:
         standing = sum(stage.stands for stage in self)
-        return f"<OperationResults of '{self.title}', {self.type}: {standing} of {len(self)} stages stand>"
+        return f"<OperationResults of '{self.title}', {self.type}: {standing} of {len(self)} stages solved>"
 
 
 def _below(values: Any, path: Sequence[str]) -> Any:
-    """What stands at a path in groups; None where there is nothing."""
+    """Value at a path in nested groups; None if there is none."""
     for name in path:
         values = values.get(name) if isinstance(values, dict) else None
     return values

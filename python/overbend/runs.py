@@ -1,4 +1,4 @@
-"""Several runs of one model side by side: seeds, and variants."""
+"""Sets of runs of one model: seeds and variants."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 
 import numpy as np
 
-from .findings import findings_of
+from .findings import make_findings
 from .groups import Record, Records, Table, wrapped
 from .dynamic_results import DynamicResults
 from .results import copied_folder, summary_in
@@ -22,7 +22,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 class _RunsInFolders:
-    """Several runs in folders of their own below one."""
+    """Several runs in subfolders of one folder."""
 
     _file = "summary.json"
 
@@ -33,7 +33,7 @@ class _RunsInFolders:
 
     @property
     def folder(self) -> pathlib.Path:
-        """Where the results are."""
+        """Folder of the results."""
         return self._folder
 
     @property
@@ -47,31 +47,31 @@ class _RunsInFolders:
         return DynamicResults(self._folder / name, None, self._holder)
 
     def save(self, folder: PathLike) -> pathlib.Path:
-        """Copies all files into a folder that is new or empty."""
+        """Copies all files into a new or empty folder."""
         return copied_folder(self._folder, folder)
 
 
 class SeedsResults(_RunsInFolders):
-    """Runs of several seeds: `results[3]` is the DynamicResults of seed 3, `len(results)` how many are finished.
+    """Runs of several seeds: `results[3]` is the DynamicResults of seed 3, `len(results)` the number of finished runs.
 
     Attributes:
-        summary: What they give together, as summary.json.
-        failed: Runs that ended without results: seed, why.
-        findings: Of all together; each run has its own. warnings are their messages.
+        summary: Content of summary.json.
+        failed: Runs without results: seed, why.
+        findings: Merged findings; each run has its own. `warnings` are their messages.
     """
 
     def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
         """Not for users: see Model.seeds() and overbend.open()."""
         super().__init__(folder, model, holder)
-        self._told: dict[str, Any] = self.summary["seeds"]
-        self.failed = Records([Record(one) for one in self._told["failed"]])
-        self.findings = findings_of(self._told["findings"])
-        self.warnings: list[str] = self._told["warnings"]
+        self._content: dict[str, Any] = self.summary["seeds"]
+        self.failed = Records([Record(run) for run in self._content["failed"]])
+        self.findings = make_findings(self._content["findings"])
+        self.warnings: list[str] = self._content["warnings"]
 
     @property
     def seeds(self) -> list[int]:
-        """The seeds whose runs are finished, in the order that they were given in."""
-        return [run["seed"] for run in self._told["runs"]]
+        """Seeds of the finished runs, in the given order."""
+        return [run["seed"] for run in self._content["runs"]]
 
     def __getitem__(self, seed: int) -> DynamicResults:
         return self._run(f"seed-{seed}")
@@ -84,20 +84,20 @@ class SeedsResults(_RunsInFolders):
 
     @property
     def table(self) -> Table:
-        """A row for each finished run: `seed`, and the key results of seeds.csv [SI]."""
-        return _table_of_runs(self._told["runs"], "seed", self._told["statistics"])
+        """One row per finished run: `seed`, and the key results of seeds.csv [SI]."""
+        return _table_of_runs(self._content["runs"], "seed", self._content["statistics"])
 
     @functools.cached_property
     def statistics(self) -> Record:
-        """By key result over the seeds: mean, std, min, max, and `gumbel` and `acer` with the most probable extreme of
-        three hours (`estimate`, and `low` and `high` of its 95 % confidence interval); None where there are too few.
+        """Statistics across seeds by key result: mean, std, min, max, and `gumbel` and `acer` with the most probable three-hour
+        extreme (`estimate`) and its 95 % confidence interval (`low`, `high`); None if there are too few.
         """
-        quantities = self._told["statistics"]
-        return Record({name: _statistics(one) for name, one in quantities.items()},
-                      {name: _same_units(one, one["units"]) for name, one in quantities.items()})
+        quantities = self._content["statistics"]
+        return Record({name: _statistics(quantity) for name, quantity in quantities.items()},
+                      {name: _same_units(quantity, quantity["units"]) for name, quantity in quantities.items()})
 
     def values(self, name: str) -> Any:
-        """A result of every seed, by its name as goal seek has it: 'dynamic.top_tension.max'; labelled over seed."""
+        """A result of every seed by its path, such as 'dynamic.top_tension.max'; labelled over seed."""
         found = [self[seed][name] for seed in self.seeds]
         units = found[0].units if found else "1"
         values = np.array([float(value) for value in found])
@@ -108,12 +108,12 @@ class SeedsResults(_RunsInFolders):
 
 
 class ComparisonResults(_RunsInFolders):
-    """Variants of a model in one sea: `results['off']` is the DynamicResults of one.
+    """Variants of a model in one sea: `results['off']` is the DynamicResults of a variant.
 
     Attributes:
-        summary: The content of comparison.json.
+        summary: Content of comparison.json.
         of: 'tensioner', 'contact' or 'impacts'.
-        variants: The names of the variants.
+        variants: Names of the variants.
     """
 
     _file = "comparison.json"
@@ -121,9 +121,9 @@ class ComparisonResults(_RunsInFolders):
     def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
         """Not for users: see Model.compare() and overbend.open()."""
         super().__init__(folder, model, holder)
-        self._told: dict[str, Any] = self.summary["comparison"]
-        self.of: str = self._told["of"]
-        self.variants: list[str] = [variant["name"] for variant in self._told["variants"]]
+        self._content: dict[str, Any] = self.summary["comparison"]
+        self.of: str = self._content["of"]
+        self.variants: list[str] = [variant["name"] for variant in self._content["variants"]]
 
     def __getitem__(self, variant: str) -> DynamicResults:
         return self._run(variant)
@@ -136,38 +136,38 @@ class ComparisonResults(_RunsInFolders):
 
     @property
     def table(self) -> Table:
-        """A row for each variant: `variant`, and the key results of comparison.csv [SI]."""
-        runs = [{"variant": variant["name"], **variant} for variant in self._told["variants"]]
-        return _table_of_runs(runs, "variant", self._told["quantities"])
+        """One row per variant: `variant`, and the key results of comparison.csv [SI]."""
+        runs = [{"variant": variant["name"], **variant} for variant in self._content["variants"]]
+        return _table_of_runs(runs, "variant", self._content["quantities"])
 
     @property
     def supports(self) -> Records:
-        """Of a comparison of contact, what each box saw in each variant: `supports['stinger 3'].flat.peak_force`."""
-        return wrapped(self._told.get("supports", [])) or Records([])
+        """For a comparison of contact models, results of each box in each variant: `supports['stinger 3'].flat.peak_force`."""
+        return wrapped(self._content.get("supports", [])) or Records([])
 
     def __repr__(self) -> str:
         return f"<ComparisonResults of '{self.title}': {', '.join(self.variants)}>"
 
 
 def _table_of_runs(runs: list[dict[str, Any]], key: str, quantities: dict[str, Any]) -> Table:
-    """A row for each run; quantities have units and description by their names."""
+    """One row per run; quantities have units and description by name."""
     place = np.array([run[key] for run in runs])
 
     def column(name: str) -> Any:
         if name == key:
             return labelled(place, key, (key,), {key: place}, "1", key)
         values = np.array([np.nan if run[name] is None else run[name] for run in runs], dtype=float)
-        told = quantities[name]
-        return labelled(values, name, (key,), {key: place}, told["units"], told["description"])
+        quantity = quantities[name]
+        return labelled(values, name, (key,), {key: place}, quantity["units"], quantity["description"])
 
     return Table([key, *quantities], column)
 
 
-def _statistics(told: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in told.items() if name not in ("units", "description")}
+def _statistics(quantity: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in quantity.items() if name not in ("units", "description")}
 
 
-def _same_units(told: dict[str, Any], units: str) -> dict[str, Any]:
-    """The unit in the place of every number."""
+def _same_units(values: dict[str, Any], units: str) -> dict[str, Any]:
+    """The same structure with the unit in place of every number."""
     return {name: _same_units(value, units) if isinstance(value, dict) else units
-            for name, value in told.items() if name not in ("order", "peaks")}
+            for name, value in values.items() if name not in ("order", "peaks")}

@@ -1,4 +1,4 @@
-"""Goal seek: values of keys with which results are as wanted."""
+"""Goal seek: input values that give required results."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from .results import StaticResults
 from .values import Number, labelled, stored_unit
 
 Bounds = Union[None, Sequence[Any], Mapping[str, Any]]
-Wish = Union[str, float, Mapping[str, Any]]
+Condition = Union[str, float, Mapping[str, Any]]
 
 _RELATIONS = {"<=": "at_most", ">=": "at_least", "==": "equals", "=": "equals", "": "equals"}
 
 
 def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], None] = None,
-         until: Optional[Mapping[str, Wish]] = None, minimise: Optional[str] = None) -> "SeekResult":
-    """Finds values of keys with which the results of statics are as wanted; the model is not changed.
+         until: Optional[Mapping[str, Condition]] = None, minimise: Optional[str] = None) -> "SeekResult":
+    """Finds values of keys that give required static results; the model is not changed.
 
-    One key with one condition is searched over all its bounds: every answer and every jump of the result is told.
-    Several keys, several conditions or something to minimise are searched from the model's values to the nearest
-    optimum, and where the conditions are not met there from the best of places over the bounds.
+    One key with one condition is searched over the whole of its bounds, and every answer and every jump of the result is
+    reported. Several keys, several conditions or a minimum are searched from the model's values to the nearest optimum; if
+    the conditions are not met there, the search restarts from the best points sampled within the bounds.
 
         ob.seek(model, vary='tensioner.tension', until={'static.sagbend.max_bending_stress': '100 MPa'})
         ob.seek(model, vary={'supports.stinger.boxes[stinger *].z': {'within': '0.5 m'}},
@@ -40,19 +40,19 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
                 minimise='operation.stages[level].lines.pipe.largest_bending_moment.value')
 
     Args:
-        model: The model that it begins with.
-        vary: A key, several, or keys with their bounds: (lowest, highest), or {'within': how far either way}. Without
-            bounds from half the model's value to twice that; places and offsets 1 m either way. An item of a list is
-            chosen by index from 0, name or pattern; each that a pattern matches is an unknown of its own. All left out:
-            what the model file has as its key `seek`.
-        until: Conditions by results: '100 MPa' or '== 100 MPa', '<= 100 MPa', '>= 3 m'; or {'at_most': '100 MPa'}.
-            Results have their names in summary.json.
-        minimise: A result to make as small as the conditions allow.
+        model: The initial model.
+        vary: A key, several keys, or keys with bounds: (lowest, highest), or {'within': largest change either way}. Default
+            bounds are half and twice the model's value; for coordinates and offsets 1 m either way. List items are
+            selected by index from 0, name or pattern; each match of a pattern is an unknown of its own. If all arguments
+            are omitted, the key `seek` of the model file is used.
+        until: Conditions by result: '100 MPa' or '== 100 MPa', '<= 100 MPa', '>= 3 m'; or {'at_most': '100 MPa'}.
+            Results are named as in summary.json.
+        minimise: A result to minimise within the conditions.
 
     Raises:
-        NoSolution: Where nothing within the bounds meets the conditions; `why` says what is reached, and `results` is
-            the SeekResult without an answer.
-        ModelError: Where a key, a result or a value cannot be.
+        NoSolution: If nothing within the bounds meets the conditions; `why` says what is reached, and `results` is the
+            SeekResult without an answer.
+        ModelError: If a key, a result or a value is invalid.
     """
     if vary is None and until is None and minimise is None:
         found = _core.seek(model._core, "")
@@ -67,46 +67,46 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
 
 
 class SeekResult:
-    """What a goal seek found.
+    """Result of a goal seek.
 
     Attributes:
-        found: Whether there is an answer.
-        why: Why there is none; else empty.
-        keys: The keys that were varied: key, unit, from, to, before, answer, at_bound; values in `unit`, SI.
-        goals: The conditions and what was minimised: result, is, wanted, before, reached, unit, slope.
+        found: True if there is an answer.
+        why: Reason why there is none; otherwise empty.
+        keys: The varied keys: key, unit, from, to, before, answer, at_bound; values in `unit`, SI.
+        goals: The conditions and the minimised result: result, is, wanted, before, reached, unit, slope.
         others: Further answers of a single key [SI].
-        jumps: Places where a single result leaps over the value wanted: at, below, above, why.
-        remarks: What there is to say besides.
-        stages: Of a lift: the stages with the answer, each as a line for a model file.
-        residual: Largest distance from a condition, relative to what is wanted.
+        jumps: Values of a single key at which the result jumps across the target: at, below, above, why.
+        remarks: Further remarks.
+        stages: For a lift: the stages with the answer, each as a line for a model file.
+        residual: Largest deviation from a condition, relative to its target.
         evaluations: Number of models solved.
-        summary: All that, as summary.json has it as `seek`.
+        summary: The key `seek` of summary.json.
     """
 
     def __init__(self, found: "_core.Sought", model: Model):
         """Not for users: see seek()."""
         self._found, self._before = found, model
-        told: dict[str, Any] = found.results
-        self.summary = told
-        self.found: bool = told["found"]
-        self.why: str = told["why"] or ""
-        self.keys = Records([_row(one, ("from", "to", "before", "answer")) for one in told["keys"]])
-        self.goals = Records([_row(one, ("wanted", "before", "reached")) for one in told["goals"]])
-        units = [stored_unit(one["unit"]) for one in told["keys"]]
-        self.others = [Number(value, units[0]) for value in told["others"]]
-        self.jumps = Records([Record(jump) for jump in told["jumps"]])
-        self.remarks: list[str] = told["remarks"]
-        self.stages: list[str] = told.get("stages", [])
-        self.residual: float = told["residual"]
-        self.evaluations: int = told["evaluations"]
+        content: dict[str, Any] = found.results
+        self.summary = content
+        self.found: bool = content["found"]
+        self.why: str = content["why"] or ""
+        self.keys = Records([_row(key, ("from", "to", "before", "answer")) for key in content["keys"]])
+        self.goals = Records([_row(goal, ("wanted", "before", "reached")) for goal in content["goals"]])
+        units = [stored_unit(row["unit"]) for row in content["keys"]]
+        self.others = [Number(value, units[0]) for value in content["others"]]
+        self.jumps = Records([Record(jump) for jump in content["jumps"]])
+        self.remarks: list[str] = content["remarks"]
+        self.stages: list[str] = content.get("stages", [])
+        self.residual: float = content["residual"]
+        self.evaluations: int = content["evaluations"]
 
     @property
     def answer(self) -> Any:
-        """The value of a single key, a Number [SI]; of several a Record of them by key; None without an answer."""
+        """Value of a single key, a Number [SI]; for several keys a Record by key; None without an answer."""
         if not self.found:
             return None
-        units = {one["key"]: stored_unit(one["unit"]) for one in self.summary["keys"]}
-        answers = {one["key"]: one["answer"] for one in self.summary["keys"]}
+        units = {row["key"]: stored_unit(row["unit"]) for row in self.summary["keys"]}
+        answers = {row["key"]: row["answer"] for row in self.summary["keys"]}
         if len(answers) > 1:
             return Record(answers, units)
         key, value = next(iter(answers.items()))
@@ -114,26 +114,26 @@ class SeekResult:
 
     @property
     def model(self) -> Model:
-        """The model with the answer put in; without an answer that which the search began with."""
+        """The model with the answer; without an answer the initial model."""
         return Model(self._found.model) if self.found else self._before
 
     @property
     def static(self) -> Optional[StaticResults]:
-        """The statics of that model; None without an answer, and of a lift."""
+        """Static results of that model; None without an answer, and for a lift."""
         return StaticResults(self._found.statics, self.model) if self._found.statics else None
 
     @property
     def operation(self) -> Optional[OperationResults]:
-        """Of a lift the stages of that model; else None."""
+        """Stages of that model for a lift; otherwise None."""
         return OperationResults(self._found.operation, self.model) if self._found.operation else None
 
     @property
     def path(self) -> Table:
-        """Every model on the way: columns by keys, results and `failure` [SI]; NaN where there is no equilibrium."""
+        """Every model of the search: columns by keys, results and `failure` [SI]; NaN without an equilibrium."""
         columns: dict[str, tuple[Any, str]] = {}
         steps = self.summary["path"]
-        for index, one in enumerate(self.summary["keys"]):
-            columns[one["key"]] = ([step["values"][index] for step in steps], stored_unit(one["unit"]))
+        for index, row in enumerate(self.summary["keys"]):
+            columns[row["key"]] = ([step["values"][index] for step in steps], stored_unit(row["unit"]))
         for index, goal in enumerate(self.summary["goals"]):
             reached = [step["results"][index] if step["results"] else np.nan for step in steps]
             columns[goal["result"]] = (reached, stored_unit(goal["unit"]))
@@ -149,11 +149,11 @@ class SeekResult:
         return Table(["step", *columns], column)
 
     def save(self, folder: PathLike) -> pathlib.Path:
-        """Writes the files of `overbend seek -o`: statics of the answer with report, model.yaml, seek.csv,
+        """Writes the files of `overbend seek -o`: static results of the answer with report, model.yaml, seek.csv,
         summary.json.
 
         Raises:
-            ResultsError: Where the folder cannot be written.
+            ResultsError: If the folder cannot be written.
         """
         self._found.save(os.fspath(folder))
         return pathlib.Path(folder)
@@ -161,27 +161,27 @@ class SeekResult:
     def __repr__(self) -> str:
         if not self.found:
             return f"<SeekResult without an answer: {self.why}>"
-        answers = ", ".join(f"{one['key']} = {one['answer']:.6g} {one['unit']}" for one in self.summary["keys"])
+        answers = ", ".join(f"{row['key']} = {row['answer']:.6g} {row['unit']}" for row in self.summary["keys"])
         return f"<SeekResult: {answers}; {self.evaluations} models>"
 
 
-def conditions(until: Mapping[str, Wish]) -> list[dict[str, Any]]:
-    """Conditions by results as a model or study file has them: [{'result': name, 'at_most': '100 MPa'}]."""
-    return [{"result": result, **_relation(result, wish)} for result, wish in until.items()]
+def conditions(until: Mapping[str, Condition]) -> list[dict[str, Any]]:
+    """Conditions in the form of a model or study file: [{'result': name, 'at_most': '100 MPa'}]."""
+    return [{"result": result, **_relation(result, condition)} for result, condition in until.items()]
 
 
-def _relation(result: str, wish: Wish) -> dict[str, Any]:
-    if isinstance(wish, Mapping):
-        return dict(wish)
-    if not isinstance(wish, str):
-        return {"equals": wish}
-    sign, value = re.fullmatch(r"\s*(<=|>=|==|=|)\s*(.*?)\s*", wish, re.DOTALL).groups()  # type: ignore[union-attr]
+def _relation(result: str, condition: Condition) -> dict[str, Any]:
+    if isinstance(condition, Mapping):
+        return dict(condition)
+    if not isinstance(condition, str):
+        return {"equals": condition}
+    sign, value = re.fullmatch(r"\s*(<=|>=|==|=|)\s*(.*?)\s*", condition, re.DOTALL).groups()  # type: ignore[union-attr]
     if value.startswith(("<", ">")):
-        raise ModelError(f"{result}: found {wish!r}, expected '<= value' or '>= value'")
+        raise ModelError(f"{result}: found {condition!r}, expected '<= value' or '>= value'")
     return {_RELATIONS[sign]: value}
 
 
-def _wanted(model: Model, vary: Any, until: Optional[Mapping[str, Wish]], minimise: Optional[str]) -> dict[str, Any]:
+def _wanted(model: Model, vary: Any, until: Optional[Mapping[str, Condition]], minimise: Optional[str]) -> dict[str, Any]:
     if vary is None:
         raise ModelError("vary: nothing is given, expected the key or keys that may change")
     if until is not None and not isinstance(until, Mapping):
@@ -206,7 +206,7 @@ def _variable(model: Model, key: str, bounds: Bounds) -> dict[str, Any]:
 
 
 def _usual_bounds(model: Model, key: str) -> Bounds:
-    """Half and twice the value in the model, 1 m either way of places; a key that cannot be is told by the engine."""
+    """Half and twice the model's value, 1 m either way for coordinates. The engine reports invalid keys."""
     if re.search(r"\.(x|y|z|offset)$", key):
         return {"within": "1 m"}
     value = model.get(key)
@@ -217,7 +217,7 @@ def _usual_bounds(model: Model, key: str) -> Bounds:
     return f"{low!r} {parts[2]}".strip(), f"{high!r} {parts[2]}".strip()
 
 
-def _row(told: Mapping[str, Any], quantities: Sequence[str]) -> Record:
-    """A row whose quantities have the unit that stands beside them."""
-    unit = stored_unit(told["unit"])
-    return Record({**told, "unit": unit}, {name: unit for name in quantities})
+def _row(content: Mapping[str, Any], quantities: Sequence[str]) -> Record:
+    """A row whose quantities have the unit given in the row."""
+    unit = stored_unit(content["unit"])
+    return Record({**content, "unit": unit}, {name: unit for name in quantities})

@@ -1,4 +1,4 @@
-"""What the results of a lay hang on."""
+"""Sensitivity analysis: derivatives of static results."""
 
 from __future__ import annotations
 
@@ -12,49 +12,49 @@ from .values import Number, labelled, stored_unit
 
 
 class Sensitivities:
-    """Derivatives of results by numbers of the model file, where the contacts stay as they are.
+    """Derivatives of results with respect to numbers of the model file, with unchanged contacts.
 
     Attributes:
         inputs: Numbers of the model: name, key, text, unit, value, tolerance, own_tolerance, near [SI].
-        results: Results: name, text, unit, value, key (whether it is one of the key results) [SI].
-        one_sided: Derivatives that hold on one side only, for a contact opens or closes within the tolerance: result,
+        results: Results: name, text, unit, value, key (True for key results) [SI].
+        one_sided: Derivatives valid on one side only, because a contact opens or closes within the tolerance: result,
             input, support, closes, until (value of the input), beyond (derivative there).
-        without_effect: Names of inputs on which none of the results hangs.
-        not_done: Names of inputs that cannot be changed a little.
-        assumptions: What was assumed.
-        summary: All that, as summary.json has it as `sensitivities`.
+        without_effect: Names of inputs that change no result.
+        not_done: Names of inputs that cannot be varied continuously.
+        assumptions: Assumptions of the analysis.
+        summary: The key `sensitivities` of summary.json.
     """
 
-    def __init__(self, told: Mapping[str, Any]):
+    def __init__(self, content: Mapping[str, Any]):
         """Not for users: see Model.sensitivities()."""
-        self.summary = told
-        self.inputs = Records([_with_unit(one, ("value", "tolerance")) for one in told["inputs"]])
-        self.results = Records([_with_unit(one, ("value",)) for one in told["results"]])
-        self.one_sided = Records([Record(one) for one in told["one_sided"]])
-        self.without_effect: list[str] = told["without_effect"]
-        self.not_done: list[str] = told["not_done"]
-        self.assumptions: list[str] = told["assumptions"]
+        self.summary = content
+        self.inputs = Records([_with_unit(item, ("value", "tolerance")) for item in content["inputs"]])
+        self.results = Records([_with_unit(result, ("value",)) for result in content["results"]])
+        self.one_sided = Records([Record(derivative) for derivative in content["one_sided"]])
+        self.without_effect: list[str] = content["without_effect"]
+        self.not_done: list[str] = content["not_done"]
+        self.assumptions: list[str] = content["assumptions"]
 
     @property
     def derivatives(self) -> Any:
-        """All derivatives as a labelled array of shape (results, inputs), in SI units of result by input."""
-        return self._matrix("derivatives", "Of the result by the input; SI units of both")
+        """All derivatives as a labelled array of shape (results, inputs), in SI units of result over input."""
+        return self._matrix("derivatives", "Derivative of the result with respect to the input; SI units of both")
 
     @property
     def effects(self) -> Any:
-        """How far the tolerance of an input moves a result, the larger of both ways: an array (results, inputs) in SI
-        units of the result; beyond a contact that changes with the derivative there."""
+        """Largest change of each result within the tolerance of each input: an array of shape (results, inputs) in SI units of
+        the result, including derivatives beyond contacts that change."""
         return self._matrix("effects", "Largest change of the result within the tolerance; SI unit of the result")
 
     def derivative(self, result: str, input: str) -> Number:
-        """The derivative of one result by one input, by their names; its `units` are those of both [SI]."""
+        """Derivative of a result with respect to an input, by their names; its `units` combine both [SI]."""
         row, column = self._place(self.results, result), self._place(self.inputs, input)
         above, below = self.results[row]["unit"], self.inputs[column]["unit"]
         unit = above if below == "1" else f"{above}/({below})" if " " in below or "/" in below else f"{above}/{below}"
         return Number(self.summary["derivatives"][row][column], unit, f"{result} by {input}")
 
     def foremost(self, result: str, count: int = 3) -> list[tuple[str, Number]]:
-        """The inputs whose tolerance moves the result most, each with the effect [SI unit of the result]."""
+        """The inputs with the largest effects on a result, each with its effect [SI unit of the result]."""
         row = self._place(self.results, result)
         effects = np.array(self.summary["effects"][row])
         order = [i for i in np.argsort(-effects, kind="stable")[:count] if effects[i] > 0.0]
@@ -77,16 +77,16 @@ class Sensitivities:
         return f"<Sensitivities of {len(self.results)} results by {len(self.inputs)} inputs>"
 
 
-def require_keys(told: Mapping[str, Any], keys: Sequence[str]) -> None:
+def require_keys(content: Mapping[str, Any], keys: Sequence[str]) -> None:
     """Raises ModelError where one of the keys is no number of the model file."""
-    known = {*told["without_effect"], *told["not_done"]}
-    for one in told["inputs"]:
-        known |= {one["name"], one["key"]}
+    known = {*content["without_effect"], *content["not_done"]}
+    for item in content["inputs"]:
+        known |= {item["name"], item["key"]}
     for key in keys:
         if key not in known:
             raise ModelError(f"'{key}' is no number that the model file has, written as there or by default")
 
 
-def _with_unit(told: Mapping[str, Any], quantities: Sequence[str]) -> Record:
-    unit = stored_unit(told["unit"])
-    return Record({**told, "unit": unit}, {name: unit for name in quantities})
+def _with_unit(item: Mapping[str, Any], quantities: Sequence[str]) -> Record:
+    unit = stored_unit(item["unit"])
+    return Record({**item, "unit": unit}, {name: unit for name in quantities})

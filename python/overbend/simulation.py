@@ -1,4 +1,4 @@
-"""Dynamic analyses that go on step by step."""
+"""Dynamic analyses advanced step by step."""
 
 from __future__ import annotations
 
@@ -9,38 +9,39 @@ import numpy as np
 
 from . import _core
 from .controllers import Command, SetTension
-from .findings import Finding, findings_of
+from .findings import Finding, make_findings
 from .groups import Record, nearest
-from .keys import seconds, seeds_of
+from .keys import require_seeds, seconds
 from .values import Number, labelled
 
-#: What save() gives: `time` [s] and `arrays` by name. It can be pickled.
+#: A saved state: `time` [s] and `arrays` by name. It can be pickled.
 SavedSimulation = _core.SavedSimulation
 
 _MACHINE_UNITS = {"tension": "N", "anchor_tension": "N", "paid_out": "m", "speed": "m/s", "set_tension": "N",
                   "commanded_speed": "m/s"}
-_MACHINE_WORDS = {
-    "tension": "Of the pipe at the tensioner, or of the mooring line at its fairlead",
-    "anchor_tension": "Of the mooring line at its anchor",
-    "paid_out": "Since the start; hauled in negative",
-    "speed": "Of paying out; hauling in negative",
-    "set_tension": "That the machine's own law restores; 0 where it keeps none",
-    "commanded_speed": "That a controller or a command asks for; None while the machine works by its own law",
+_MACHINE_DESCRIPTIONS = {
+    "tension": "Tension of the pipe at the tensioner, or of the mooring line at its fairlead",
+    "anchor_tension": "Tension of the mooring line at its anchor",
+    "paid_out": "Length paid out since the start; negative when hauled in",
+    "speed": "Pay-out speed; negative when hauling in",
+    "set_tension": "Target tension of the machine's own control law; 0 if it has none",
+    "commanded_speed": "Speed commanded by a controller or call; None under the machine's own control law",
 }
 _VESSEL_UNITS = {"surge": "m", "sway": "m", "heave": "m", "roll": "rad", "pitch": "rad", "yaw": "rad"}
 
 
 class State:
-    """The pipe at one instant: labelled arrays over `s` [m], the unstressed arc length from the anchor, of shape (n,), and of
-    shape (n, 3) for vectors in the world frame.
+    """The pipe at one time: labelled arrays over `s` [m], the unstressed arc length from the anchor, of shape (n,), and
+    of shape (n, 3) for vectors in the world frame.
 
     `position` [m], `tangent`, `velocity` [m/s], `acceleration` [m/s2], `effective_tension` [N], `bending_moment` [N m],
-    `curvature` [1/m], `bending_stress` [Pa], `von_mises` [Pa], `strain`. The arrays stay when the simulation goes on.
+    `curvature` [1/m], `bending_stress` [Pa], `von_mises` [Pa], `strain`. The arrays keep their values when the simulation
+    continues.
     """
 
-    def __init__(self, time: float, told: dict[str, Any]):
+    def __init__(self, time: float, arrays: dict[str, Any]):
         self.time = Number(time, "s", "Time from the end of the build-up")
-        self._told = told
+        self._arrays = arrays
 
     @functools.cached_property
     def s(self) -> Any:
@@ -48,20 +49,20 @@ class State:
         return self._array("s")
 
     def _array(self, name: str) -> Any:
-        values, units, description, frame = self._told[name]
-        coords = {"s": self._told["s"][0]}
+        values, units, description, frame = self._arrays[name]
+        coords = {"s": self._arrays["s"][0]}
         dims: tuple[str, ...] = ("s",)
         if values.ndim == 2:
             dims, coords["axis"] = ("s", "axis"), np.array(["x", "y", "z"])
         return labelled(values, name, dims, coords, units, description, frame)
 
     def keys(self) -> list[str]:
-        """The names of the arrays."""
-        return list(self._told)
+        """Names of the arrays."""
+        return list(self._arrays)
 
     def __getitem__(self, name: str) -> Any:
-        if name not in self._told:
-            raise KeyError(f"there is no '{name}'{nearest(name, list(self._told))}")
+        if name not in self._arrays:
+            raise KeyError(f"there is no '{name}'{nearest(name, list(self._arrays))}")
         return self._array(name)
 
     def __getattr__(self, name: str) -> Any:
@@ -69,18 +70,18 @@ class State:
             raise AttributeError(name)
         try:
             return self[name]
-        except KeyError as fault:
-            raise AttributeError(fault.args[0]) from None
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._told})
+        return sorted({*super().__dir__(), *self._arrays})
 
     def __repr__(self) -> str:
-        return f"<State at t = {float(self.time):g} s of {len(self._told['s'][0])} nodes: " + ", ".join(self._told) + ">"
+        return f"<State at t = {float(self.time):g} s of {len(self._arrays['s'][0])} nodes: " + ", ".join(self._arrays) + ">"
 
 
 class Simulation:
-    """A dynamic analysis that goes on when it is told to: made by `Model.simulation()`.
+    """A dynamic analysis under the control of the caller, made by `Model.simulation()`.
 
         sim = model.simulation()
         while not sim.finished:
@@ -88,8 +89,8 @@ class Simulation:
             if sim.tension > 280e3:
                 sim.command('tensioner', 0.05)      # pays out at 5 cm/s from here on
 
-    It begins at rest before the build-up of the sea, at t = -build_up, and ends with the duration. Its steps do not depend on
-    how it is advanced. One thread works with it at a time.
+    It starts from the static state before the build-up, at t = -build_up, and ends with the duration. Its time steps do not
+    depend on how it is advanced. Use it from one thread at a time.
     """
 
     def __init__(self, core: _core.Simulation):
@@ -100,40 +101,41 @@ class Simulation:
         """Takes one accepted step; False at the end of the run.
 
         Raises:
-            NoSolution: Where no step can be solved.
-            ControllerError: Where a controller answers what its machine cannot do. What a controller raises comes as it is.
+            NoSolution: If no step can be solved.
+            ControllerError: If a controller returns a command that its machine cannot execute. Exceptions of a controller
+                are passed on.
         """
         return self._core.step()
 
     def advance(self, until: Union[float, str]) -> None:
-        """Steps up to the first instant at or after a time, the end of the run at most.
+        """Takes steps until a given time is reached, at most to the end of the run.
 
-        Rows of output are met exactly. Other threads of Python go on meanwhile; Ctrl-C ends
-        it after an accepted step, from which it can go on.
+        Output times are met exactly. Releases the GIL. Ctrl-C stops after an accepted step; the simulation can continue from
+        there.
 
         Args:
-            until: Seconds from the end of the build-up, or a text with its unit.
+            until: Seconds from the end of the build-up, or a string with unit.
 
         Raises:
             KeyboardInterrupt: After Ctrl-C.
-            NoSolution, ControllerError: As of step().
+            NoSolution, ControllerError: As in step().
         """
         self._core.advance(_core.quantity(until, "s") if isinstance(until, str) else float(until))
 
     def command(self, machine: str, command: Command) -> None:
-        """Says what a machine shall do from now on, or until its controller says otherwise.
+        """Commands a machine from now on, until the next command of its controller.
 
         Args:
-            machine: 'tensioner', or the name of a mooring line that `controllers` of Model.simulation() names.
-            command: A speed of paying out [m/s], negative to haul in; a SetTension; None: by its own law.
+            machine: 'tensioner', or the name of a mooring line listed in `controllers` of Model.simulation().
+            command: A pay-out speed [m/s], negative to haul in; a SetTension; None for its own control law.
 
         Raises:
-            ModelError: Where the machine is not there or cannot do that.
+            ModelError: If there is no such machine, or it cannot execute the command.
         """
         self._core.command(machine, command)
 
     def set_tension(self, tension: Union[float, str]) -> None:
-        """Sets the tension that the tensioner restores by its own law, in newtons or as a text with its unit."""
+        """Sets the target tension of the tensioner's own control law, in newtons or as a string with unit."""
         self.command("tensioner", SetTension(tension))
 
     @property
@@ -143,73 +145,74 @@ class Simulation:
 
     @property
     def end(self) -> Number:
-        """When the run ends [s]."""
+        """End of the run [s]."""
         return Number(self._core.end, "s", "End of the run")
 
     @property
     def next_row(self) -> Number:
-        """Time of the next row of output [s]: the model's analysis.dynamic.output_step says how often there is one."""
-        return Number(self._core.next_row, "s", "Time of the next row of output")
+        """Time of the next output step [s]; their interval is analysis.dynamic.output_step of the model."""
+        return Number(self._core.next_row, "s", "Time of the next output step")
 
     @property
     def finished(self) -> bool:
-        """Whether the end is reached."""
+        """True at the end of the run."""
         return self._core.finished
 
     @property
     def steps(self) -> int:
-        """Accepted steps so far."""
+        """Number of accepted steps."""
         return self._core.steps
 
     @property
     def last_step(self) -> Number:
-        """The step that led here [s]."""
-        return Number(self._core.last_step, "s", "The step that led here")
+        """Length of the last time step [s]."""
+        return Number(self._core.last_step, "s", "Length of the last time step")
 
     @property
     def wall_time(self) -> Number:
-        """Time that the steps took, controllers included [s]."""
-        return Number(self._core.wall_time, "s", "Time that the steps took")
+        """Computing time of the steps, including controllers [s]."""
+        return Number(self._core.wall_time, "s", "Computing time of the steps")
 
     @property
     def state(self) -> State:
-        """The pipe now: positions, velocities, tension, moments and stresses along it."""
+        """Current state of the pipe: positions, velocities, tension, moments and stresses along it."""
         return State(self._core.time, self._core.state())
 
     @property
     def tension(self) -> Number:
-        """Force of the tensioner on the pipe, along it [N]."""
+        """Axial force of the tensioner on the pipe [N]."""
         return self.tensioner.tension
 
     @property
     def travel(self) -> Number:
-        """Length that the tensioner has paid out since the start [m]."""
+        """Length paid out by the tensioner since the start [m]."""
         return self.tensioner.paid_out
 
     @property
     def tensioner(self) -> Record:
-        """The tensioner now: tension, paid_out, speed, set_tension, commanded_speed and state ('hold', 'delay', 'pay_out',
-        'haul_in', 'at_limit')."""
-        return Record(self._core.machine("tensioner"), _MACHINE_UNITS, _MACHINE_WORDS)
+        """Current state of the tensioner: tension, paid_out, speed, set_tension, commanded_speed and state ('hold', 'delay',
+        'pay_out', 'haul_in', 'at_limit')."""
+        return Record(self._core.machine("tensioner"), _MACHINE_UNITS, _MACHINE_DESCRIPTIONS)
 
     @property
     def moorings(self) -> dict[str, Record]:
-        """The mooring lines now, by name: tension at fairlead and anchor; of lines of elements also what the winch does."""
+        """Current state of the mooring lines by name: tension at fairlead and anchor; lines modelled by elements also have
+        values of their winch."""
         names = self._core.mooring_names
         if self._core.quasi_static():
-            return {name: Record(self._core.mooring(i), _MACHINE_UNITS, _MACHINE_WORDS) for i, name in enumerate(names)}
-        return {name: Record(self._core.machine(name), _MACHINE_UNITS, _MACHINE_WORDS) for name in names}
+            return {name: Record(self._core.mooring(i), _MACHINE_UNITS, _MACHINE_DESCRIPTIONS) for i, name in enumerate(names)}
+        return {name: Record(self._core.machine(name), _MACHINE_UNITS, _MACHINE_DESCRIPTIONS) for name in names}
 
     @property
     def lines(self) -> dict[str, Record]:
-        """The lines that stand by themselves now, by name: first_tension and second_tension at their ends [N]."""
+        """Current end tensions of other lines by name: first_tension and second_tension [N]."""
         names = self._core.line_names
         return {name: Record(self._core.line(i), {"first_tension": "N", "second_tension": "N"})
                 for i, name in enumerate(names)}
 
     @property
     def reactions(self) -> Any:
-        """Force of every support on the pipe, its magnitude [N]: a labelled array over `support`."""
+        """Magnitude of the force of every support on the pipe [N]: a labelled array over `support`."""
         names, sizes, _, _, _ = self._core.reactions()
         return labelled(np.array(sizes), "reaction", ("support",), {"support": np.array(names, dtype=str)}, "N",
                         "Resultant force of a support on the pipe")
@@ -224,7 +227,7 @@ class Simulation:
 
     @property
     def rollers(self) -> Any:
-        """Normal force of every roller [N]: a labelled array over `roller`, the name of its support and its number there."""
+        """Normal force of every roller [N]: a labelled array over `roller`, named by support and number."""
         _, _, _, boxes, normals = self._core.reactions()
         count: dict[str, int] = {}
         names = []
@@ -236,48 +239,48 @@ class Simulation:
 
     @property
     def vessel(self) -> Record:
-        """The vessel now: surge, sway, heave [m], roll, pitch, yaw [rad] from its mean pose; position [m], velocity [m/s] of
-        its origin, angular_velocity [rad/s], each (x, y, z) in the world; axes, a list of rows that turns from the vessel's
-        axes into the world's."""
+        """Current state of the vessel: surge, sway, heave [m], roll, pitch, yaw [rad] from its mean pose; position [m],
+        velocity [m/s] of its origin, angular_velocity [rad/s], each (x, y, z) in the world frame; axes, the rotation matrix
+        from vessel to world axes as a list of rows."""
         return Record(self._core.vessel(), _VESSEL_UNITS)
 
     @property
     def elevation(self) -> Number:
-        """Of the water at the mean place of the stern shoe, without a pipe of midship [m]."""
-        return Number(self._core.elevation, "m", "Of the water at the mean place of the stern shoe or midship")
+        """Water surface elevation at the mean position of the stern shoe, without a pipe of midship [m]."""
+        return Number(self._core.elevation, "m", "Water surface elevation at the mean position of stern shoe or midship")
 
     @property
     def energy(self) -> Record:
-        """The balance of energy since the start [J]: what is stored, also in a free hull or stinger (bodies), the work done
-        on the pipe and on these, losses, the error that is left and the throughput, all that has passed."""
-        told = self._core.energy()
-        return Record(told, {name: "J" for name in told})
+        """Energy balance since the start [J]: stored energy, also of a free hull or stinger (bodies), work done on the pipe and
+        on these, losses, the remaining error and the throughput."""
+        energies = self._core.energy()
+        return Record(energies, {name: "J" for name in energies})
 
     @property
     def assumptions(self) -> list[str]:
-        """What a reader of results has to know of controllers from outside."""
+        """Assumptions of the results on external controllers."""
         return self._core.notes[0]
 
     @property
     def findings(self) -> list[Finding]:
-        """Where machines could not do what they were asked for."""
-        return findings_of(self._core.notes[1])
+        """Findings on commands beyond the limits of machines."""
+        return make_findings(self._core.notes[1])
 
     @property
     def warnings(self) -> list[str]:
-        """The messages of the findings."""
+        """Messages of the findings."""
         return [finding.message for finding in self.findings]
 
     def save(self) -> SavedSimulation:
-        """The state now, to come back to. Steps that follow a restore are the same bit for bit where it was saved at a row of
-        output, and agree within the accuracy of the steps elsewhere."""
+        """Saves the current state. Steps after a restore are bit for bit the same if the state was saved at an output step, and
+        agree within the accuracy of the steps otherwise."""
         return self._core.save()
 
     def restore(self, saved: SavedSimulation) -> None:
-        """Goes back, or on, to a state of a simulation of the same model, seed, duration and machines with controllers.
+        """Restores a saved state of a simulation with the same model, seed, duration and controlled machines.
 
         Raises:
-            ModelError: Where it is of another.
+            ModelError: If it belongs to another simulation.
         """
         self._core.restore(saved)
 
@@ -287,7 +290,7 @@ class Simulation:
 
 def simulate(model: "_core.Model", stage: str, duration: Union[float, str, None], seed: Optional[int],
              controllers: dict[str, _core.Controller]) -> Simulation:
-    """A simulation of a model: see Model.simulation()."""
-    given = None if seed is None else seeds_of([seed])[0]
+    """Makes a simulation of a model: see Model.simulation()."""
+    given = None if seed is None else require_seeds([seed])[0]
     return Simulation(_core.Simulation(model, stage=stage, duration=seconds(duration), seed=given,
                                        controllers=controllers))

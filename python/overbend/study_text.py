@@ -1,4 +1,4 @@
-"""The text of a study file from what is given in Python."""
+"""Text of a study file from Python arguments."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ from .seeking import conditions
 
 
 def study_text(asked: Mapping[str, Any]) -> str:
-    """A study file whose model is model.yaml beside it.
+    """A study file for model.yaml in the same folder.
 
     Args:
-        asked: What is given, None left out: axes, sample, seeds, analysis, gather, duration, operability, title, keep.
+        asked: Arguments by name, None for omitted ones: axes, sample, seeds, analysis, gather, duration, operability, title,
+            keep.
     """
     given = {name: value for name, value in asked.items() if value is not None}
     lines = ["overbend_study: 1", "base: model.yaml"]
@@ -66,7 +67,7 @@ def _axis(key: str, values: Any) -> dict[str, Any]:
 
 
 def _sample_lines(sample: Mapping[str, Any]) -> list[str]:
-    """In lines, for a key of the model may have to stand in quotes."""
+    """The group `sample` in several lines, because keys of the model may need quotes."""
     lines = ["sample:"]
     for name, value in sample.items():
         if name != "keys":
@@ -74,7 +75,7 @@ def _sample_lines(sample: Mapping[str, Any]) -> list[str]:
             continue
         lines.append("  keys:")
         for key, drawn in _mapping("sample: keys", value).items():
-            named = {name.rstrip("_"): one for name, one in _mapping(f"sample: {key}", drawn).items()}
+            named = {name.rstrip("_"): setting for name, setting in _mapping(f"sample: {key}", drawn).items()}
             lines.append(f"    {_core.flow_scalar(key)}: {flow(named, key)}")
     return lines
 
@@ -85,6 +86,6 @@ def _operability(operability: Mapping[str, Any]) -> dict[str, Any]:
         criterion = dict(wanted["criterion"])
         checks = ["checks"] if criterion.pop("checks", False) else []
         wanted["criterion"] = [*checks, *conditions(criterion)]
-    if "scatter" in wanted:  # is named from the study file's folder
+    if "scatter" in wanted:  # relative paths start from the study file's folder
         wanted["scatter"] = os.path.abspath(os.fspath(wanted["scatter"]))
     return wanted

@@ -1,4 +1,4 @@
-"""Folders for results that nobody asked to keep."""
+"""Temporary folders for results."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import weakref
 
 
 class TemporaryFolder:
-    """A new folder that goes, with all that is in it, when nobody holds this any more, at the end of Python at the latest."""
+    """A new folder, deleted with its content together with this object, at the latest when Python ends."""
 
     def __init__(self) -> None:
         self.path = pathlib.Path(tempfile.mkdtemp(prefix="overbend-"))
         self._end = weakref.finalize(self, shutil.rmtree, self.path, ignore_errors=True)
 
     def keep(self) -> None:
-        """The folder stays."""
+        """Keeps the folder."""
         self._end.detach()

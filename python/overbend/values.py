@@ -1,4 +1,4 @@
-"""Numbers and arrays that know their units."""
+"""Numbers and arrays with units."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ _use_xarray = True
 
 
 class Number(float):
-    """A number that knows its unit and what it is; otherwise a plain float, [SI].
+    """A float with unit and description [SI].
 
     Attributes:
-        units: SI unit as in results.h5: "N", "Pa", "rad"; "1" of a plain number.
-        description: What it is.
+        units: SI unit as in results.h5: "N", "Pa", "rad"; "1" for a plain number.
+        description: Description of the quantity.
     """
 
     units: str
@@ -31,7 +31,7 @@ class Number(float):
         """The value in another unit of the same dimension: `static.top_tension.to('kN')`.
 
         Raises:
-            ValueError: Where the unit is not known or of another dimension.
+            ValueError: If the unit is unknown or of another dimension.
         """
         from ._core import quantity
 
@@ -42,9 +42,9 @@ class Number(float):
 
 
 class LabelledArray(np.ndarray):
-    """What stands for an xarray.DataArray where xarray is not installed: an array with `dims`, `coords`, `attrs`, `name`.
+    """Replacement of xarray.DataArray if xarray is not installed: an array with `dims`, `coords`, `attrs`, `name`.
 
-    What is calculated from it, and parts of it, are plain arrays.
+    Slices and results of arithmetic are plain arrays.
     """
 
     name: str
@@ -58,7 +58,7 @@ class LabelledArray(np.ndarray):
         array.name, array.dims, array.coords, array.attrs = name, tuple(dims), dict(coords), dict(attrs)
         return array
 
-    def __array_finalize__(self, other: Any) -> None:
+    def __array_finalize__(self, source: Any) -> None:
         self.name, self.dims, self.coords, self.attrs = "", (), {}, {}
 
     def __array_wrap__(self, array: np.ndarray, context: Any = None) -> Any:
@@ -74,23 +74,23 @@ class LabelledArray(np.ndarray):
 
 
 def stored_unit(unit: str) -> str:
-    """The unit as results.h5 has it: "Pa" for "N/m^2"."""
+    """The unit as written in results.h5: "Pa" for "N/m^2"."""
     return {"N*m": "N m", "N/m^2": "Pa", "m-1": "1/m"}.get(unit, unit)
 
 
 def use_xarray(use: bool) -> None:
-    """Whether arrays are xarray.DataArray, the default where xarray is installed, or always LabelledArray."""
+    """Selects xarray.DataArray for arrays (True, the default if xarray is installed) or LabelledArray (False)."""
     global _use_xarray
     _use_xarray = use
 
 
 def use_units(system: str) -> None:
-    """Chooses the units of texts, tables of text, reports and figures made from now on; numbers of results stay in SI.
+    """Selects the units of texts, text tables, reports and figures made from now on; numbers of results stay in SI.
 
     Args:
         system: 'metric' (kN, m, MPa), the default, or 'us' (kip, ft, ksi).
 
-    Raises: ValueError for another word.
+    Raises: ValueError for another value.
     """
     from . import _core
 
@@ -107,7 +107,7 @@ def _xarray() -> Any:
 
 
 def xarray_module() -> Any:
-    """The module xarray; None where it is not installed or not wanted."""
+    """The module xarray; None if it is not installed or not used."""
     return _xarray() if _use_xarray else None
 
 
@@ -121,8 +121,8 @@ def labelled(values: Any, name: str, dims: Sequence[str], coords: Mapping[str, A
         dims: Names of its dimensions.
         coords: Arrays over them, each of one dimension of the same name.
         units: SI unit.
-        description: What it is.
-        frame: Of which axes a vector's components are, empty or "none" otherwise.
+        description: Description of the quantity.
+        frame: Frame of a vector's components; empty or "none" otherwise.
     """
     attrs = {"units": units, "description": description, "long_name": description}
     if frame and frame != "none":

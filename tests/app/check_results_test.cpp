@@ -24,7 +24,7 @@ struct Solved {
   testing::ProgramRun first;
 };
 
-std::string check_lines_of(const std::string& out) {
+std::string find_check_lines(const std::string& out) {
   const std::size_t first = out.find("  check, "), last = out.rfind("  check, ");
   return out.substr(first, out.find('\n', last) - first);
 }
@@ -35,22 +35,22 @@ TEST(check_results_command, prints_the_checks_as_the_analysis_did_and_writes_not
   const auto again = solved.check("");
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(again.out.find("small lay\n"), 0U) << again.out;
-  EXPECT_EQ(check_lines_of(again.out), check_lines_of(solved.first.out));
+  EXPECT_EQ(find_check_lines(again.out), find_check_lines(solved.first.out));
   EXPECT_EQ(solved.scratch.read("out/summary.json"), before);
 }
 
 TEST(check_results_command, writes_only_into_a_new_folder) {
   const Solved solved;
-  const auto refused = solved.check("-o " + solved.scratch.file("out"));
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("is not empty"), std::string::npos) << refused.err;
+  const auto rejected = solved.check("-o " + solved.scratch.file("out"));
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_NE(rejected.err.find("is not empty"), std::string::npos) << rejected.err;
   const auto written = solved.check("--set checks.yield_basis=smys -o " + solved.scratch.file("smys"));
   EXPECT_EQ(written.code, 0) << written.err;
-  EXPECT_NE(check_lines_of(written.out), check_lines_of(solved.first.out));
+  EXPECT_NE(find_check_lines(written.out), find_check_lines(solved.first.out));
   EXPECT_NE(solved.scratch.read("smys/checks.csv"), solved.scratch.read("out/checks.csv"));
 }
 
-TEST(check_results_command, refuses_other_keys_and_folders_without_results) {
+TEST(check_results_command, rejects_other_keys_and_folders_without_results) {
   const Solved solved;
   const auto key = solved.check("--set pipe.length='900 m'");
   EXPECT_EQ(key.code, 2);
@@ -76,9 +76,9 @@ TEST(check_results_command, checks_each_of_several_seeds_and_writes_none_of_them
   for (const char* run : {"small lay, seed-1\n", "small lay, seed-2\n"}) {
     EXPECT_NE(all.out.find(run), std::string::npos) << all.out;
   }
-  const auto refused = run_program("check-results " + scratch.file("out") + " -o " + scratch.file("new"));
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("one run"), std::string::npos) << refused.err;
+  const auto rejected = run_program("check-results " + scratch.file("out") + " -o " + scratch.file("new"));
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_NE(rejected.err.find("one run"), std::string::npos) << rejected.err;
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ namespace overbend::testing {
 class ChildProgram {
  public:
   /// Starts `overbend WORDS...` in `folder`, its output thrown away.
-  ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& command_line) {
     const std::string program = program_path();
     std::vector<char*> arguments{const_cast<char*>(program.c_str())};
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : command_line) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     id_ = fork();
     if (id_ < 0) throw std::runtime_error("no process");
@@ -49,7 +49,7 @@ class ChildProgram {
   /// ended before.
   bool signal_after(const std::filesystem::path& results, double time, int signal) {
     for (;;) {
-      if (const auto stored = RunStore::find(results); stored && stored->fault.empty() && stored->time >= time) break;
+      if (const auto stored = RunStore::find(results); stored && stored->error.empty() && stored->time >= time) break;
       if (waitpid(id_, &status_, WNOHANG) == id_) {
         id_ = -1;
         return false;

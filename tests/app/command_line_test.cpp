@@ -16,29 +16,29 @@ using testing::run_program;
 using testing::Scratch;
 
 TEST(command_line, help_and_version_succeed_on_standard_output) {
-  for (const char* words : {"--help", "check --help", "new --help", "--version"}) {
-    const ProgramRun run = run_program(words);
-    EXPECT_EQ(run.code, 0) << words;
-    EXPECT_FALSE(run.out.empty()) << words;
-    EXPECT_EQ(run.err, "") << words;
+  for (const char* arguments : {"--help", "check --help", "new --help", "--version"}) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.code, 0) << arguments;
+    EXPECT_FALSE(run.out.empty()) << arguments;
+    EXPECT_EQ(run.err, "") << arguments;
   }
 }
 
 TEST(command_line, wrong_usage_is_wrong_input) {
-  for (const char* words :
+  for (const char* arguments :
        {"", "nonsense", "check", "check a.yaml b.yaml", "--nonsense", "schema --nonsense", "new --boxes no"}) {
-    const ProgramRun run = run_program(words);
-    EXPECT_EQ(run.code, 2) << words;
-    EXPECT_EQ(run.out, "") << words;
-    EXPECT_FALSE(run.err.empty()) << words;
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_FALSE(run.err.empty()) << arguments;
   }
 }
 
-/// What the program says of words that it does not take.
-std::string said(const std::string& words) {
-  const ProgramRun run = run_program(words);
-  EXPECT_EQ(run.code, 2) << words;
-  EXPECT_EQ(run.out, "") << words;
+/// Message of the program on arguments that it does not accept.
+std::string said(const std::string& message) {
+  const ProgramRun run = run_program(message);
+  EXPECT_EQ(run.code, 2) << message;
+  EXPECT_EQ(run.out, "") << message;
   EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
   return run.err;
 }
@@ -51,7 +51,7 @@ TEST(command_line, a_misspelt_option_is_named_with_the_one_that_was_meant) {
   EXPECT_EQ(said("static --stric"), "overbend static: there is no option '--stric'; did you mean '--strict'?\n");
   EXPECT_NE(said("report -x results").find("there is no option '-x'; the options are -h"), std::string::npos);
   EXPECT_EQ(said("--strict static model.yaml"),
-            "overbend: found '--strict' before the command 'static', expected options behind it\n");
+            "overbend: found '--strict' before the command 'static', expected options after it\n");
 }
 
 TEST(command_line, a_value_that_an_option_does_not_take_is_named_with_those_that_it_does) {
@@ -63,7 +63,7 @@ TEST(command_line, a_value_that_an_option_does_not_take_is_named_with_those_that
   EXPECT_EQ(said("dynamic m.yaml --threads 1.5"),
             "overbend dynamic: --threads: found '1.5', expected a whole number from 1 to 4096\n");
   EXPECT_EQ(said("dynamic m.yaml --checkpoint nan"),
-            "overbend dynamic: --checkpoint: found 'nan', expected seconds from 0 on, a number without unit\n");
+            "overbend dynamic: --checkpoint: found 'nan', expected a number of seconds of at least 0, without unit\n");
   EXPECT_EQ(said("study s.yaml --array-limit many"),
             "overbend study: --array-limit: found 'many', expected a whole number from 1 to 1000000\n");
   EXPECT_EQ(said("completion fish"), "overbend completion: FOR: found 'fish', expected bash, zsh or man\n");
@@ -72,19 +72,20 @@ TEST(command_line, a_value_that_an_option_does_not_take_is_named_with_those_that
   EXPECT_EQ(said("static m.yaml --strict=maybe"), "overbend static: --strict: found 'maybe', expected no value\n");
 }
 
-TEST(command_line, words_too_few_too_many_or_at_odds_are_named) {
+TEST(command_line, arguments_too_few_too_many_or_at_odds_are_named) {
   EXPECT_EQ(said("static"), "overbend static: MODEL is missing, expected: Model file (YAML)\n");
   EXPECT_EQ(said("static a.yaml b.yaml"), "overbend static: found 'b.yaml', expected only MODEL\n");
-  EXPECT_EQ(said("licences now"), "overbend licences: found 'now', expected no words\n");
-  EXPECT_EQ(said("static m.yaml --stage").find("overbend static: --stage: the value is missing, expected: One stage"),
-            0U);
+  EXPECT_EQ(said("licences now"), "overbend licences: found 'now', expected no positional argument\n");
+  EXPECT_EQ(
+      said("static m.yaml --stage").find("overbend static: --stage: the value is missing, expected: A single stage"),
+      0U);
   EXPECT_EQ(said("static m.yaml -o a -o b"), "overbend static: --output: found it 2 times, expected it once\n");
   EXPECT_EQ(said("dynamic m.yaml --resume --restart").find("overbend dynamic: found --re"), 0U);
   EXPECT_EQ(said("").find("overbend: the command is missing; the commands are check, "), 0U);
   EXPECT_EQ(said("--fooo").find("overbend: there is no option '--fooo'; "), 0U);
 }
 
-TEST(command_line, a_size_between_those_of_api_5l_is_told_its_neighbours) {
+TEST(command_line, a_size_between_those_of_api_5l_is_reported_with_its_neighbours) {
   EXPECT_EQ(
       said("new --pipe 31 --depth '90 m'"),
       "overbend new: --pipe: found '31', expected a nominal size [in], here 30 or 32, or an outside diameter with its "
@@ -93,7 +94,7 @@ TEST(command_line, a_size_between_those_of_api_5l_is_told_its_neighbours) {
   EXPECT_NE(said("new --pipe 2 --depth '90 m'").find("here 4, or"), std::string::npos);
 }
 
-TEST(command_line, an_instruction_set_that_nobody_knows_is_wrong_input) {
+TEST(command_line, an_instruction_set_that_is_unknown_is_wrong_input) {
   const ProgramRun run = run_program("check " + example("bgl1.yaml"), "OVERBEND_ISA=nonsense ");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "");
@@ -116,9 +117,9 @@ TEST(command_line, check_prints_the_published_section_digits) {
 TEST(command_line, check_places_the_supports_in_the_world) {
   // Heading east: astern is -x. Box "ramp 1" stands 39.03 m forward of the shoe at x = -60 m; z = 3.818 + 1.146.
   const ProgramRun run = run_program("check " + example("bgl1.yaml"));
-  const std::size_t at = run.out.find("  ramp 1 ");
-  ASSERT_NE(at, std::string::npos);
-  std::istringstream row(run.out.substr(at));
+  const std::size_t index = run.out.find("  ramp 1 ");
+  ASSERT_NE(index, std::string::npos);
+  std::istringstream row(run.out.substr(index));
   std::string word;
   double number = 0.0, x = 0.0, y = 0.0, z = 0.0;
   row >> word >> number >> x >> y >> z;
@@ -158,23 +159,23 @@ TEST(command_line, schema_prints_json) {
 }
 
 TEST(command_line, new_writes_a_model_that_is_valid) {
-  for (const char* words : {"--pipe 4 --depth '10 m'", "--pipe '12 in' --depth '500 ft'",
-                            "--pipe '508 mm' --depth '89 m'", "--pipe 16 --depth '1200 m' --lay j"}) {
-    const ProgramRun run = run_program(std::string("new ") + words);
-    ASSERT_EQ(run.code, 0) << words << "\n" << run.err;
+  for (const char* arguments : {"--pipe 4 --depth '10 m'", "--pipe '12 in' --depth '500 ft'",
+                                "--pipe '508 mm' --depth '89 m'", "--pipe 16 --depth '1200 m' --lay j"}) {
+    const ProgramRun run = run_program(std::string("new ") + arguments);
+    ASSERT_EQ(run.code, 0) << arguments << "\n" << run.err;
     const ModelReading reading = read_model_text(run.out, "new.yaml");
-    EXPECT_TRUE(reading.description.has_value()) << words;
-    for (const Diagnostic& d : reading.diagnostics.sorted()) ADD_FAILURE() << words << ": " << render(d);
+    EXPECT_TRUE(reading.description.has_value()) << arguments;
+    for (const Diagnostic& d : reading.diagnostics.sorted()) ADD_FAILURE() << arguments << ": " << render(d);
   }
 }
 
-TEST(command_line, new_does_not_wait_for_answers_where_nobody_sits) {
+TEST(command_line, new_does_not_wait_for_answers_without_a_terminal) {
   const ProgramRun run = run_program("new < /dev/zero");  // never ends, and is no terminal
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.err.find("--pipe is missing"), std::string::npos);
 }
 
-TEST(command_line, new_takes_what_it_is_told) {
+TEST(command_line, new_takes_what_it_is_given) {
   const ProgramRun run = run_program(
       "new --pipe 16 --depth '89 m' --wall '0.5 in' --concrete '50 mm' --tension '300 kN' --stinger-radius '150 m' "
       "--boxes 6 --vessel ship --yield '65 ksi' --title 'my lay'");
@@ -197,36 +198,36 @@ TEST(command_line, new_takes_what_it_is_told) {
   EXPECT_EQ(d->vessel.name, "ship");
 }
 
-TEST(command_line, new_refuses_what_can_not_be) {
-  for (const char* words :
+TEST(command_line, new_rejects_what_can_not_be) {
+  for (const char* arguments :
        {"--pipe 16", "--depth '89 m'", "--pipe 17 --depth '89 m'", "--pipe 16 --depth 89", "--pipe 16 --depth '89 kN'",
         "--pipe 16 --depth '89 m' --tension '1 kN'", "--pipe 16 --depth '89 m' --boxes 90",
         "--pipe 16 --depth '89 m' --wall '300 mm'", "--pipe 16 --depth '89 m' --wall '3 mm' --concrete '0 mm'"}) {
-    const ProgramRun run = run_program(std::string("new ") + words);
-    EXPECT_EQ(run.code, 2) << words;
-    EXPECT_EQ(run.out, "") << words;
-    EXPECT_EQ(run.err.rfind("overbend new: ", 0), 0U) << words << ": " << run.err;
+    const ProgramRun run = run_program(std::string("new ") + arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_EQ(run.err.rfind("overbend new: ", 0), 0U) << arguments << ": " << run.err;
   }
 }
 
 TEST(command_line, new_never_overwrites_unasked) {
   const Scratch scratch;
   const std::string file = scratch.write("mine.yaml", "precious");
-  const std::string words = "new --pipe 16 --depth '89 m' -o " + file;
-  EXPECT_EQ(run_program(words).code, 2);
+  const std::string message = "new --pipe 16 --depth '89 m' -o " + file;
+  EXPECT_EQ(run_program(message).code, 2);
   EXPECT_EQ(scratch.read("mine.yaml"), "precious");
-  EXPECT_EQ(run_program(words + " --force").code, 0);
+  EXPECT_EQ(run_program(message + " --force").code, 0);
   EXPECT_EQ(scratch.read("mine.yaml").rfind("# 406.4 mm pipe", 0), 0U);
 }
 
-std::string text_of(const std::string& path) {
+std::string load_text(const std::string& path) {
   std::ifstream in(path);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(command_line, check_shows_places_and_inclines_of_supports_in_one_frame) {
   const testing::Scratch scratch;
-  std::string text = text_of(example("first-model.yaml"));
+  std::string text = load_text(example("first-model.yaml"));
   text.replace(text.find("vessel:\n"), 8, "vessel:\n  trim: 1 deg\n");
   const ProgramRun run = run_program("check " + scratch.write("trim.yaml", text));
   ASSERT_EQ(run.code, 0) << run.err;
@@ -238,16 +239,16 @@ TEST(command_line, check_shows_places_and_inclines_of_supports_in_one_frame) {
 
 TEST(command_line, check_says_what_static_warns_of_without_a_solution) {
   const testing::Scratch scratch;
-  std::string text = text_of(example("first-model.yaml"));
+  std::string text = load_text(example("first-model.yaml"));
   text.replace(text.find("z: -11.12 m"), 11, "z: 11.12 m");
   const std::string file = scratch.write("sign.yaml", text);
-  const std::string words = "the box 'stinger 3' is 20.46 m above the line through its neighbours";
+  const std::string message = "the box 'stinger 3' is 20.46 m above the line through its neighbours";
   const ProgramRun checked = run_program("check " + file);
   EXPECT_EQ(checked.code, 0);
-  EXPECT_NE(checked.out.find(words), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find(message), std::string::npos) << checked.out;
   const ProgramRun solved = run_program("static " + file + " -o " + scratch.file("out"));
   EXPECT_EQ(solved.code, 3);
-  EXPECT_NE(solved.err.find(words), std::string::npos) << solved.err;
+  EXPECT_NE(solved.err.find(message), std::string::npos) << solved.err;
 }
 
 }  // namespace

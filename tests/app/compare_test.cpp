@@ -29,7 +29,7 @@ ProgramRun compare(const TemporaryFolder& folder, const std::string& model, cons
   return run_program("compare " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string() + " " + more);
 }
 
-Json json_of(const fs::path& file) {
+Json load_json(const fs::path& file) {
   return read_json(file_text(file));
 }
 
@@ -48,7 +48,7 @@ TEST(compare, a_page_of_the_user_is_seen_before_anything_is_computed) {
   testing::write_file(folder / "out/comparison.html", "mine");
   const ProgramRun run = compare(folder, kControlled, "--of tensioner");
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("'comparison.html' in it is none of earlier results"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("'comparison.html' in it was not written by the program"), std::string::npos) << run.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator()), 1);
 }
 
@@ -56,12 +56,12 @@ TEST(compare, the_variants_own_summaries_agree_with_the_table) {
   const TemporaryFolder folder;
   const ProgramRun run = compare(folder, kControlled, "--of tensioner --threads 2");
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::vector<std::string> table = testing::lines_of(file_text(folder / "out/comparison.csv"));
-  const Json variants = json_of(folder / "out/comparison.json").at("comparison").at("variants");
+  const std::vector<std::string> table = testing::csv_lines(file_text(folder / "out/comparison.csv"));
+  const Json variants = load_json(folder / "out/comparison.json").at("comparison").at("variants");
   ASSERT_EQ(variants.size(), 3U);
   for (const Json& variant : variants) {
     const std::string name = variant.at("name");
-    const Json dynamic = json_of(folder / "out" / name / "summary.json").at("dynamic");
+    const Json dynamic = load_json(folder / "out" / name / "summary.json").at("dynamic");
     EXPECT_EQ(variant.at("top_tension_max"), dynamic.at("top_tension").at("max")) << name;
     EXPECT_EQ(variant.at("overbend_max_von_mises"), dynamic.at("overbend").at("max_von_mises").at("max")) << name;
     const double tension = dynamic.at("tensioner").at("max_tension");
@@ -75,7 +75,7 @@ TEST(compare, the_variants_own_summaries_agree_with_the_table) {
 TEST(compare, off_does_not_travel_and_constant_keeps_its_tension) {
   const TemporaryFolder folder;
   ASSERT_EQ(compare(folder, kControlled, "--of tensioner").code, 0);
-  const std::vector<std::string> table = testing::lines_of(file_text(folder / "out/comparison.csv"));
+  const std::vector<std::string> table = testing::csv_lines(file_text(folder / "out/comparison.csv"));
   EXPECT_EQ(cell(table, "largest_travel", "off"), 0.0);
   EXPECT_EQ(cell(table, "pay_out_count", "off"), 0.0);
   EXPECT_GT(cell(table, "time_out_of_range", "off"), 0.0);
@@ -93,7 +93,7 @@ TEST(compare, a_variant_is_the_run_of_the_model_with_its_key_set) {
   }
 }
 
-TEST(compare, without_a_range_the_tensioner_is_refused_in_one_line) {
+TEST(compare, without_a_range_the_tensioner_is_rejected_in_one_line) {
   const TemporaryFolder folder;
   const ProgramRun run = compare(folder, kSmallLay, "--of tensioner");
   EXPECT_EQ(run.code, 2);
@@ -102,15 +102,15 @@ TEST(compare, without_a_range_the_tensioner_is_refused_in_one_line) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-TEST(compare, contact_tells_of_every_box_in_both_models) {
+TEST(compare, contact_reports_on_every_box_in_both_models) {
   const TemporaryFolder folder;
   const ProgramRun run = compare(folder, kSmallLay, "--of contact");
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json comparison = json_of(folder / "out/comparison.json").at("comparison");
+  const Json comparison = load_json(folder / "out/comparison.json").at("comparison");
   const Json& supports = comparison.at("supports");
   ASSERT_EQ(supports.size(), 5U);
   for (const char* name : {"rollers", "gap_springs"}) {
-    const Json boxes = json_of(folder / "out" / name / "summary.json").at("dynamic").at("supports");
+    const Json boxes = load_json(folder / "out" / name / "summary.json").at("dynamic").at("supports");
     double sum = 0.0;
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(supports[i].at(name).at("contact_share"), boxes[i].at("contact_share"));
@@ -126,12 +126,12 @@ TEST(compare, contact_tells_of_every_box_in_both_models) {
 const std::string kThrown = with(kSmallLay, "heave: {amplitude: 0.3 m, period: 7 s}, pitch: {amplitude: 0.5 deg",
                                  "heave: {amplitude: 1 m, period: 5 s}, pitch: {amplitude: 3 deg");
 
-TEST(compare, impacts_captured_are_counted_in_fewer_steps_and_not_told_too_small) {
+TEST(compare, impacts_captured_are_counted_in_fewer_steps_and_not_reported_too_small) {
   const TemporaryFolder folder;
   const ProgramRun run = compare(folder, kThrown, "--of impacts");
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json resolved = json_of(folder / "out/resolved/summary.json").at("dynamic");
-  const Json captured = json_of(folder / "out/captured/summary.json").at("dynamic");
+  const Json resolved = load_json(folder / "out/resolved/summary.json").at("dynamic");
+  const Json captured = load_json(folder / "out/captured/summary.json").at("dynamic");
   EXPECT_LT(captured.at("steps").get<int>(), 0.8 * resolved.at("steps").get<int>());
   ASSERT_GT(resolved.at("impact_count").get<int>(), 2);
   EXPECT_GT(captured.at("impact_count").get<int>(), 0);
@@ -143,9 +143,10 @@ TEST(compare, impacts_captured_are_counted_in_fewer_steps_and_not_told_too_small
     return force;
   };
   EXPECT_GT(hardest(captured), 0.9 * hardest(resolved));
-  double most = 0.0;
-  for (const Json& box : captured.at("supports")) most = std::max(most, box.at("reaction").at("max").get<double>());
-  EXPECT_GE(most, hardest(captured));
+  double max_value = 0.0;
+  for (const Json& box : captured.at("supports"))
+    max_value = std::max(max_value, box.at("reaction").at("max").get<double>());
+  EXPECT_GE(max_value, hardest(captured));
   const std::string page = file_text(folder / "out/comparison.html");
   EXPECT_NE(page.find("Captured against resolved"), std::string::npos);
   EXPECT_NE(page.find("compared_contact"), std::string::npos);
@@ -201,7 +202,7 @@ void two_statics(const TemporaryFolder& folder) {
   }
 }
 
-TEST(compare, result_folders_are_put_beside_each_other) {
+TEST(compare, result_folders_are_put_next_to_each_other) {
   const TemporaryFolder folder;
   two_statics(folder);
   const std::string a = (folder / "a").string(), b = (folder / "b").string(), out = (folder / "out").string();

@@ -21,13 +21,13 @@ TEST(command_line, a_slip_in_a_command_is_answered_with_the_one_meant) {
   EXPECT_NE(far.err.find("the commands are check, static"), std::string::npos) << far.err;
 }
 
-/// What bash offers for the last of the words, one a line.
-std::string offered(const std::string& words) {
+/// Completions of bash for the last argument, one a line.
+std::string offered(const std::string& message) {
   const Scratch scratch;
   scratch.write("completion", run_program("completion bash").out);
   scratch.write("lay.yaml", "");
   scratch.write("notes.txt", "");
-  const std::string script = "cd " + scratch.file("") + " && . ./completion && COMP_WORDS=(" + words +
+  const std::string script = "cd " + scratch.file("") + " && . ./completion && COMP_WORDS=(" + message +
                              ") && COMP_CWORD=$((${#COMP_WORDS[@]} - 1)) && _overbend && printf '%s\\n' "
                              "\"${COMPREPLY[@]}\"";
   const std::string command = "bash -c '" + std::regex_replace(script, std::regex("'"), "'\\''") + "' > " +
@@ -47,7 +47,7 @@ TEST(bash_completion, offers_commands_options_values_and_model_files) {
 }
 
 /// Every command and every option of the program's own help.
-TEST(completion, knows_every_option_that_the_help_tells_of) {
+TEST(completion, knows_every_option_of_the_help) {
   const std::string bash = run_program("completion bash").out;
   const std::string zsh = run_program("completion zsh").out;
   const std::string man = run_program("completion man").out;
@@ -60,8 +60,9 @@ TEST(completion, knows_every_option_that_the_help_tells_of) {
     const std::string in_roff = std::regex_replace(command, std::regex("-"), "\\-");
     EXPECT_NE(man.find(".SS " + in_roff + "\n"), std::string::npos) << command;
     const std::string help = run_program(std::string(command) + " --help").out;
-    for (auto at = std::sregex_iterator(help.begin(), help.end(), option); at != std::sregex_iterator(); ++at) {
-      const std::string name = at->str();
+    for (auto sample = std::sregex_iterator(help.begin(), help.end(), option); sample != std::sregex_iterator();
+         ++sample) {
+      const std::string name = sample->str();
       ++options;
       EXPECT_NE(bash.find(name), std::string::npos) << command << " " << name;
       EXPECT_NE(zsh.find("'" + name + "["), std::string::npos) << command << " " << name;
@@ -77,10 +78,10 @@ TEST(manual_page, has_the_sections_that_a_manual_page_has_and_no_stray_request) 
   std::size_t before = 0;
   for (const char* section : {".TH OVERBEND 1 ", ".SH NAME\n", ".SH SYNOPSIS\n", ".SH DESCRIPTION\n", ".SH COMMANDS\n",
                               ".SH EXIT STATUS\n"}) {
-    const std::size_t at = man.find(section);
-    ASSERT_NE(at, std::string::npos) << section;
-    EXPECT_GE(at, before) << section;
-    before = at;
+    const std::size_t index = man.find(section);
+    ASSERT_NE(index, std::string::npos) << section;
+    EXPECT_GE(index, before) << section;
+    before = index;
   }
   std::istringstream lines(man);
   const std::regex request(R"(\.(TH|SH|SS|TP|br|nf|fi|\\")( .*)?)");

@@ -34,23 +34,24 @@ ProgramRun run_dynamic_model(const TemporaryFolder& folder, const std::string& m
   return run_program("dynamic " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string() + " " + more);
 }
 
-Json summary_of(const fs::path& results) {
+Json load_summary(const fs::path& results) {
   return read_json(file_text(results / "summary.json"));
 }
 
-/// What a script finds different between two folders of results; empty: nothing but measured times.
-std::string differences(const fs::path& one, const fs::path& two) {
-  const TemporaryFolder told;
-  const std::string command = "/usr/bin/python3 " OVERBEND_SOURCE_DIR "/tests/app/same_results.py " + one.string() +
-                              " " + two.string() + " > " + (told / "out").string() + " 2>&1";
-  return std::system(command.c_str()) == 0 ? "" : "different: " + file_text(told / "out");
+/// Differences that a script finds between two folders of results; empty: nothing but measured times.
+std::string differences(const fs::path& first_folder, const fs::path& two) {
+  const TemporaryFolder prescribed;
+  const std::string command = "/usr/bin/python3 " OVERBEND_SOURCE_DIR "/tests/app/same_results.py " +
+                              first_folder.string() + " " + two.string() + " > " + (prescribed / "out").string() +
+                              " 2>&1";
+  return std::system(command.c_str()) == 0 ? "" : "different: " + file_text(prescribed / "out");
 }
 
 TEST(dynamic_command, prints_the_findings_of_the_run_and_of_its_statics) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "yield_stress: 414 MPa", "yield_stress: 60 MPa"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json summary = summary_of(folder / "out");
+  const Json summary = load_summary(folder / "out");
   ASSERT_FALSE(summary.at("warnings").empty());
   for (const Json& findings : {summary.at("findings"), summary.at("dynamic").at("findings")}) {
     for (const Json& finding : findings) {
@@ -61,13 +62,13 @@ TEST(dynamic_command, prints_the_findings_of_the_run_and_of_its_statics) {
   }
 }
 
-TEST(dynamic_command, refuses_a_run_in_which_nothing_moves) {
-  const std::string still = with(with(kSmallLay, kWaves, "waves: {type: none}"), kMoving, "motion: fixed");
+TEST(dynamic_command, rejects_a_run_in_which_nothing_moves) {
+  const std::string at_rest = with(with(kSmallLay, kWaves, "waves: {type: none}"), kMoving, "motion: fixed");
   const TemporaryFolder folder;
-  const ProgramRun run = run_dynamic_model(folder, still, "--duration '0.5 s'");
+  const ProgramRun run = run_dynamic_model(folder, at_rest, "--duration '0.5 s'");
   EXPECT_EQ(run.code, 2) << run.err;
   EXPECT_NE(run.err.find("nothing moves in the dynamic analysis"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("give a sea"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("add waves"), std::string::npos) << run.err;
 }
 
 /// A tensioner on its brake, whose tension swings with the barge.
@@ -77,7 +78,7 @@ TEST(dynamic_command, a_tensioner_without_mode_keeps_its_tension_and_a_finding_s
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, kSmallLay);
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json tension = summary_of(folder / "out").at("dynamic").at("top_tension");
+  const Json tension = load_summary(folder / "out").at("dynamic").at("top_tension");
   EXPECT_NEAR(tension.at("min"), 300e3, 300.0);
   EXPECT_NEAR(tension.at("max"), 300e3, 300.0);
   EXPECT_NE(run.out.find("[tensioner-mode-assumed]"), std::string::npos) << run.out;
@@ -87,7 +88,7 @@ TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, kLockedLay);
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.err.find("is finished after"), std::string::npos) << run.err;  // that is said of an earlier run
+  EXPECT_EQ(run.err.find("is already finished"), std::string::npos) << run.err;  // that is said of an earlier run
   for (const char* file : {"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "results.h5", "report.html"}) {
     EXPECT_TRUE(fs::is_regular_file(folder / "out" / file)) << file;
   }
@@ -96,12 +97,12 @@ TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
                            "stinger tip clearance", "impacts", "energy drift", "time loop", "/out"}) {
     EXPECT_NE(run.out.find(said), std::string::npos) << said << "\n" << run.out;
   }
-  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  const Json dynamic = load_summary(folder / "out").at("dynamic");
   EXPECT_DOUBLE_EQ(dynamic.at("duration"), 10.0);
   EXPECT_EQ(dynamic.at("seed"), 3);
-  const double least = dynamic.at("top_tension").at("min"), largest = dynamic.at("top_tension").at("max");
-  EXPECT_LT(least, 290e3);  // a locked brake on a heaving barge: the tension swings about what statics has
-  EXPECT_GT(largest, 310e3);
+  const double min_value = dynamic.at("top_tension").at("min"), max_value = dynamic.at("top_tension").at("max");
+  EXPECT_LT(min_value, 290e3);  // a locked brake on a heaving barge: the tension swings about what statics has
+  EXPECT_GT(max_value, 310e3);
   EXPECT_LT(std::abs(dynamic.at("energy_drift").get<double>()), 0.01);
 }
 
@@ -111,7 +112,7 @@ TEST(dynamic_command, strict_ends_with_4_when_a_check_is_exceeded_in_time) {
   const ProgramRun run = run_dynamic_model(folder, weak, "--strict");
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_NE(run.err.find("Tension at the tensioner"), std::string::npos) << run.err;
-  const Json checks = summary_of(folder / "out").at("dynamic").at("checks");
+  const Json checks = load_summary(folder / "out").at("dynamic").at("checks");
   EXPECT_EQ(checks.at("worst").at("id"), "tensioner_load");
   EXPECT_GT(checks.at("worst").at("utilisation").get<double>(), 1.0);
   EXPECT_TRUE(fs::is_regular_file(folder / "out/checks.csv"));
@@ -122,7 +123,7 @@ TEST(dynamic_command, the_report_made_again_has_the_same_checks) {
   ASSERT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);
   const auto section = [&] {
     const Json body = document_in(file_text(folder / "out/report.html"))["body"];
-    const auto checks = std::ranges::find_if(body, [](const Json& one) { return one["id"] == "checks"; });
+    const auto checks = std::ranges::find_if(body, [](const Json& item) { return item["id"] == "checks"; });
     return checks == body.end() ? std::string() : shown_text((*checks)["body"]);
   };
   const std::string first = section();
@@ -136,7 +137,7 @@ TEST(dynamic_command, takes_the_duration_from_the_command_line) {
   const std::string model = with(kSmallLay, "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n", "");
   const ProgramRun run = run_dynamic_model(folder, model, "--duration '0.05 min'");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NEAR(summary_of(folder / "out").at("dynamic").at("duration"), 3.0, 1e-9);
+  EXPECT_NEAR(load_summary(folder / "out").at("dynamic").at("duration"), 3.0, 1e-9);
 }
 
 // A run long enough to be met at work, with a checkpoint after each of its rows.
@@ -171,11 +172,11 @@ TEST(dynamic_command, interrupted_leaves_a_checkpoint_that_serves_the_same_model
   EXPECT_TRUE(fs::exists(stopped / "out/.run/checkpoint"));
   EXPECT_FALSE(fs::exists(stopped / "out/summary.json"));
 
-  for (const std::string& other : {with(kLongLay, "tension: 300 kN", "tension: 301 kN"),
-                                   with(kLongLay, "components: 20, seed: 3", "components: 20, seed: 4")}) {
-    const ProgramRun refused = run_dynamic_model(stopped, other, "--resume");
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_NE(refused.err.find("the model file has changed"), std::string::npos) << refused.err;
+  for (const std::string& second : {with(kLongLay, "tension: 300 kN", "tension: 301 kN"),
+                                    with(kLongLay, "components: 20, seed: 3", "components: 20, seed: 4")}) {
+    const ProgramRun rejected = run_dynamic_model(stopped, second, "--resume");
+    EXPECT_EQ(rejected.code, 2);
+    EXPECT_NE(rejected.err.find("the model file has changed"), std::string::npos) << rejected.err;
   }
   const ProgramRun longer = run_dynamic_model(stopped, kLongLay, "--resume --duration '60 s'");
   EXPECT_EQ(longer.code, 2) << longer.err;
@@ -221,16 +222,16 @@ TEST(dynamic_command, an_unfinished_run_is_not_dropped_without_a_word) {
   const TemporaryFolder folder;
   interrupt_a_run(folder);
   const std::string before = file_text(folder / "out/.run/checkpoint");
-  const ProgramRun refused = run_dynamic_model(folder, kFileLay);
-  EXPECT_EQ(refused.code, 2);
+  const ProgramRun rejected = run_dynamic_model(folder, kFileLay);
+  EXPECT_EQ(rejected.code, 2);
   for (const char* said : {"unfinished run", "t = ", "--resume", "--restart"}) {
-    EXPECT_NE(refused.err.find(said), std::string::npos) << refused.err;
+    EXPECT_NE(rejected.err.find(said), std::string::npos) << rejected.err;
   }
   EXPECT_EQ(file_text(folder / "out/.run/checkpoint"), before);
   EXPECT_EQ(run_dynamic_model(folder, kFileLay, "--resume --restart").code, 2);
   const ProgramRun anew = run_dynamic_model(folder, kFileLay, "--restart --duration '2 s'");
   EXPECT_EQ(anew.code, 0) << anew.err;
-  EXPECT_NEAR(summary_of(folder / "out").at("dynamic").at("duration"), 2.0, 1e-9);
+  EXPECT_NEAR(load_summary(folder / "out").at("dynamic").at("duration"), 2.0, 1e-9);
   EXPECT_EQ(run_dynamic_model(folder, kFileLay, "--duration '2 s'").code, 0);  // a finished one is replaced
 }
 
@@ -239,23 +240,23 @@ TEST(dynamic_command, resumes_however_the_path_of_the_model_is_written) {
   interrupt_a_run(folder);
   testing::write_file(folder / "sea.csv", "omega_rad_s,density_m2s\n0.5,0\n0.9,0.4\n1.5,0\n");
   const std::string absolute = (folder / "lay.yaml").string(), out = (folder / "out").string();
-  const ProgramRun other = run_program("dynamic " + absolute + " -o " + out + " --resume");
-  EXPECT_EQ(other.code, 2) << "another sea";
+  const ProgramRun second_program_run = run_program("dynamic " + absolute + " -o " + out + " --resume");
+  EXPECT_EQ(second_program_run.code, 2) << "another sea";
   testing::write_file(folder / "sea.csv", "omega_rad_s,density_m2s\n0.5,0\n0.9,0.3\n1.5,0\n");
   const ProgramRun resumed = run_program("dynamic " + absolute + " -o " + out + " --resume");  // begun as lay.yaml
   EXPECT_EQ(resumed.code, 0) << resumed.err;
 }
 
-TEST(dynamic_command, damaged_data_of_a_run_are_refused) {
+TEST(dynamic_command, damaged_data_of_a_run_are_rejected) {
   const TemporaryFolder folder;
   interrupt_a_run(folder);
   std::fstream rows(folder / "out/.run/rows", std::ios::binary | std::ios::in | std::ios::out);
   rows.seekp(100);
   rows.put('\x55');
   rows.close();
-  const ProgramRun refused = run_dynamic_model(folder, kFileLay, "--resume");
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("rows' is damaged"), std::string::npos) << refused.err;
+  const ProgramRun rejected = run_dynamic_model(folder, kFileLay, "--resume");
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_NE(rejected.err.find("rows' is damaged"), std::string::npos) << rejected.err;
 }
 
 TEST(dynamic_command, results_of_one_run_stand_alone_in_their_folder) {
@@ -271,7 +272,7 @@ TEST(dynamic_command, results_of_one_run_stand_alone_in_their_folder) {
   EXPECT_TRUE(fs::exists(folder / "out/impacts.csv"));
   ASSERT_EQ(run_program("static " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string()).code, 0);
   EXPECT_FALSE(fs::exists(folder / "out/impacts.csv"));
-  EXPECT_FALSE(summary_of(folder / "out").contains("dynamic"));
+  EXPECT_FALSE(load_summary(folder / "out").contains("dynamic"));
 }
 
 TEST(dynamic_command, with_all_streams_closed_no_text_lands_in_results) {
@@ -290,27 +291,29 @@ TEST(dynamic_command, resumed_after_its_end_says_that_it_is_finished_and_runs_no
   const fs::file_time_type written = fs::last_write_time(folder / "out/summary.json");
   const ProgramRun again = run_dynamic_model(folder, kSmallLay, "--resume");
   EXPECT_EQ(again.code, 0);
-  EXPECT_NE(again.err.find("is finished after 10 s."), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("is already finished (10 s)."), std::string::npos) << again.err;
   EXPECT_NE(again.out.find("top tension"), std::string::npos) << again.out;
   EXPECT_EQ(fs::last_write_time(folder / "out/summary.json"), written);
-  const ProgramRun other = run_dynamic_model(folder, with(kSmallLay, "tension: 300 kN", "tension: 301 kN"), "--resume");
-  EXPECT_EQ(other.code, 2);
-  EXPECT_NE(other.err.find("has results of another model file"), std::string::npos) << other.err;
+  const ProgramRun second_program_run =
+      run_dynamic_model(folder, with(kSmallLay, "tension: 300 kN", "tension: 301 kN"), "--resume");
+  EXPECT_EQ(second_program_run.code, 2);
+  EXPECT_NE(second_program_run.err.find("holds results of another model file"), std::string::npos)
+      << second_program_run.err;
   EXPECT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);  // without --resume it runs anew
   EXPECT_NE(fs::last_write_time(folder / "out/summary.json"), written);
 }
 
-struct Refusal {
+struct BadUnit {
   const char* what;
   std::string model;
   std::string more;
   std::string said;
 };
 
-TEST(dynamic_command, refuses_what_it_can_not_run_in_one_clear_line_and_writes_nothing) {
+TEST(dynamic_command, rejects_what_it_can_not_run_in_one_clear_line_and_writes_nothing) {
   const std::string dynamic = "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n";
   const std::string duration = "duration: 10 s, build_up";
-  const std::vector<Refusal> refusals = {
+  const std::vector<BadUnit> rejections = {
       {"no dynamics", with(kSmallLay, dynamic, ""), "", "lay.yaml:22: analysis.dynamic: "},
       {"coupled", with(kSmallLay, kMoving, "motion: {coupled: barge.1}"), "", "coupled"},
       {"no RAO file", with(kSmallLay, kMoving, "motion: {raos: nowhere.csv}"), "", "nowhere.csv could not be read"},
@@ -326,15 +329,15 @@ TEST(dynamic_command, refuses_what_it_can_not_run_in_one_clear_line_and_writes_n
       {"no time", kSmallLay, "--duration '6 m'", "--duration"},
       {"backwards", kSmallLay, "--duration=-6s", "--duration"},
       {"nothing", kSmallLay, "--duration '0 s'", "--duration"}};
-  for (const Refusal& refusal : refusals) {
-    SCOPED_TRACE(refusal.what);
+  for (const BadUnit& rejection : rejections) {
+    SCOPED_TRACE(rejection.what);
     const TemporaryFolder folder;
     testing::write_file(folder / "motion.csv", "time_s,heave_m\n-10,0\n0,0.1\n9,0\n");
     testing::write_file(folder / "late.csv", "time_s,heave_m\n2,0\n5,0.1\n20,0\n");
-    const ProgramRun run = run_dynamic_model(folder, refusal.model, refusal.more);
+    const ProgramRun run = run_dynamic_model(folder, rejection.model, rejection.more);
     EXPECT_EQ(run.code, 2);
     EXPECT_EQ(run.out, "");
-    EXPECT_NE(run.err.find(refusal.said), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(rejection.said), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_FALSE(fs::exists(folder / "out"));
   }
@@ -359,7 +362,7 @@ TEST(dynamic_command, keeps_a_fixed_step) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "build_up: 5 s", "step: 0.05 s, build_up: 5 s"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  const Json dynamic = load_summary(folder / "out").at("dynamic");
   EXPECT_NEAR(dynamic.at("smallest_step"), 0.05, 1e-6);
   EXPECT_NEAR(dynamic.at("largest_step"), 0.05, 1e-6);
   EXPECT_EQ(dynamic.at("steps"), 300);  // of 15 s
@@ -371,7 +374,7 @@ TEST(dynamic_command, in_calm_water_on_a_barge_that_hardly_moves_nothing_happens
       with(with(kLockedLay, kMoving, "motion: {harmonic: {heave: {amplitude: 1e-9 m, period: 8 s}}}"), kWaves,
            "waves: {type: none}");
   ASSERT_EQ(run_dynamic_model(folder, model).code, 0);
-  const Json summary = summary_of(folder / "out");
+  const Json summary = load_summary(folder / "out");
   const Json statics = summary.at("static"), dynamic = summary.at("dynamic");
   const double tension = statics.at("top_tension");
   for (const char* quantity : {"top_tension", "bottom_tension", "lay_back", "departure_angle"}) {
@@ -396,7 +399,7 @@ TEST(dynamic_command, runs_a_j_lay_without_supports) {
   model = with(model, "{x: -40 m, z: 1.6 m, tension: 300 kN}", "{x: 0 m, z: 10 m, guide: pinned, tension: 120 kN}");
   const ProgramRun run = run_dynamic_model(folder, model);
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  const Json dynamic = load_summary(folder / "out").at("dynamic");
   EXPECT_TRUE(dynamic.at("overbend").is_null());
   EXPECT_TRUE(dynamic.at("stinger_tip_clearance").is_null());
   EXPECT_TRUE(dynamic.at("supports").empty());

@@ -26,13 +26,13 @@ ProgramRun run_seeds_model(const TemporaryFolder& folder, const std::string& mod
   return run_program("dynamic " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string() + " " + more);
 }
 
-Json summary_of(const fs::path& results) {
+Json load_summary(const fs::path& results) {
   return read_json(file_text(results / "summary.json"));
 }
 
-bool same_tables(const fs::path& one, const fs::path& two) {
+bool same_tables(const fs::path& first_folder, const fs::path& two) {
   for (const char* file : {"pipe.csv", "supports.csv", "impacts.csv"}) {
-    if (file_text(one / file).empty() || file_text(one / file) != file_text(two / file)) return false;
+    if (file_text(first_folder / file).empty() || file_text(first_folder / file) != file_text(two / file)) return false;
   }
   return true;
 }
@@ -44,8 +44,8 @@ TEST(dynamic_seeds, a_table_of_the_user_is_not_written_over_and_the_cases_stay) 
   const std::string two = with(kSmallLay, "duration: 10 s", "seeds: [7, 3], duration: 1 s");
   const ProgramRun run = run_seeds_model(folder, two);
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("'seeds.csv' in it is none of earlier results"), std::string::npos) << run.err;
-  EXPECT_EQ(run.err.find("internal fault"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("'seeds.csv' in it was not written by the program"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("internal error"), std::string::npos) << run.err;
   EXPECT_EQ(file_text(folder / "out/seeds.csv"), "mine");
 }
 
@@ -54,33 +54,33 @@ TEST(dynamic_seeds, each_seed_has_its_folder_and_the_summary_gathers_them) {
   const ProgramRun run = run_seeds_model(folder, kSeeds);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("3 of 3"), std::string::npos) << run.out;
-  const Json summary = summary_of(folder / "out");
+  const Json summary = load_summary(folder / "out");
   const Json& seeds = summary.at("seeds");
   ASSERT_EQ(seeds.at("runs").size(), 3U);
   EXPECT_TRUE(seeds.at("failed").empty());
   EXPECT_GT(summary.at("static").at("top_tension"), 0.0);
 
-  const std::vector<std::string> table = testing::lines_of(file_text(folder / "out/seeds.csv"));
+  const std::vector<std::string> table = testing::csv_lines(file_text(folder / "out/seeds.csv"));
   ASSERT_EQ(table.size(), 4U);
-  double sum = 0.0, largest = 0.0;
+  double sum = 0.0, max_value = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Json& row = seeds.at("runs").at(i);
     EXPECT_EQ(row.at("seed"), (std::vector<int>{7, 3, 12})[i]);
     const fs::path results = folder / "out" / row.at("folder").get<std::string>();
     EXPECT_TRUE(fs::is_regular_file(results / "report.html"));
-    const Json dynamic = summary_of(results).at("dynamic");
+    const Json dynamic = load_summary(results).at("dynamic");
     EXPECT_EQ(dynamic.at("seed"), row.at("seed"));
     const double stress = dynamic.at("overbend").at("max_von_mises").at("max");
     EXPECT_EQ(row.at("overbend_max_von_mises").get<double>(), stress);
     EXPECT_NEAR(testing::value_in(table, i + 1, "overbend_max_von_mises [MPa]"), stress / 1e6, 1e-9 * stress / 1e6);
     sum += stress;
-    largest = std::max(largest, stress);
+    max_value = std::max(max_value, stress);
   }
   const Json& over_seeds = seeds.at("statistics").at("overbend_max_von_mises");
   EXPECT_NEAR(over_seeds.at("mean").get<double>(), sum / 3.0, 1e-12 * sum);
-  EXPECT_EQ(over_seeds.at("max").get<double>(), largest);
-  EXPECT_LT(over_seeds.at("min").get<double>(), largest);  // the seeds are different seas
-  EXPECT_TRUE(over_seeds.at("gumbel").is_null());          // three runs are too few for a distribution
+  EXPECT_EQ(over_seeds.at("max").get<double>(), max_value);
+  EXPECT_LT(over_seeds.at("min").get<double>(), max_value);  // the seeds are different seas
+  EXPECT_TRUE(over_seeds.at("gumbel").is_null());            // three runs are too few for a distribution
 
   // A seed among others is the seed alone.
   ASSERT_EQ(run_seeds_model(alone, with(kSmallLay, "duration: 10 s", "seeds: [12], duration: 10 s")).code, 0);
@@ -88,14 +88,14 @@ TEST(dynamic_seeds, each_seed_has_its_folder_and_the_summary_gathers_them) {
 }
 
 TEST(dynamic_seeds, results_do_not_depend_on_the_number_of_threads) {
-  const TemporaryFolder one, two;
-  ASSERT_EQ(run_seeds_model(one, kSeeds, "--threads 1").code, 0);
+  const TemporaryFolder temporary_folder, two;
+  ASSERT_EQ(run_seeds_model(temporary_folder, kSeeds, "--threads 1").code, 0);
   ASSERT_EQ(run_seeds_model(two, kSeeds, "--threads 2").code, 0);
   for (const char* seed : {"seed-7", "seed-3", "seed-12"}) {
-    EXPECT_TRUE(same_tables(one / "out" / seed, two / "out" / seed)) << seed;
+    EXPECT_TRUE(same_tables(temporary_folder / "out" / seed, two / "out" / seed)) << seed;
   }
-  EXPECT_EQ(file_text(one / "out/seeds.csv"), file_text(two / "out/seeds.csv"));
-  EXPECT_EQ(summary_of(one / "out").at("seeds"), summary_of(two / "out").at("seeds"));
+  EXPECT_EQ(file_text(temporary_folder / "out/seeds.csv"), file_text(two / "out/seeds.csv"));
+  EXPECT_EQ(load_summary(temporary_folder / "out").at("seeds"), load_summary(two / "out").at("seeds"));
 }
 
 TEST(dynamic_seeds, one_that_fails_is_listed_and_the_others_go_on) {
@@ -105,18 +105,18 @@ TEST(dynamic_seeds, one_that_fails_is_listed_and_the_others_go_on) {
   const ProgramRun run = run_seeds_model(folder, kSeeds);
   EXPECT_EQ(run.code, 3);
   EXPECT_NE(run.err.find("overbend: seed 3: "), std::string::npos) << run.err;
-  const Json seeds = summary_of(folder / "out").at("seeds");
+  const Json seeds = load_summary(folder / "out").at("seeds");
   EXPECT_EQ(seeds.at("runs").size(), 2U);
   ASSERT_EQ(seeds.at("failed").size(), 1U);
   EXPECT_EQ(seeds.at("failed").at(0).at("seed"), 3);
   EXPECT_NE(file_text(folder / "out/seeds.csv").find("failed: "), std::string::npos);
 
-  // What was in the way is gone: resumed, the others are not run again.
+  // The file in the way is removed: resumed, the others are not run again.
   fs::remove(folder / "out/seed-3");
   const auto before = fs::last_write_time(folder / "out/seed-7/summary.json");
   EXPECT_EQ(run_seeds_model(folder, kSeeds, "--resume").code, 0);
   EXPECT_EQ(fs::last_write_time(folder / "out/seed-7/summary.json"), before);
-  EXPECT_EQ(summary_of(folder / "out").at("seeds").at("runs").size(), 3U);
+  EXPECT_EQ(load_summary(folder / "out").at("seeds").at("runs").size(), 3U);
 }
 
 TEST(dynamic_seeds, interrupted_and_resumed_give_the_same_bits) {
@@ -132,9 +132,10 @@ TEST(dynamic_seeds, interrupted_and_resumed_give_the_same_bits) {
   EXPECT_TRUE(fs::exists(stopped / "out/seed-3/.run/checkpoint"));
   EXPECT_FALSE(fs::exists(stopped / "out/seed-12"));
 
-  const ProgramRun other = run_seeds_model(stopped, with(model, "tension: 300 kN", "tension: 301 kN"), "--resume");
-  EXPECT_EQ(other.code, 2);
-  EXPECT_NE(other.err.find("another model"), std::string::npos) << other.err;
+  const ProgramRun second_program_run =
+      run_seeds_model(stopped, with(model, "tension: 300 kN", "tension: 301 kN"), "--resume");
+  EXPECT_EQ(second_program_run.code, 2);
+  EXPECT_NE(second_program_run.err.find("another model"), std::string::npos) << second_program_run.err;
 
   EXPECT_EQ(run_seeds_model(stopped, model, "--resume").code, 0);
   for (const char* seed : {"seed-7", "seed-3", "seed-12"}) {
@@ -143,7 +144,7 @@ TEST(dynamic_seeds, interrupted_and_resumed_give_the_same_bits) {
   EXPECT_EQ(file_text(whole / "out/seeds.csv"), file_text(stopped / "out/seeds.csv"));
 }
 
-TEST(dynamic_seeds, refused_as_a_whole_when_the_input_is_wrong_for_all) {
+TEST(dynamic_seeds, rejected_as_a_whole_when_the_input_is_wrong_for_all) {
   const TemporaryFolder folder;
   testing::write_file(folder / "out", "a file");
   const ProgramRun run = run_seeds_model(folder, kSeeds);

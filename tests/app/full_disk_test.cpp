@@ -47,7 +47,7 @@ TEST(full_disk, ends_dynamic_with_1_and_leaves_no_results) {
   }
 }
 
-TEST(full_disk, is_told_by_every_size_of_a_results_file) {
+TEST(full_disk, is_reported_at_every_size_of_a_results_file) {
   const testing::TemporaryFolder folder;
   const std::vector<double> numbers(20000, 1.0);
   const ResultField field{"numbers", "1", "Some"};
@@ -61,7 +61,7 @@ TEST(full_disk, is_told_by_every_size_of_a_results_file) {
   };
   for (const rlim_t size : {0U, 100U, 2048U, 5000U, 200000U, 1000000U, 1600000U}) {
     const testing::SizeLimit limit(size);
-    EXPECT_THROW(write(), FileFault) << size;
+    EXPECT_THROW(write(), FileError) << size;
   }
   write();
   EXPECT_EQ(Hdf5Reader(folder / "results.h5").doubles("/group9/numbers"), numbers);

@@ -1,4 +1,4 @@
-// Whatever goes into the program comes with its licence.
+// Every part of the program comes with its licence.
 #include <gtest/gtest.h>
 
 #include "app/program.h"
@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-TEST(licences, of_everything_bundled_are_told) {
+TEST(licences, of_everything_bundled_are_reported) {
   const testing::ProgramRun run = testing::run_program("licences");
   EXPECT_EQ(run.code, 0);
   for (const char* package : {"Overbend", "preact 10", "@preact/signals ", "three 0", "uplot 1", "@codemirror/view 6",

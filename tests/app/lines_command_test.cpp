@@ -51,15 +51,15 @@ TEST(lines_command, dynamic_takes_the_duration_that_is_given_where_the_model_has
   std::string model = kJumper;
   model.erase(model.find("analysis:"));
   const std::string file = scratch.write("jumper.yaml", model);
-  const auto refused = run_program("dynamic " + file + " -o " + scratch.file("out"));
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("jumper.yaml:1: analysis.dynamic: "), std::string::npos) << refused.err;
+  const auto rejected = run_program("dynamic " + file + " -o " + scratch.file("out"));
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_NE(rejected.err.find("jumper.yaml:1: analysis.dynamic: "), std::string::npos) << rejected.err;
   const auto done = run_program("dynamic " + file + " --duration '2 s' -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_GT(read_json(scratch.read("out/summary.json"))["dynamic"]["steps"], 0);
 }
 
-TEST(lines_command, dynamic_runs_every_seed_and_tells_them_together) {
+TEST(lines_command, dynamic_runs_every_seed_and_reports_them_together) {
   const Scratch scratch;
   std::string model = kJumper.substr(0, kJumper.find("lines:"));
   model += "  waves: {type: jonswap, hs: 2 m, tp: 8 s, from: 180 deg, components: 20}\n";
@@ -68,17 +68,17 @@ TEST(lines_command, dynamic_runs_every_seed_and_tells_them_together) {
   const auto done = run_program("dynamic " + scratch.write("jumper.yaml", model) + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
   const Json seeds = read_json(scratch.read("out/summary.json"))["seeds"];
-  const Json one = read_json(scratch.read("out/seed-2/summary.json"))["dynamic"]["lines"][0];
+  const Json item = read_json(scratch.read("out/seed-2/summary.json"))["dynamic"]["lines"][0];
   ASSERT_EQ(seeds["runs"].size(), 2U);
-  EXPECT_EQ(seeds["runs"][1]["jumper/second_tension_max"], one["second_tension"]["max"]);
+  EXPECT_EQ(seeds["runs"][1]["jumper/second_tension_max"], item["second_tension"]["max"]);
   EXPECT_NE(seeds["runs"][0]["jumper/second_tension_max"], seeds["runs"][1]["jumper/second_tension_max"]);
   EXPECT_NE(scratch.read("out/seeds.csv").find("jumper/second_tension_max [kN]"), std::string::npos);
 }
 
 TEST(lines_command, says_what_a_run_needs) {
   const Scratch scratch;
-  const std::string still = kJumper.substr(0, kJumper.find("analysis:"));
-  const auto done = run_program("dynamic " + scratch.write("jumper.yaml", still) + " -o " + scratch.file("out"));
+  const std::string at_rest = kJumper.substr(0, kJumper.find("analysis:"));
+  const auto done = run_program("dynamic " + scratch.write("jumper.yaml", at_rest) + " -o " + scratch.file("out"));
   EXPECT_EQ(done.code, 2);
   EXPECT_NE(done.err.find("analysis.dynamic"), std::string::npos) << done.err;
 }

@@ -21,10 +21,10 @@ std::string barge(const std::string& more = "") {
   std::stringstream text;
   text << in.rdbuf();
   std::string model = text.str();
-  const auto put = [&](const std::string& old, const std::string& now) {
-    const std::size_t at = model.find(old);
-    ASSERT_NE(at, std::string::npos) << old;
-    model.replace(at, old.size(), now);
+  const auto put = [&](const std::string& old, const std::string& new_text) {
+    const std::size_t index = model.find(old);
+    ASSERT_NE(index, std::string::npos) << old;
+    model.replace(index, old.size(), new_text);
   };
   put("seed: 1}", "seed: 1, components: 30}");
   put("../data/bgl1/bgl1", OVERBEND_SOURCE_DIR "/data/bgl1/bgl1");
@@ -86,7 +86,7 @@ TEST(moored_command, is_not_run_again_where_it_is_finished) {
   ASSERT_EQ(run_barge(scratch, barge()).code, 0);
   const ProgramRun again = run_barge(scratch, barge(), "--resume");
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_TRUE(has(again.err, "is finished after 20 s")) << again.err;
+  EXPECT_TRUE(has(again.err, "is already finished (20 s)")) << again.err;
   EXPECT_TRUE(has(again.out, "starboard bow")) << again.out;
 }
 

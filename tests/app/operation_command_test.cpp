@@ -31,8 +31,8 @@ const std::string kTwo =
     "    - {name: past the tip, cable_out: 75 m, tension: 250 kN}\n"
     "    - {name: bed, cable_out: 130 m, tension: 150 kN}\n";
 
-bool says(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
+bool says(const std::string& text, const std::string& message) {
+  return text.find(message) != std::string::npos;
 }
 
 TEST(operation_command, static_runs_all_stages_and_one_that_cannot_be_leaves_the_others_standing) {
@@ -40,8 +40,8 @@ TEST(operation_command, static_runs_all_stages_and_one_that_cannot_be_leaves_the
   const std::string model = folder.write("lay.yaml", abandoned(kTwo + kSlack));
   const ProgramRun run = run_program("static " + model + " -o " + folder.file("out"));
   EXPECT_EQ(run.code, 0) << run.err;
-  for (const char* words : {"cable out", "head depth", "past the tip", "bed", "slack", "2 of 3 equilibria"}) {
-    EXPECT_TRUE(says(run.out, words)) << words << "\n" << run.out;
+  for (const char* arguments : {"cable out", "head depth", "past the tip", "bed", "slack", "2 of 3 equilibria"}) {
+    EXPECT_TRUE(says(run.out, arguments)) << arguments << "\n" << run.out;
   }
   for (const char* file : {"summary.json", "stages.csv", "results.h5"}) {
     EXPECT_TRUE(std::filesystem::is_regular_file(folder.file(std::string("out/") + file))) << file;
@@ -87,6 +87,19 @@ TEST(operation_command, strict_looks_at_the_checks_of_every_stage) {
   EXPECT_EQ(run_program("static " + model + " --strict -o " + folder.file("out")).code, 4);
 }
 
+TEST(operation_command, a_stage_without_equilibrium_exceeds_the_verdict_of_terminal_and_files) {
+  const Scratch folder;
+  const std::string model = folder.write("lay.yaml", abandoned(kTwo + kSlack));
+  const ProgramRun run = run_program("static " + model + " --strict -o " + folder.file("out"));
+  EXPECT_EQ(run.code, 4);
+  EXPECT_TRUE(says(run.err, "1 of 3 stages have no equilibrium")) << run.err;
+  EXPECT_TRUE(says(run.out, "1 OF 3 STAGES WITHOUT EQUILIBRIUM")) << run.out;
+  EXPECT_EQ(read_json(folder.read("out/summary.json"))["verdict"]["kind"], "exceeded");
+  const ProgramRun again = run_program("check-results " + folder.file("out") + " --strict");
+  EXPECT_EQ(again.code, 4);
+  EXPECT_TRUE(says(again.out, "1 OF 3 STAGES WITHOUT EQUILIBRIUM")) << again.out;
+}
+
 TEST(operation_command, one_stage_is_a_static_analysis_of_its_own) {
   const Scratch folder;
   const std::string model = folder.write("lay.yaml", abandoned(kTwo));
@@ -102,7 +115,7 @@ TEST(operation_command, one_stage_is_a_static_analysis_of_its_own) {
   EXPECT_EQ(checked.code, 0) << checked.err;
 }
 
-TEST(operation_command, a_stage_that_is_none_is_told_with_those_there_are) {
+TEST(operation_command, a_stage_that_is_none_is_reported_with_those_there_are) {
   const Scratch folder;
   const std::string model = folder.write("lay.yaml", abandoned(kTwo));
   for (const char* wanted : {"3", "0", "sea", "-1", "1.5"}) {
@@ -121,8 +134,8 @@ TEST(operation_command, check_lists_the_stages) {
                       "  stages: {from: 60 m, to: 120 m, steps: 2, tension: bottom, bottom_tension: 90 kN}\n");
   const ProgramRun run = run_program("check " + model);
   EXPECT_EQ(run.code, 0) << run.err;
-  for (const char* words : {"operation abandonment", "stage 3", "120.0", "90.0 kN at touchdown"}) {
-    EXPECT_TRUE(says(run.out, words)) << words << "\n" << run.out;
+  for (const char* arguments : {"operation abandonment", "stage 3", "120.0", "90.0 kN at touchdown"}) {
+    EXPECT_TRUE(says(run.out, arguments)) << arguments << "\n" << run.out;
   }
 }
 
@@ -142,7 +155,7 @@ TEST(operation_command, a_stage_goes_into_the_time_domain_and_a_resumed_run_know
   EXPECT_LT(summary["dynamic"]["sagbend"]["max_strain"]["max"].get<double>(), 0.01);
   const ProgramRun again = run_program(command + " --resume");
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_TRUE(says(again.err, "is finished")) << again.err;
+  EXPECT_TRUE(says(again.err, "is already finished")) << again.err;
   EXPECT_EQ(run_program(command + " --resume --stage 1").code, 2);
 }
 
@@ -162,7 +175,7 @@ TEST(operation_command, goal_seek_and_lay_table_are_of_the_lay_and_say_so) {
       folder.write("lay.yaml", abandoned(kTwo) +
                                    "seek: {vary: {key: tensioner.tension, from: 250 kN, to: 400 kN}, "
                                    "until: {result: static.bottom_tension, equals: 270 kN}}\n");
-  const std::string warning = "no stage of the operation abandonment was chosen; this is the lay as such";
+  const std::string warning = "no stage of the operation abandonment was chosen; the normal lay is analysed";
   const ProgramRun seek = run_program("seek " + model + " -o " + folder.file("sought"));
   ASSERT_EQ(seek.code, 0) << seek.err;
   EXPECT_TRUE(says(seek.out, warning)) << seek.out;
@@ -173,30 +186,30 @@ TEST(operation_command, goal_seek_and_lay_table_are_of_the_lay_and_say_so) {
   EXPECT_TRUE(says(table.out, warning)) << table.out;
 }
 
-TEST(operation_command, a_cable_on_a_route_that_bends_is_refused_whatever_is_asked_of_its_stages) {
+TEST(operation_command, a_cable_on_a_route_that_bends_is_rejected_regardless_of_what_is_asked_of_its_stages) {
   const Scratch folder;
   const std::string model =
       folder.write("lay.yaml", abandoned(kTwo) + "route: {legs: [{length: 280 m}, {radius: 900 m, angle: 20 deg}]}\n");
-  const std::string refusal = "route: a line with a cable on a route that bends cannot be solved yet";
+  const std::string rejection = "route: a line with a cable on a curved route is not supported";
   for (const char* stage : {"", " --stage 1"}) {
     const ProgramRun run = run_program("static " + model + stage + " -o " + folder.file("out"));
     EXPECT_EQ(run.code, 2) << run.out;
-    EXPECT_TRUE(says(run.err, refusal)) << run.err;
+    EXPECT_TRUE(says(run.err, rejection)) << run.err;
   }
-  EXPECT_TRUE(says(run_program("check " + model).out, refusal));
+  EXPECT_TRUE(says(run_program("check " + model).out, rejection));
 }
 
 /// They were passed over without a word.
-TEST(operation_command, derivatives_of_all_stages_are_refused) {
+TEST(operation_command, derivatives_of_all_stages_are_rejected) {
   const Scratch scratch;
   const auto stages = run_program("static --sensitivities " + scratch.write("lay.yaml", abandoned(kTwo)));
   EXPECT_EQ(stages.code, 2);
-  EXPECT_NE(stages.err.find("--sensitivities: derivatives are those of one stage; choose it with --stage"),
+  EXPECT_NE(stages.err.find("--sensitivities: sensitivities are computed for a single stage; select it with --stage"),
             std::string::npos)
       << stages.err;
   const auto lift = run_program("static --sensitivities " OVERBEND_SOURCE_DIR "/examples/davit-level.yaml");
   EXPECT_EQ(lift.code, 2);
-  EXPECT_NE(lift.err.find("no derivatives of the stages of a lift"), std::string::npos) << lift.err;
+  EXPECT_NE(lift.err.find("the stages of a lift are not supported"), std::string::npos) << lift.err;
 }
 
 }  // namespace

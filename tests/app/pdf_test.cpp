@@ -48,8 +48,8 @@ TEST_F(Browser, that_does_not_exist_is_an_error_that_says_what_to_do) {
   try {
     print_pdf(scratch_.write("report.html", ""), scratch_.file("report.pdf"));
     FAIL();
-  } catch (const PdfError& fault) {
-    EXPECT_NE(std::string(fault.what()).find("OVERBEND_BROWSER"), std::string::npos) << fault.what();
+  } catch (const PdfError& error) {
+    EXPECT_NE(std::string(error.what()).find("OVERBEND_BROWSER"), std::string::npos) << error.what();
   }
 }
 

@@ -1,4 +1,4 @@
-"""Compares the results of two dynamic runs that should be the same: prints what differs and returns 1.
+"""Compares the results of second_folder dynamic runs that should be the same: prints what differs and returns 1.
 
     same_results.py FOLDER FOLDER      times that a clock measured and the name of the model file are left out
 """
@@ -11,10 +11,10 @@ import h5py
 
 MEASURED = {"wall_time", "real_time_ratio"}
 
-one, two = (pathlib.Path(folder) for folder in sys.argv[1:])
+first_folder, second_folder = (pathlib.Path(folder) for folder in sys.argv[1:])
 offences = []
 for name in ("pipe.csv", "supports.csv", "impacts.csv"):
-    if (one / name).read_bytes() != (two / name).read_bytes():
+    if (first_folder / name).read_bytes() != (second_folder / name).read_bytes():
         offences.append(name)
 
 
@@ -24,7 +24,7 @@ def unmeasured(value):
     return [unmeasured(inner) for inner in value] if isinstance(value, list) else value
 
 
-summaries = [unmeasured(json.loads((folder / "summary.json").read_text(encoding="utf-8"))) for folder in (one, two)]
+summaries = [unmeasured(json.loads((folder / "summary.json").read_text(encoding="utf-8"))) for folder in (first_folder, second_folder)]
 for part in summaries[0].keys() | summaries[1].keys():
     if summaries[0].get(part) != summaries[1].get(part):
         offences.append(f"summary.json: {part}")
@@ -36,9 +36,9 @@ def datasets(file):
     return found
 
 
-with h5py.File(one / "results.h5") as a, h5py.File(two / "results.h5") as b:
+with h5py.File(first_folder / "results.h5") as a, h5py.File(second_folder / "results.h5") as b:
     of_one, of_two = datasets(a), datasets(b)
-    offences += [f"results.h5: {name} is in one alone" for name in of_one.keys() ^ of_two.keys()]
+    offences += [f"results.h5: {name} is in first_folder alone" for name in of_one.keys() ^ of_two.keys()]
     compared = 0
     for name in of_one.keys() & of_two.keys():
         if name.split("/")[-1] in MEASURED or name == "model/file":

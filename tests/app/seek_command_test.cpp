@@ -52,9 +52,9 @@ TEST(seek_command, leaves_a_model_of_that_name_in_the_folder_alone) {
   const Scratch scratch;
   const std::string text = seeking("{result: static.bottom_tension, equals: 310 kN}");
   const std::string model = scratch.write("model.yaml", text);
-  const auto refused = run_program("seek " + model + " -o " + scratch.file("."));
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("is none of earlier results"), std::string::npos) << refused.err;
+  const auto rejected = run_program("seek " + model + " -o " + scratch.file("."));
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_NE(rejected.err.find("was not written by the program"), std::string::npos) << rejected.err;
   EXPECT_EQ(scratch.read("model.yaml"), text);
   // Its own answer is replaced by the next one, but never under an analysis that reads it.
   ASSERT_EQ(run_program("seek " + model + " -o " + scratch.file("out")).code, 0);
@@ -68,7 +68,7 @@ TEST(seek_command, leaves_a_model_of_that_name_in_the_folder_alone) {
   }
 }
 
-TEST(seek_command, tells_the_warnings_of_the_answer) {
+TEST(seek_command, reports_the_warnings_of_the_answer) {
   const Scratch scratch;
   // The tension that is found lies outside of the tensioner's range, as `overbend static` would say.
   const std::string text = testing::with(seeking("{result: static.bottom_tension, equals: 310 kN}"), "tension: 300 kN}",
@@ -87,7 +87,7 @@ TEST(seek_command, needs_something_to_seek) {
   EXPECT_NE(done.err.find("seek"), std::string::npos);
 }
 
-/// Of a lift: all its stages with the lengths found, and the stage to be copied.
+/// For a lift: all its stages with the lengths found, and the stage to be copied.
 TEST(seek_command, of_a_lift_writes_its_stages) {
   const Scratch scratch;
   const std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/validation/lift_cases/DL8-one.yaml");

@@ -1,4 +1,4 @@
-// The page is opened in a browser without telling the whole machine its token.
+// The page is opened in a browser without showing its token to the whole machine.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -27,9 +27,9 @@ TEST(serve_command, the_command_line_of_the_browser_does_not_hold_the_token) {
   const std::string asked = folder.read("xdg-open.asked"), out = folder.read("out");
   ::kill(std::stoi(folder.read("id")), SIGINT);
   EXPECT_NE(asked.find("http://127.0.0.1:"), std::string::npos) << asked;
-  const std::size_t at = out.find("token=");
-  ASSERT_NE(at, std::string::npos) << out;
-  EXPECT_EQ(asked.find(out.substr(at + 6, 32)), std::string::npos) << asked;
+  const std::size_t index = out.find("token=");
+  ASSERT_NE(index, std::string::npos) << out;
+  EXPECT_EQ(asked.find(out.substr(index + 6, 32)), std::string::npos) << asked;
 }
 
 }  // namespace

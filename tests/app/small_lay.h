@@ -7,10 +7,10 @@
 namespace overbend::testing {
 
 /// `text` with the one place where `old` stands changed.
-inline std::string with(std::string text, const std::string& old, const std::string& now) {
-  const std::size_t at = text.find(old);
-  if (at == std::string::npos) throw std::runtime_error("no '" + old + "' in the model");
-  return text.replace(at, old.size(), now);
+inline std::string with(std::string text, const std::string& old, const std::string& new_text) {
+  const std::size_t index = text.find(old);
+  if (index == std::string::npos) throw std::runtime_error("no '" + old + "' in the model");
+  return text.replace(index, old.size(), new_text);
 }
 
 /// Five boxes, a coarse mesh, a random sea and a heaving barge: fifteen seconds of motion, a third of them build-up.

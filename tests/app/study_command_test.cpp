@@ -32,9 +32,9 @@ bool has(const std::string& text, const std::string& part) {
 
 std::size_t records_in(const fs::path& folder) {
   std::size_t count = 0;
-  std::error_code fault;
-  for (fs::recursive_directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
-    count += at->path().filename() == "case.json" ? 1 : 0;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    count += entry->path().filename() == "case.json" ? 1 : 0;
   }
   return count;
 }
@@ -88,7 +88,7 @@ TEST(study_command, a_dry_run_lists_the_cases_and_writes_nothing) {
   EXPECT_FALSE(fs::exists(scratch.file("out")));
 }
 
-TEST(study_command, the_command_told_for_a_failed_case_runs_it_alone) {
+TEST(study_command, the_command_printed_for_a_failed_case_runs_it_alone) {
   const Scratch scratch;
   const std::string study = study_in(scratch, kTwo);
   const auto alone = run_program("study " + study + " -o " + scratch.file("out") + " --case 1");

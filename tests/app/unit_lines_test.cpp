@@ -4,11 +4,11 @@
 #include <regex>
 #include <string>
 
-#include "app/check_lines.h"
-#include "app/friction_lines.h"
-#include "app/mooring_lines.h"
-#include "app/stage_lines.h"
-#include "app/stinger_lines.h"
+#include "app/print_checks.h"
+#include "app/print_friction.h"
+#include "app/print_moorings.h"
+#include "app/print_stages.h"
+#include "app/print_stinger.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
 #include "report/synthetic_operation.h"
@@ -63,7 +63,7 @@ TEST(unit_lines, of_friction_stinger_and_checks_are_customary_where_that_is_aske
   const std::string text = friction_lines(results) + stinger_lines(results);
   expect_us(text);
   EXPECT_TRUE(has(text, "1.00 ft to port"));
-  EXPECT_TRUE(has(text, "1000 ft; friction holds 0 ft and more"));
+  EXPECT_TRUE(has(text, "1000 ft; friction holds a radius of 0 ft or more"));
   EXPECT_TRUE(has(text, "1.000 kip bottom"));
   EXPECT_TRUE(has(text, "hinge force 10.00 kip"));
 }

@@ -34,12 +34,12 @@ struct Blocks {
 /// With heavy entries on the diagonal, or across it so that rows are exchanged.
 Blocks random_blocks(Numbers& numbers, bool across) {
   Blocks blocks;
-  for (int at = 0; at < kNodes * kBlockSize; ++at) {
-    const int row = at % kBlockSize / kRowWidth, column = at % kRowWidth;
+  for (int index = 0; index < kNodes * kBlockSize; ++index) {
+    const int row = index % kBlockSize / kRowWidth, column = index % kRowWidth;
     const bool coupled = column < kNodeDofs;
-    blocks.diag.data()[at] = numbers.between(-1.0, 1.0) + (column == (across ? 5 - row : row) ? 9.0 : 0.0);
-    blocks.upper.data()[at] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
-    blocks.lower.data()[at] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
+    blocks.diag.data()[index] = numbers.between(-1.0, 1.0) + (column == (across ? 5 - row : row) ? 9.0 : 0.0);
+    blocks.upper.data()[index] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
+    blocks.lower.data()[index] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
   }
   return blocks;
 }
@@ -99,16 +99,16 @@ LineView pipe(Arrays& a) {
 }
 
 /// A line from above the water down onto the bed: position and tangent of every node.
-Batch hanging(Numbers& numbers, double top) {
+Batch suspended_batch(Numbers& numbers, double top) {
   Batch q(kNodes * kNodeDofs);
   for (int n = 0; n < kNodes; ++n) {
-    double* at = q.data() + n * kNodeDofs;
-    at[0] = 1.2 * n + numbers.between(-0.01, 0.01);
-    at[1] = numbers.between(-0.05, 0.05);
-    at[2] = top - 0.8 * n;  // no node at a kink of the current, where rounding would decide
-    at[3] = 0.8 + numbers.between(-0.02, 0.02);
-    at[4] = numbers.between(-0.02, 0.02);
-    at[5] = -0.6 + numbers.between(-0.02, 0.02);
+    double* node_dofs = q.data() + n * kNodeDofs;
+    node_dofs[0] = 1.2 * n + numbers.between(-0.01, 0.01);
+    node_dofs[1] = numbers.between(-0.05, 0.05);
+    node_dofs[2] = top - 0.8 * n;  // no node at a kink of the current, where rounding would decide
+    node_dofs[3] = 0.8 + numbers.between(-0.02, 0.02);
+    node_dofs[4] = numbers.between(-0.02, 0.02);
+    node_dofs[5] = -0.6 + numbers.between(-0.02, 0.02);
   }
   return q;
 }
@@ -130,7 +130,7 @@ void lines(Numbers& numbers, int soil) {
   env.current_z = current_z;
   env.current_vx = vx;
   env.current_vy = vy;
-  const Batch q = hanging(numbers, 4.07);
+  const Batch q = suspended_batch(numbers, 4.07);
   Blocks tangent, moving_tangent;
   Batch residual(kNodes * kNodeDofs), cuts(kNodes * kNodeDofs), moving(kNodes * kNodeDofs);
   const LineShape shape{q.data(), nullptr};
@@ -169,12 +169,12 @@ void lines(Numbers& numbers, int soil) {
 void held_sections(Numbers& numbers) {
   Arrays a(numbers, kElements, kPadded);
   const LineView line = pipe(a);
-  const Batch q = hanging(numbers, 4.07);
+  const Batch q = suspended_batch(numbers, 4.07);
   const double low[kHeldValues] = {0.79, -0.01, -0.61, -0.01, 0.99, -0.01, -0.1, -0.1, -0.1, -5e4, -5e4, 0.0};
   const double high[kHeldValues] = {0.81, 0.01, -0.59, 0.01, 1.01, 0.01, 0.1, 0.1, 0.4, 5e4, 5e4, 1e3};
   constexpr int kPoints = 4;
   Batch values(kPoints * kHeldValues * kPadded), after(kPoints * kHeldValues * kPadded), left(kPoints * kPadded),
-      stored(kLanes), still(kNodes * kNodeDofs), residual(kNodes * kNodeDofs);
+      stored(kLanes), velocities_at_rest(kNodes * kNodeDofs), residual(kNodes * kNodeDofs);
   for (int i = 0; i < kPoints * kHeldValues; ++i) {
     for (int e = 0; e < kPadded; ++e) {
       values.data()[i * kPadded + e] = numbers.between(low[i % kHeldValues], high[i % kHeldValues]);
@@ -182,7 +182,8 @@ void held_sections(Numbers& numbers) {
   }
   const HeldSections held{values.data(), after.data(), left.data(), stored.data()};
   Batch slip(8 * kBedDirections * kPadded), slip_next(8 * kBedDirections * kPadded);
-  LineMotion motion{still.data(), still.data(), 0.0, 0.0, 0.0, nullptr, slip.data(), slip_next.data()};
+  LineMotion motion{velocities_at_rest.data(), velocities_at_rest.data(), 0.0, 0.0, 0.0, nullptr, slip.data(),
+                    slip_next.data()};
   motion.held = &held;
   Blocks tangent;
   add_moving_line_forces(line, {}, {q.data(), nullptr}, motion,
@@ -238,13 +239,13 @@ void responses(Numbers& numbers) {
 /// Rollers under a line, some of them passed beyond their ends.
 void rollers(Numbers& numbers) {
   constexpr int kRollers = 19;
-  const Batch q = hanging(numbers, 4.07);
+  const Batch q = suspended_batch(numbers, 4.07);
   Batch v(kNodes * kNodeDofs), length(kElements), places(9 * kRollers);
   v.fill(numbers, -1.0, 1.0);
   length.fill(numbers, 1.4, 1.5);
-  RollerLook looks[kRollers];
+  RollerSearch looks[kRollers];
   for (int i = 0; i < kRollers; ++i) {
-    double* at = places.data() + 9 * i;
+    double* node_dofs = places.data() + 9 * i;
     const double along = i + 0.2, lean = numbers.between(-0.1, 0.1);
     const double placed[] = {1.2 * along,
                              numbers.between(-0.5, 0.5),
@@ -256,13 +257,13 @@ void rollers(Numbers& numbers) {
                              -lean,
                              __builtin_sqrt(1.0 - lean * lean)};
     for (int k = 0; k < 9; ++k) {
-      at[k] = placed[k];
+      node_dofs[k] = placed[k];
     }
-    looks[i] = {at, at + 3, at + 6, 0.3, 0.5, i, i};
+    looks[i] = {node_dofs, node_dofs + 3, node_dofs + 6, 0.3, 0.5, i, i};
   }
-  RollerMeeting meetings[kRollers];
-  meet_rollers({q.data(), v.data(), length.data()}, looks, kRollers, meetings);
-  for (const RollerMeeting& met : meetings) {
+  RollerClosestPoint meetings[kRollers];
+  find_closest_points({q.data(), v.data(), length.data()}, looks, kRollers, meetings);
+  for (const RollerClosestPoint& met : meetings) {
     std::printf("roller_found %d\nroller_beyond %d\n", met.found, met.beyond_face);
     for (const double value : {met.xi, met.off_end, met.distance}) {
       std::printf("roller %.17g\n", met.found ? value : 0.0);
@@ -296,16 +297,17 @@ void hull(Numbers& numbers) {
 void freedoms(Numbers& numbers) {
   constexpr int kFreedoms = kNodes * kNodeDofs;
   Arrays a(numbers, kFreedoms, kFreedoms);
-  const FreedomsBefore now{a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0)};
-  Batch q(kFreedoms), v(kFreedoms), acc(kFreedoms), alg(kFreedoms);
+  const FreedomsAtStart freedoms_before{a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0)};
+  Batch q(kFreedoms), v(kFreedoms), acc(kFreedoms), algorithmic_acceleration(kFreedoms);
   const FreedomsView next{kFreedoms, q.data(), v.data(), acc.data()};
-  predict_freedoms({0.1, 0.004, 0.001, 0.07, 0.03, 1.5, -0.5}, now, next);
+  predict_freedoms({0.1, 0.004, 0.001, 0.07, 0.03, 1.5, -0.5}, freedoms_before, next);
   correct_freedoms({30.0, 400.0}, a.of(-1e-3, 1e-3), next);
-  const ChangeSums sums = end_freedoms({0.8, 0.4, -0.2}, now, kFreedoms, acc.data(), alg.data());
+  const ChangeSums sums =
+      end_freedoms({0.8, 0.4, -0.2}, freedoms_before, kFreedoms, acc.data(), algorithmic_acceleration.data());
   q.print("freedoms_q");
   v.print("freedoms_v");
   acc.print("freedoms_acc");
-  alg.print("freedoms_alg");
+  algorithmic_acceleration.print("freedoms_alg");
   std::printf("freedoms_change %.17g\nfreedoms_change %.17g\n", sums.product, sums.square);
 }
 

@@ -29,9 +29,9 @@ class Batch {
     at_ = held_.data() + (64 - address % 64) % 64 / sizeof(double);
     count_ = count;
   }
-  Batch(const Batch& other) : Batch(other.count_) {
+  Batch(const Batch& second_batch) : Batch(second_batch.count_) {
     for (int i = 0; i < count_; ++i) {
-      at_[i] = other.at_[i];
+      at_[i] = second_batch.at_[i];
     }
   }
   Batch& operator=(const Batch&) = delete;
@@ -74,7 +74,7 @@ class Arrays {
   std::vector<Batch> kept_;
 };
 
-/// What the kernels of statistics and recording make of it.
+/// Results of the kernels of statistics and recording.
 void print_recording(Numbers& numbers);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-// What the kernels print that a run's recording calls.
+// Prints the results of the kernels that a run's recording calls.
 #include "numbers.h"
 #include "numerics/running_statistics_kernel.h"
 #include "recording/design_screen_kernel.h"
@@ -47,8 +47,8 @@ void screen(Numbers& numbers) {
   const ScreenKernels kernels = screen_kernels();
   kernels.split(effect, kRun, parts);
   kernels.sizes(combinations, parts, kRun, size.data());
-  const double *still = a.of(-1.0, 1.0), *now = a.of(-1.0, 1.0), *strains = a.of(0.1, 0.2);
-  kernels.forces(combinations, still, now, kRun, force.data());
+  const double *at_rest = a.of(-1.0, 1.0), *present_value = a.of(-1.0, 1.0), *strains = a.of(0.1, 0.2);
+  kernels.forces(combinations, at_rest, present_value, kRun, force.data());
   kernels.strain_vectors(effect.now, strains, kRun, x.data(), y.data(), z.data());
   const double* pressure = a.of(-0.5, 1.0);
   for (const bool first : {true, false}) {
@@ -67,7 +67,7 @@ void screen(Numbers& numbers) {
   strain.print("screen_strain_excess");
 }
 
-/// Nodes of a line, an odd number of them, and what the cuts tell.
+/// Nodes of a line, an odd number of them, and the results of the cuts.
 void recovery(Numbers& numbers) {
   constexpr int kCount = 21;
   Arrays a(numbers, 6 * kCount, 6 * kCount);

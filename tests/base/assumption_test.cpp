@@ -19,7 +19,7 @@ TEST(assumption, stored_without_a_rank_or_with_an_unknown_one_is_one_of_the_othe
   EXPECT_EQ(texts(all, AssumptionRank::other), (std::vector<std::string>{"a", "b"}));
 }
 
-TEST(assumption, is_told_once_of_two_results) {
+TEST(assumption, is_reported_once_for_two_results) {
   const Assumptions all = merge(kThree, {kThree[1], {AssumptionRank::other, "There is no ice."}});
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(all.back().text, "There is no ice.");

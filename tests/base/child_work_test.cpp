@@ -16,11 +16,11 @@ std::string done(const std::function<std::string()>& work, const ChildLimits& li
   return ChildWork(work, limits).result();
 }
 
-std::string fault(const std::function<std::string()>& work, const ChildLimits& limits = {}) {
+std::string failure(const std::function<std::string()>& work, const ChildLimits& limits = {}) {
   try {
     done(work, limits);
-  } catch (const ChildError& fault) {
-    return fault.what();
+  } catch (const ChildError& error) {
+    return error.what();
   }
   return "none";
 }
@@ -38,7 +38,7 @@ TEST(child_work, leaves_this_process_as_it_was) {
   EXPECT_EQ(number, 1);
 }
 
-TEST(child_work, what_is_thrown_comes_back_as_its_words) {
+TEST(child_work, what_is_thrown_comes_back_as_its_message) {
   const auto work = []() -> std::string { throw std::runtime_error("no such variable"); };
   EXPECT_THROW(
       {
@@ -54,7 +54,7 @@ TEST(child_work, what_is_thrown_comes_back_as_its_words) {
 
 TEST(child_work, a_crash_is_an_error) {
   const auto ends_by = [](int number) {
-    return fault([number]() -> std::string {
+    return failure([number]() -> std::string {
       std::raise(number);
       return "";
     });
@@ -62,7 +62,7 @@ TEST(child_work, a_crash_is_an_error) {
   EXPECT_EQ(ends_by(SIGSEGV), "reading it ended with signal 11");
   EXPECT_EQ(ends_by(SIGABRT), "reading it ended with signal 6");
   EXPECT_EQ(ends_by(SIGKILL), "reading it ended with signal 9");
-  EXPECT_NE(fault([]() -> std::string { std::_Exit(0); }), "none");
+  EXPECT_NE(failure([]() -> std::string { std::_Exit(0); }), "none");
 }
 
 TEST(child_work, work_without_end_is_ended) {
@@ -72,12 +72,12 @@ TEST(child_work, work_without_end_is_ended) {
     }
     return std::string();
   };
-  EXPECT_EQ(fault(work, {.cpu_time = std::chrono::seconds(1)}), "reading it takes too long");
+  EXPECT_EQ(failure(work, {.cpu_time = std::chrono::seconds(1)}), "reading it takes too long");
   const auto wait = [] {
     std::this_thread::sleep_for(std::chrono::hours(1));
     return std::string();
   };
-  EXPECT_EQ(fault(wait, {.wall_time = std::chrono::seconds(1)}), "reading it takes too long");
+  EXPECT_EQ(failure(wait, {.wall_time = std::chrono::seconds(1)}), "reading it takes too long");
 }
 
 TEST(child_work, more_memory_than_allowed_is_an_error) {

@@ -33,14 +33,14 @@ TEST(dense_algebra, what_a_least_squares_solution_leaves_is_across_every_column)
 TEST(dense_algebra, of_many_solutions_the_shortest_has_no_part_that_changes_nothing) {
   MatrixXd a(3, 3);
   a << 1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 0.0, 1.0;  // (2, 2, -2) changes nothing
-  const VectorXd b = a * VectorXd::Ones(3), x = shortest_least_squares(a, b);
+  const VectorXd b = a * VectorXd::Ones(3), x = min_norm_solution(a, b);
   EXPECT_LT((a * x - b).norm(), 1e-13);
   EXPECT_NEAR(x(0) + x(1) - x(2), 0.0, 1e-13);
 }
 
 TEST(dense_algebra, a_triangle_stands_for_all_rows) {
   for (const Eigen::Index count : {7, 3}) {
-    const MatrixXd rows = random_matrix(count, 5, 3), triangle = triangle_of(rows);
+    const MatrixXd rows = random_matrix(count, 5, 3), triangle = qr_triangle(rows);
     ASSERT_EQ(triangle.rows(), std::min<Eigen::Index>(count, 5));
     EXPECT_LT((triangle.transpose() * triangle - rows.transpose() * rows).norm(), 1e-12);
     for (Eigen::Index i = 1; i < triangle.rows(); ++i) {
@@ -87,7 +87,7 @@ TEST(dense_algebra, eigenvalues_of_a_companion_matrix_are_the_roots) {
   // (x - 2)(x^2 + 2 x + 5): 2 and -1 +- 2 i.
   MatrixXd companion(3, 3);
   companion << 0.0, -1.0, 10.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  const Eigen::VectorXcd values = eigenvalues_of(companion);
+  const Eigen::VectorXcd values = compute_eigenvalues(companion);
   for (const std::complex<double> root : {std::complex<double>(2.0), {-1.0, 2.0}, {-1.0, -2.0}}) {
     EXPECT_LT((values.array() - root).abs().minCoeff(), 1e-13);
   }

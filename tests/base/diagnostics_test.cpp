@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-TEST(diagnostics, a_fault_reads_as_place_key_found_expected_and_hint) {
+TEST(diagnostics, an_error_reads_as_place_key_found_expected_and_hint) {
   EXPECT_EQ(render({Severity::error, "a.yaml", 12, 3, "pipe.length", "'3 kN'", "a length", "write m"}),
             "a.yaml:12: pipe.length: found '3 kN', expected a length; write m");
   EXPECT_EQ(render({Severity::error, "a.yaml", 0, 0, "", "there is no such file", "", ""}),
@@ -13,7 +13,7 @@ TEST(diagnostics, a_fault_reads_as_place_key_found_expected_and_hint) {
   EXPECT_EQ(render({Severity::warning, "a.yaml", 4, 0, "x", "odd", "", ""}), "a.yaml:4: x: odd");
 }
 
-TEST(diagnostics, faults_come_in_the_order_of_the_file) {
+TEST(diagnostics, errors_come_in_the_order_of_the_file) {
   Diagnostics diagnostics;
   diagnostics.add({Severity::error, "a", 9, 0, "", "late", "", ""});
   diagnostics.add({Severity::warning, "a", 5, 0, "", "odd", "", ""});
@@ -34,7 +34,7 @@ TEST(diagnostics, warnings_alone_are_no_error) {
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
-TEST(diagnostics, a_million_faults_are_counted_and_not_kept) {
+TEST(diagnostics, a_million_errors_are_counted_and_not_kept) {
   Diagnostics diagnostics;
   diagnostics.add({Severity::warning, "a", 1, 0, "", "odd", "", ""});
   for (int i = 0; i < 1000000; ++i) diagnostics.add({Severity::error, "a", i, 0, "", "wrong", "", ""});

@@ -20,12 +20,13 @@ Finding off_rollers(const std::string& box, double distance) {
 
 TEST(finding, codes_have_names_of_their_own_a_meaning_and_a_remedy) {
   std::set<std::string_view> names;
-  for (const FindingKind& one : finding_kinds()) {
-    EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    EXPECT_EQ(one.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos) << one.name;
-    EXPECT_TRUE(one.meaning.ends_with('.')) << one.name;
-    EXPECT_TRUE(one.remedy.ends_with('.')) << one.name;
-    EXPECT_EQ(find_finding_code(one.name), one.code);
+  for (const FindingKind& finding_kind : finding_kinds()) {
+    EXPECT_TRUE(names.insert(finding_kind.name).second) << finding_kind.name;
+    EXPECT_EQ(finding_kind.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos)
+        << finding_kind.name;
+    EXPECT_TRUE(finding_kind.meaning.ends_with('.')) << finding_kind.name;
+    EXPECT_TRUE(finding_kind.remedy.ends_with('.')) << finding_kind.name;
+    EXPECT_EQ(find_finding_code(finding_kind.name), finding_kind.code);
   }
   EXPECT_FALSE(find_finding_code("something else").has_value());
 }

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-TEST(interruption, nobody_asks_for_it_at_first) {
+TEST(interruption, is_not_asked_for_at_first) {
   EXPECT_FALSE(interruption_wanted());
   EXPECT_NO_THROW(check_interruption());
 }
@@ -47,7 +47,7 @@ TEST(interruption, of_a_thread_is_heard_by_those_it_starts) {
   bool stop = false;
   const InterruptionScope scope([&] { return stop; });
   const auto work = [&, asked = caller_interruption()] {
-    const InterruptionScope own(asked);
+    const InterruptionScope interruption_scope(asked);
     return interruption_wanted();
   };
   bool before = true, after = false;

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// A file of the running test's own: others may run beside it.
+/// A file of the running test's own: others may run at the same time.
 std::filesystem::path written(const std::string& text) {
   const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   const std::filesystem::path file = ::testing::TempDir() + "json_test." + name + ".json";

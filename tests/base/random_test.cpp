@@ -75,9 +75,9 @@ TEST(random, whole_numbers_below_a_count_are_equally_likely) {
 TEST(random, neighbouring_seeds_share_nothing) {
   Random a(1), b(2);
   int equal_bits = 0;
-  constexpr int kWords = 1000;
-  for (int i = 0; i < kWords; ++i) equal_bits += 64 - __builtin_popcountll(a.bits() ^ b.bits());
-  EXPECT_NEAR(equal_bits, 32 * kWords, 4.0 * std::sqrt(16.0 * kWords));
+  constexpr int kEnumNames = 1000;
+  for (int i = 0; i < kEnumNames; ++i) equal_bits += 64 - __builtin_popcountll(a.bits() ^ b.bits());
+  EXPECT_NEAR(equal_bits, 32 * kEnumNames, 4.0 * std::sqrt(16.0 * kEnumNames));
 }
 
 }  // namespace

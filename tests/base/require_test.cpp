@@ -12,12 +12,12 @@ TEST(require, a_promise_that_holds_costs_nothing_and_says_nothing) {
 }
 
 // Also in release builds, where assert is silent.
-TEST(require, a_broken_promise_stops_with_its_words_and_its_place) {
+TEST(require, a_broken_promise_stops_with_its_message_and_its_place) {
   try {
     require(false, "the file has been flushed");
     FAIL() << "it went on";
-  } catch (const std::logic_error& fault) {
-    const std::string said = fault.what();
+  } catch (const std::logic_error& error) {
+    const std::string said = error.what();
     EXPECT_NE(said.find("the file has been flushed"), std::string::npos) << said;
     EXPECT_NE(said.find("require_test.cpp:" + std::to_string(__LINE__ - 5)), std::string::npos) << said;
   }

@@ -22,7 +22,7 @@ TEST(shown_unit, goes_by_the_name_for_strains_dents_and_fractions_of_time) {
   EXPECT_EQ(shown_unit("design strain", "1").factor, 100.0);
   EXPECT_EQ(shown_unit("strain", "J").name, "kJ");  // an energy
   EXPECT_EQ(shown_unit("dent_depth", "m").name, "mm");
-  EXPECT_EQ(text_of(shown_unit("energy_drift", "1")), "-");
+  EXPECT_EQ(unit_label(shown_unit("energy_drift", "1")), "-");
 }
 
 TEST(shown_unit, is_customary_in_the_united_states_where_that_is_asked_for) {
@@ -78,7 +78,7 @@ void expect_reads_back(const ShownUnit& unit) {
 TEST(shown_unit, every_unit_that_is_printed_is_read_back_as_the_same_value) {
   for (const UnitSystem system : {UnitSystem::metric, UnitSystem::us}) {
     for (const ShownUnit& unit : shown_units(system)) expect_reads_back(unit);
-    for (const OwnUnit& own : own_units(system)) expect_reads_back(own.unit);
+    for (const SpecialUnit& own_unit : special_units(system)) expect_reads_back(own_unit.unit);
   }
   for (const char* si : {"1/m", "1/s", "Hz", "N m/rad", "N m2", "kg/m", "m/s", "m2", "m4", "m^2", "N", "N m", "J"}) {
     expect_reads_back({si, si, 1.0, 3});

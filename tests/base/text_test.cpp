@@ -37,13 +37,13 @@ TEST(text, display_is_one_short_line_and_never_cuts_a_character) {
   EXPECT_EQ(for_display("ab\xc3\xa9", 4), "ab\xc3\xa9");
 }
 
-TEST(text, words_join_to_a_sentence) {
-  EXPECT_EQ(join_words({"a", "b", "c"}, "or"), "a, b or c");
+TEST(text, items_join_to_a_sentence) {
+  EXPECT_EQ(join_items({"a", "b", "c"}, "or"), "a, b or c");
   EXPECT_EQ(one_of({"a"}), "'a'");
   EXPECT_EQ(one_of({"a", "b"}), "one of a or b");
 }
 
-/// What a shell takes a word for, followed by another.
+/// A word as a shell reads it, followed by another.
 std::string as_a_shell_reads(const std::string& text) {
   FILE* pipe = popen(("printf '<%s>' " + shell_word(text) + " end").c_str(), "r");
   std::string read;
@@ -52,14 +52,14 @@ std::string as_a_shell_reads(const std::string& text) {
   return read;
 }
 
-TEST(text, words_for_the_shell_are_taken_letter_for_letter) {
+TEST(text, arguments_of_the_shell_are_taken_letter_for_letter) {
   for (const std::string text :
        {"a 'b' \"c\" $(touch x) `d` ; e\n\\ * ~", "'", "''", "", "#", "~", "plain/word-1.yaml", "\u00fc", "a=b", "!"}) {
     EXPECT_EQ(as_a_shell_reads(text), "<" + text + "><end>");
   }
 }
 
-TEST(text, words_that_a_shell_takes_as_they_are_go_without_quotes) {
+TEST(text, arguments_that_a_shell_takes_as_they_are_go_without_quotes) {
   EXPECT_EQ(shell_word("results/run-1.study"), "results/run-1.study");
   EXPECT_EQ(shell_word("o'neil"), "'o'\\''neil'");
   EXPECT_EQ(shell_word(""), "''");

@@ -16,10 +16,10 @@ namespace {
 TEST(threads, all_do_the_work_this_one_among_them) {
   std::mutex mutex;
   std::set<std::thread::id> seen;
-  std::atomic<int> there{0};
+  std::atomic<int> shifted{0};
   work_in_threads(4, [&] {
-    ++there;
-    while (there < 4) std::this_thread::yield();  // all at a time
+    ++shifted;
+    while (shifted < 4) std::this_thread::yield();  // all at a time
     const std::lock_guard<std::mutex> hold(mutex);
     seen.insert(std::this_thread::get_id());
   });

@@ -60,12 +60,12 @@ TEST(unit_spelling, units_are_read_as_this_trade_writes_them) {
   }
 }
 
-struct Refusal {
+struct BadUnit {
   const char *text, *unit, *hint;
 };
 
 TEST(unit_spelling, the_hint_of_a_wrong_unit_has_the_value_that_was_meant) {
-  const Refusal refusals[] = {
+  const BadUnit rejections[] = {
       {"30.6 mt", "N", "its weight is 300.08 kN"},
       {"30.6 MT", "N", "its weight is 300.08 kN"},
       {"30 T", "N", "write t for tonnes"},
@@ -77,7 +77,7 @@ TEST(unit_spelling, the_hint_of_a_wrong_unit_has_the_value_that_was_meant) {
       {"0.62832 rad/s", "1/s", "the frequency is 0.1"},
       {"1.2 t/m", "N/m", "its weight is 11.768 kN/m"},
   };
-  for (const Refusal& r : refusals) {
+  for (const BadUnit& r : rejections) {
     const QuantityReading got = parse_quantity(r.text, r.unit);
     EXPECT_FALSE(got.value.has_value()) << r.text;
     EXPECT_NE(got.hint.find(r.hint), std::string::npos) << r.text << ": " << got.hint;

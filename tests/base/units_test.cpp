@@ -59,13 +59,13 @@ TEST(units, quantities_read_to_si) {
   }
 }
 
-struct Refusal {
+struct BadUnit {
   const char* text;
   const char* unit;
-  const char* words;  ///< Must be in the message.
+  const char* expected_text;  ///< Must be in the message.
 };
 
-const Refusal kRefusals[] = {
+const BadUnit kRefusals[] = {
     {"89", "m", "without a unit"},
     {"89 kN", "m", "a force"},
     {"30 deg", "m", "an angle"},
@@ -94,11 +94,11 @@ const Refusal kRefusals[] = {
     {"3 rad/m", "1/s", "another dimension"},
 };
 
-TEST(units, anything_else_is_refused_with_its_reason) {
-  for (const Refusal& r : kRefusals) {
+TEST(units, anything_else_is_rejected_with_its_reason) {
+  for (const BadUnit& r : kRefusals) {
     const QuantityReading got = parse_quantity(r.text, r.unit);
     EXPECT_FALSE(got.value.has_value()) << r.text;
-    EXPECT_NE((got.found + got.hint).find(r.words), std::string::npos)
+    EXPECT_NE((got.found + got.hint).find(r.expected_text), std::string::npos)
         << r.text << ": " << got.found << " " << got.hint;
   }
 }

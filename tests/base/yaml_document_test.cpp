@@ -51,7 +51,7 @@ TEST(yaml_document, null_is_written_in_five_ways) {
   for (const YamlEntry& entry : parsed.root->entries) EXPECT_EQ(entry.value.kind, YamlNode::Kind::null) << entry.key;
 }
 
-TEST(yaml_document, a_repeated_key_is_told_with_the_line_of_the_first) {
+TEST(yaml_document, a_repeated_key_is_reported_with_the_line_of_the_first) {
   const std::string error = first_error("group:\n  a: 1\n  b: 2\n  a: 3\n");
   EXPECT_NE(error.find("a.yaml:4: group.a"), std::string::npos) << error;
   EXPECT_NE(error.find("line 2"), std::string::npos) << error;
@@ -61,11 +61,11 @@ TEST(yaml_document, the_same_key_in_two_groups_is_no_repetition) {
   EXPECT_EQ(first_error("a: {x: 1}\nb: {x: 2}\nlist: [{x: 3}, {x: 4}]\n"), "");
 }
 
-TEST(yaml_document, anchors_aliases_and_tags_are_refused_at_their_place) {
+TEST(yaml_document, anchors_aliases_and_tags_are_rejected_at_their_place) {
   EXPECT_NE(first_error("a: {b: &x 1}\n").find("a.b: found an anchor"), std::string::npos);
   EXPECT_NE(first_error("a: &x 1\nb: [*x]\n").find("an anchor"), std::string::npos);
   EXPECT_NE(first_error("a: [1, !int 2]\n").find("a[1]: found the tag"), std::string::npos);
-  // All of them are told, and the rest of the text is read.
+  // All of them are reported, and the rest of the text is read.
   const Parsed parsed = parse("a: &x 1\nb: *x\nc: 3\n");
   EXPECT_EQ(parsed.diagnostics.error_count(), 2);
   ASSERT_TRUE(parsed.root);
@@ -73,7 +73,7 @@ TEST(yaml_document, anchors_aliases_and_tags_are_refused_at_their_place) {
 }
 
 TEST(yaml_document, a_key_is_a_word) {
-  EXPECT_NE(first_error("? [a, b]\n: 1\n").find("a key that is not a word"), std::string::npos);
+  EXPECT_NE(first_error("? [a, b]\n: 1\n").find("a key that is not plain text"), std::string::npos);
 }
 
 TEST(yaml_document, there_is_one_document) {
@@ -82,7 +82,7 @@ TEST(yaml_document, there_is_one_document) {
   EXPECT_FALSE(parse("").diagnostics.has_errors());
 }
 
-TEST(yaml_document, what_is_no_yaml_is_told_in_words_of_use) {
+TEST(yaml_document, what_is_no_yaml_is_reported_with_a_useful_message) {
   EXPECT_NE(first_error("a: [1, 2\nb: 3\n").find("not closed with ']'"), std::string::npos);
   EXPECT_NE(first_error("a: b: c\n").find("second ':'"), std::string::npos);
 }

@@ -8,7 +8,7 @@
 #include "model/lay_stage.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
@@ -23,21 +23,21 @@ const Abandoned& abandoned() {
   static const Abandoned kStage = [] {
     Description d = read_model(OVERBEND_SOURCE_DIR "/validation/operation_cases/AR12-J.yaml").description.value();
     d.operation.lay.cable->breaking_load = 4000e3;
-    Model model = build_model(at_stage(d, lay_stages(d).at(2)));
+    Model model = build_model(make_stage_description(d, lay_stages(d).at(2)));
     StaticResults results = checked_statics(model, solve_lay(model));
     return Abandoned{std::move(model), std::move(results)};
   }();
   return kStage;
 }
 
-const CheckRow* row_of(const CheckTable& table, const std::string& id) {
+const CheckRow* find_check_row(const CheckTable& table, const std::string& id) {
   const auto found = std::find_if(table.rows.begin(), table.rows.end(), [&](const CheckRow& r) { return r.id == id; });
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-// Of a cable that hangs from its winch the tension is largest there.
+// The tension of a cable suspended from its winch has its maximum there.
 TEST(cable_checks, the_cable_is_held_to_its_breaking_load_over_a_safety_factor) {
-  const CheckRow* row = row_of(abandoned().results.checks, "cable_load");
+  const CheckRow* row = find_check_row(abandoned().results.checks, "cable_load");
   ASSERT_NE(row, nullptr);
   EXPECT_NEAR(row->utilisation, 3.0 * 340e3 / 4000e3, 3e-4);  // with the factor that is assumed
   EXPECT_EQ(row->capacity, 4000e3 / 3.0);
@@ -49,7 +49,7 @@ TEST(cable_checks, without_a_breaking_load_the_check_is_not_made) {
   Model model = abandoned().model;
   model.description.operation.lay.cable->breaking_load.reset();
   const CheckTable table = check_statics(model, abandoned().results);
-  const CheckRow* row = row_of(table, "cable_load");
+  const CheckRow* row = find_check_row(table, "cable_load");
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->status, CheckStatus::not_done);
   EXPECT_NE(row->remark.find("breaking_load"), std::string::npos);
@@ -58,7 +58,7 @@ TEST(cable_checks, without_a_breaking_load_the_check_is_not_made) {
 TEST(cable_checks, a_lay_without_a_cable_has_no_such_row) {
   const Description d = read_model(OVERBEND_SOURCE_DIR "/validation/operation_cases/AR12-J.yaml").description.value();
   Model model = build_model(d);
-  EXPECT_EQ(row_of(checked_statics(model, solve_lay(model)).checks, "cable_load"), nullptr);
+  EXPECT_EQ(find_check_row(checked_statics(model, solve_lay(model)).checks, "cable_load"), nullptr);
 }
 
 TEST(cable_checks, no_code_looks_at_a_station_of_the_cable) {
@@ -81,7 +81,8 @@ TEST(cable_checks, a_line_that_is_all_cable_is_held_to_nothing_else) {
   const Model& model = abandoned().model;
   StaticResults results = abandoned().results;
   const double total = results.total_length;
-  std::erase_if(results.stations, [&](const Station& at) { return model.kind_at(total - at.s) != SectionKind::cable; });
+  std::erase_if(results.stations,
+                [&](const Station& station) { return model.kind_at(total - station.s) != SectionKind::cable; });
   const CheckTable table = check_statics(model, results);
   ASSERT_EQ(table.rows.size(), 1U);
   EXPECT_EQ(table.rows.front().id, "cable_load");

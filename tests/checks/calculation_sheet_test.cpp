@@ -11,7 +11,7 @@
 #include "checks/run_checks.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "study/stages/lift.h"
 #include "support/formula_value.h"
 
@@ -101,8 +101,8 @@ TEST(calculation_sheet, the_numbers_on_the_sheet_give_the_utilisation_of_every_c
       {"basis SMYS", [](Description& d) { d.checks.yield_basis = YieldBasis::smys; }},
       {"project limits",
        [](Description& d) {
-         d.checks.yield_share.overbend_static = 0.85;
-         d.checks.yield_share.sagbend_static = 0.72;
+         d.checks.allowable_stress.overbend_static = 0.85;
+         d.checks.allowable_stress.sagbend_static = 0.72;
          d.checks.limits.roller_load = 100e3;
          d.checks.limits.tension = 300e3;
        }},
@@ -173,7 +173,7 @@ TEST(calculation_sheet, the_numbers_of_a_run_give_the_utilisations_too) {
                                     &d.force,
                                     &d.load_pressure,
                                     &d.share,
-                                    &d.largest_force,
+                                    &d.max_force,
                                     &d.strain,
                                     &d.strain_time,
                                     &d.design_strain,

@@ -1,19 +1,19 @@
-/// Where the checks' regions end.
+/// Ends of the regions of the checks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "modelfile/reading/yaml_reader.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
 
-const CheckRow& row_of(const CheckTable& table, const std::string& id, CheckRegion region) {
-  const auto at =
+const CheckRow& find_check_row(const CheckTable& table, const std::string& id, CheckRegion region) {
+  const auto sample =
       std::ranges::find_if(table.rows, [&](const CheckRow& row) { return row.id == id && row.region == region; });
-  EXPECT_NE(at, table.rows.end()) << id;
-  return *at;
+  EXPECT_NE(sample, table.rows.end()) << id;
+  return *sample;
 }
 
 StaticResults checked(const Description& d) {
@@ -26,16 +26,16 @@ StaticResults checked(const Description& d) {
 TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever_the_mesh) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
   for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
-    double least = 1e9, most = 0.0;
+    double min_value = 1e9, max_value = 0.0;
     for (const double element : {0.5, 1.0, 2.0}) {
       d.mesh.overbend_element = element;
       const StaticResults results = checked(d);
-      const CheckRow& tip = row_of(results.checks, id, CheckRegion::tip);
+      const CheckRow& tip = find_check_row(results.checks, id, CheckRegion::tip);
       EXPECT_NEAR(tip.s, results.departure_s, 1e-6) << id;
-      least = std::min(least, tip.utilisation);
-      most = std::max(most, tip.utilisation);
+      min_value = std::min(min_value, tip.utilisation);
+      max_value = std::max(max_value, tip.utilisation);
     }
-    EXPECT_LT(most, 1.0005 * least) << id;
+    EXPECT_LT(max_value, 1.0005 * min_value) << id;
   }
 }
 
@@ -44,16 +44,16 @@ TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever
 TEST(check_regions, the_seabed_is_checked_up_to_touchdown_whatever_the_mesh) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
   for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
-    double least = 1e9, most = 0.0;
+    double min_value = 1e9, max_value = 0.0;
     for (const double element : {0.5, 1.0, 2.0}) {
       d.mesh.touchdown_element = element;
       const StaticResults results = checked(d);
-      const CheckRow& bed = row_of(results.checks, id, CheckRegion::seabed);
+      const CheckRow& bed = find_check_row(results.checks, id, CheckRegion::seabed);
       EXPECT_NEAR(bed.s, results.touchdown.s, 1e-6) << id;
-      least = std::min(least, bed.utilisation);
-      most = std::max(most, bed.utilisation);
+      min_value = std::min(min_value, bed.utilisation);
+      max_value = std::max(max_value, bed.utilisation);
     }
-    EXPECT_LT(most, 1.005 * least) << id;
+    EXPECT_LT(max_value, 1.005 * min_value) << id;
   }
 }
 

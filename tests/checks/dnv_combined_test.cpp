@@ -9,12 +9,12 @@
 namespace overbend {
 namespace {
 
-LoadCapacity capacity_of(const TestPipe& p) {
+LoadCapacity make_capacity(const TestPipe& p) {
   const double collapse = collapse_pressure(p.geometry(), p.fy(), p.alpha_fab, 0.005);
   return load_capacity(p.geometry(), p.fy(), p.fu(), collapse, kGammas);
 }
 
-StrainCapacity strain_capacity_of(const TestPipe& p) {
+StrainCapacity make_strain_capacity(const TestPipe& p) {
   const double collapse = collapse_pressure(p.geometry(), p.fy(), p.alpha_fab, 0.005);
   return {2.0 / strain_capacity(p.geometry(), 0.93, 0.0, 0.0), kGammas / collapse, 0.0, true};
 }
@@ -27,7 +27,7 @@ TEST(dnv_combined, load_controlled_is_that_computed_apart) {
     EXPECT_NEAR(flow_stress_factor(wall.slenderness(), p.fy(), p.fu()), p.alpha_c, 0.5e-5);
     EXPECT_NEAR(1e-3 * plastic_axial_force(wall, p.fy()), p.plastic_force, 0.5e-2);
     EXPECT_NEAR(1e-3 * plastic_moment(wall, p.fy()), p.plastic_moment, 0.5e-3);
-    const LoadTerms terms = load_terms(capacity_of(p), 1e3 * p.moment, 1e3 * p.force, p.pressure(), 0.0);
+    const LoadTerms terms = load_terms(make_capacity(p), 1e3 * p.moment, 1e3 * p.force, p.pressure(), 0.0);
     EXPECT_NEAR(terms.utilisation(), p.lcc, 0.5e-5);
   }
 }
@@ -37,7 +37,7 @@ TEST(dnv_combined, displacement_controlled_is_that_computed_apart) {
     SCOPED_TRACE(p.name);
     EXPECT_NEAR(girth_weld_factor(p.geometry().slenderness()), p.girth_weld, 0.5e-4);
     EXPECT_NEAR(strain_capacity(p.geometry(), 0.93, 0.0, 0.0), p.strain_capacity, 0.5e-5);
-    EXPECT_NEAR(strain_terms(strain_capacity_of(p), 0.002, p.pressure(), 0.0).utilisation(), p.dcc, 0.5e-5);
+    EXPECT_NEAR(strain_terms(make_strain_capacity(p), 0.002, p.pressure(), 0.0).utilisation(), p.dcc, 0.5e-5);
   }
 }
 
@@ -64,12 +64,12 @@ TEST(dnv_combined, both_criteria_are_those_of_a_public_restatement) {
 
 TEST(dnv_combined, load_effects_times_the_reserve_factor_use_the_whole_capacity) {
   for (const TestPipe& p : kTestPipes) {
-    const LoadCapacity capacity = capacity_of(p);
+    const LoadCapacity capacity = make_capacity(p);
     const double reserve = load_reserve(load_terms(capacity, 1e3 * p.moment, 1e3 * p.force, p.pressure(), 0.0));
     const LoadTerms scaled = load_terms(capacity, 1e3 * reserve * p.moment, 1e3 * reserve * p.force, p.pressure(), 0.0);
     EXPECT_GT(reserve, 1.0) << p.name;
     EXPECT_NEAR(scaled.utilisation(), 1.0, 1e-12) << p.name;  // rounding
-    const StrainCapacity strains = strain_capacity_of(p);
+    const StrainCapacity strains = make_strain_capacity(p);
     const double strain_reserve = strain_terms(strains, 0.002, p.pressure(), 0.0).reserve();
     EXPECT_NEAR(strain_terms(strains, 0.002 * strain_reserve, p.pressure(), 0.0).utilisation(), 1.0, 1e-12);
   }
@@ -77,26 +77,26 @@ TEST(dnv_combined, load_effects_times_the_reserve_factor_use_the_whole_capacity)
 
 TEST(dnv_combined, pressure_beyond_collapse_leaves_no_reserve_and_no_load_leaves_the_largest) {
   const TestPipe& p = kTestPipes[0];
-  EXPECT_EQ(load_reserve(load_terms(capacity_of(p), 1e5, 0.0, 20e6, 0.0)), 0.0);
-  EXPECT_EQ(load_reserve(load_terms(capacity_of(p), 0.0, 0.0, 1e5, 0.0)), kLargestReserve);
-  EXPECT_EQ(strain_terms(strain_capacity_of(p), 0.001, 20e6, 0.0).reserve(), 0.0);
+  EXPECT_EQ(load_reserve(load_terms(make_capacity(p), 1e5, 0.0, 20e6, 0.0)), 0.0);
+  EXPECT_EQ(load_reserve(load_terms(make_capacity(p), 0.0, 0.0, 1e5, 0.0)), kMaxReserve);
+  EXPECT_EQ(strain_terms(make_strain_capacity(p), 0.001, 20e6, 0.0).reserve(), 0.0);
 }
 
 TEST(dnv_combined, both_signs_of_the_force_weigh_the_same) {
-  const LoadCapacity capacity = capacity_of(kTestPipes[1]);
+  const LoadCapacity capacity = make_capacity(kTestPipes[1]);
   EXPECT_DOUBLE_EQ(load_terms(capacity, 9e5, 1e6, 1e7, 0.0).utilisation(),
                    load_terms(capacity, 9e5, -1e6, 1e7, 0.0).utilisation());
 }
 
 TEST(dnv_combined, external_and_internal_formula_meet_where_the_pressures_are_equal) {
-  const LoadCapacity capacity = capacity_of(kTestPipes[1]);
+  const LoadCapacity capacity = make_capacity(kTestPipes[1]);
   const double outside = load_terms(capacity, 9e5, 1e6, 1e6 + 1e-3, 1e6).utilisation();
   const double inside = load_terms(capacity, 9e5, 1e6, 1e6 - 1e-3, 1e6).utilisation();
   EXPECT_NEAR(outside, inside, 1e-12);
 }
 
 TEST(dnv_combined, internal_overpressure_counts_against_the_burst_pressure) {
-  const LoadCapacity capacity = capacity_of(kTestPipes[1]);
+  const LoadCapacity capacity = make_capacity(kTestPipes[1]);
   const double half = load_terms(capacity, 0.0, 0.0, 0.0, 0.5 * capacity.burst).utilisation();
   const double expected = (1.0 - capacity.beta) * 0.5 / capacity.alpha_c;
   EXPECT_NEAR(half, expected * expected, 1e-12);
@@ -105,7 +105,7 @@ TEST(dnv_combined, internal_overpressure_counts_against_the_burst_pressure) {
 }
 
 TEST(dnv_combined, the_formula_says_where_it_does_not_hold) {
-  const LoadCapacity capacity = capacity_of(kTestPipes[1]);
+  const LoadCapacity capacity = make_capacity(kTestPipes[1]);
   EXPECT_TRUE(load_formula_holds(capacity, 0.99 * capacity.axial_limit));
   EXPECT_FALSE(load_formula_holds(capacity, 1.01 * capacity.axial_limit));
   EXPECT_FALSE(load_formula_holds(capacity, -1.01 * capacity.axial_limit));
@@ -121,7 +121,7 @@ TEST(dnv_combined, a_roller_force_takes_from_the_plastic_moment) {
   EXPECT_EQ(point_load_factor(wall, fy, 0.0), 1.0);
   EXPECT_NEAR(point_load_factor(wall, fy, yielding), 1.0 - wall.slenderness() / 130.0, 1e-12);
   EXPECT_EQ(point_load_factor(wall, fy, 100.0 * yielding), 0.05);
-  const LoadCapacity capacity = capacity_of(kTestPipes[0]);
+  const LoadCapacity capacity = make_capacity(kTestPipes[0]);
   EXPECT_NEAR(load_terms(capacity, 1e5, 0.0, 0.0, 0.0, 0.5).moment, load_terms(capacity, 2e5, 0.0, 0.0, 0.0).moment,
               1e-12);
 }

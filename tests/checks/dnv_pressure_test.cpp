@@ -73,7 +73,7 @@ TEST(dnv_pressure, the_closed_solution_of_the_cubic_is_its_root) {
       const Wall wall{1.0, 1.0 / slenderness, 207e9, 0.3};
       const double elastic = elastic_collapse_pressure(wall), plastic = plastic_collapse_pressure(wall, 430e6, 0.85);
       const double root = by_bisection(elastic, plastic, elastic * plastic * ovality * slenderness);
-      // Where elastic and plastic pressure meet the root is nearly double, and half of the digits are left.
+      // If elastic and plastic pressure meet, the root is nearly double, and half of the digits are left.
       EXPECT_NEAR(collapse_pressure(wall, 430e6, 0.85, ovality) / root, 1.0, 1e-8) << slenderness << " " << ovality;
     }
   }
@@ -87,8 +87,8 @@ TEST(dnv_pressure, a_rounder_pipe_stands_more_and_a_round_one_the_least_of_both_
     EXPECT_GT(collapse, last);
     last = collapse;
   }
-  const double least = std::min(elastic_collapse_pressure(wall), plastic_collapse_pressure(wall, 430e6, 0.85));
-  EXPECT_NEAR(last / least, 1.0, 1e-4);  // the ovality left is small, not nothing
+  const double min_value = std::min(elastic_collapse_pressure(wall), plastic_collapse_pressure(wall, 430e6, 0.85));
+  EXPECT_NEAR(last / min_value, 1.0, 1e-4);  // the ovality left is small, not nothing
 }
 
 TEST(dnv_pressure, a_long_arrestor_is_crossed_at_its_own_pressure_and_none_at_the_pipes) {

@@ -59,7 +59,7 @@ TEST(fatigue_curve, ranges_at_ten_million_cycles_in_air_are_those_of_a_public_pa
                                   41.52,  36.84, 32.75, 29.24, 26.32, 23.39, 21.05};
   for (std::size_t i = 0; i < kRanges.size(); ++i) {
     const SnCurve curve = sn_curve(static_cast<FatigueCurve>(i), FatigueMedium::air);
-    EXPECT_NEAR(curve.range_of(1e-7) / kMPa, kRanges[i], 1e-3 * kRanges[i]) << i;
+    EXPECT_NEAR(curve.find_range(1e-7) / kMPa, kRanges[i], 1e-3 * kRanges[i]) << i;
   }
 }
 
@@ -125,10 +125,10 @@ TEST(fatigue_curve, the_range_of_a_damage_is_the_range_that_does_it) {
        {FatigueMedium::air, FatigueMedium::seawater_protected, FatigueMedium::seawater_free}) {
     const SnCurve curve = sn_curve(FatigueCurve::c1, medium);
     for (const double range : {0.3, 20.0, 80.0, 400.0}) {
-      EXPECT_NEAR(curve.range_of(curve.damage(range * kMPa)) / kMPa, range, 1e-9 * range);
+      EXPECT_NEAR(curve.find_range(curve.damage(range * kMPa)) / kMPa, range, 1e-9 * range);
     }
     EXPECT_EQ(curve.damage(0.0), 0.0);
-    EXPECT_EQ(curve.range_of(0.0), 0.0);
+    EXPECT_EQ(curve.find_range(0.0), 0.0);
   }
 }
 
@@ -199,15 +199,15 @@ std::vector<std::complex<double>> slow_amplitudes(std::size_t cycles) {
 
 /// Ranges of the record of unit deviation that these amplitudes make, with their counts.
 std::vector<RainflowCycle> counted(const std::vector<std::complex<double>>& amplitudes) {
-  constexpr int kSamples = 40;  ///< Of a cycle: its peak is met to 0.1 % in the mean.
+  constexpr int kSamples = 40;  ///< Samples of a cycle: its peak is met to 0.1 % in the mean.
   std::vector<RainflowCycle> cycles;
   const auto keep = [&](std::size_t, const RainflowCycle& cycle) { cycles.push_back(cycle); };
   RainflowCounter counter(1);
   for (std::size_t i = 0; i + 1 < amplitudes.size(); ++i) {
     for (int sample = 0; sample < kSamples; ++sample) {
       const double part = static_cast<double>(sample) / kSamples;
-      const std::complex<double> now = amplitudes[i] + part * (amplitudes[i + 1] - amplitudes[i]);
-      const double value = (now * std::polar(1.0, 2.0 * std::numbers::pi * part)).real();
+      const std::complex<double> current = amplitudes[i] + part * (amplitudes[i + 1] - amplitudes[i]);
+      const double value = (current * std::polar(1.0, 2.0 * std::numbers::pi * part)).real();
       counter.add(std::span(&value, 1), keep);
     }
   }

@@ -35,9 +35,9 @@ TEST(load_effects, without_motion_the_condition_factor_scales_the_static_part) {
 TEST(load_effects, a_moment_that_only_turns_with_the_pipe_has_not_changed) {
   const Vec3 from = Vec3(1, 0, 0), to = Vec3(std::cos(0.3), 0.0, std::sin(0.3));
   const Vec3 moment(0, 0, 5), turned(-5 * std::sin(0.3), 0, 5 * std::cos(0.3));
-  EXPECT_NEAR((carried(moment, from, to) - turned).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((transported(moment, from, to) - turned).norm(), 0.0, 1e-12);
   const Vec3 across(0, 2, 0);
-  EXPECT_NEAR((carried(across, from, to) - across).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((transported(across, from, to) - across).norm(), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Description moored() {
   return description;
 }
 
-const CheckRow* row_of(const std::vector<CheckRow>& rows, const std::string& id) {
+const CheckRow* find_check_row(const std::vector<CheckRow>& rows, const std::string& id) {
   for (const CheckRow& row : rows) {
     if (row.id == id) return &row;
   }
@@ -50,13 +50,13 @@ TEST(mooring_rows, a_line_at_half_of_its_breaking_load_is_at_its_limit_in_static
   rest.rest.name = "static";
   rest.rest.moorings = {line_with("bow", 1000e3, 0.5), line_with("stern", 800e3, 0.6)};
   const std::vector<CheckRow> rows = mooring_rows(moored(), rest, nullptr);
-  const CheckRow* row = row_of(rows, "mooring_load");
+  const CheckRow* row = find_check_row(rows, "mooring_load");
   ASSERT_NE(row, nullptr);
   EXPECT_DOUBLE_EQ(row->utilisation, 1.2);  // 0.6 times 2
   EXPECT_EQ(row->status, CheckStatus::exceeded);
   EXPECT_NEAR(row->capacity, 800e3 / 0.6 / 2.0, 1e-6);
   EXPECT_NE(row->remark.find("stern, static"), std::string::npos) << row->remark;
-  EXPECT_EQ(row_of(rows, "anchor_load"), nullptr);  // no holding power is given
+  EXPECT_EQ(find_check_row(rows, "anchor_load"), nullptr);  // no holding power is given
 }
 
 TEST(mooring_rows, a_stage_with_a_missing_line_has_the_factor_of_the_damaged_state) {
@@ -109,8 +109,8 @@ TEST(mooring_rows, the_working_load_and_the_anchor_have_rows_where_they_are_give
   rest.rest.moorings = {line_with("bow", 400e3, 0.2)};
   rest.rest.moorings.front().anchor_utilisation = 0.5;
   const std::vector<CheckRow> rows = mooring_rows(description, rest, nullptr);
-  EXPECT_DOUBLE_EQ(row_of(rows, "mooring_working_load")->utilisation, 0.8);
-  EXPECT_DOUBLE_EQ(row_of(rows, "anchor_load")->utilisation, 0.75);
+  EXPECT_DOUBLE_EQ(find_check_row(rows, "mooring_working_load")->utilisation, 0.8);
+  EXPECT_DOUBLE_EQ(find_check_row(rows, "anchor_load")->utilisation, 0.75);
 }
 
 }  // namespace

@@ -6,18 +6,18 @@ namespace overbend {
 namespace {
 
 TEST(steel_grades, yield_stresses_of_both_series_find_their_grade) {
-  EXPECT_STREQ(grade_of(414e6)->name, "X60");
-  EXPECT_DOUBLE_EQ(grade_of(414e6)->tensile_strength, 517e6);
-  EXPECT_STREQ(grade_of(415e6)->name, "X60");
-  EXPECT_DOUBLE_EQ(grade_of(415e6)->tensile_strength, 520e6);
-  EXPECT_STREQ(grade_of(450e6)->name, "X65");
-  EXPECT_STREQ(grade_of(482.6e6)->name, "X70");  // 70 ksi
+  EXPECT_STREQ(find_grade(414e6)->name, "X60");
+  EXPECT_DOUBLE_EQ(find_grade(414e6)->tensile_strength, 517e6);
+  EXPECT_STREQ(find_grade(415e6)->name, "X60");
+  EXPECT_DOUBLE_EQ(find_grade(415e6)->tensile_strength, 520e6);
+  EXPECT_STREQ(find_grade(450e6)->name, "X65");
+  EXPECT_STREQ(find_grade(482.6e6)->name, "X70");  // 70 ksi
 }
 
 TEST(steel_grades, a_yield_stress_between_grades_has_none) {
-  EXPECT_FALSE(grade_of(430e6));
-  EXPECT_FALSE(grade_of(100e6));
-  EXPECT_FALSE(grade_of(900e6));
+  EXPECT_FALSE(find_grade(430e6));
+  EXPECT_FALSE(find_grade(100e6));
+  EXPECT_FALSE(find_grade(900e6));
 }
 
 TEST(steel_grades, laying_limits_are_the_tables_and_never_interpolated) {
@@ -33,8 +33,8 @@ TEST(steel_grades, laying_limits_are_the_tables_and_never_interpolated) {
 }
 
 TEST(steel_grades, a_grade_without_a_row_has_no_limits) {
-  EXPECT_DOUBLE_EQ(laying_limits_of("X52")->static_strain, 0.00205);
-  EXPECT_FALSE(laying_limits_of("X56"));
+  EXPECT_DOUBLE_EQ(find_grade_limits("X52")->static_strain, 0.00205);
+  EXPECT_FALSE(find_grade_limits("X56"));
 }
 
 }  // namespace

@@ -21,22 +21,22 @@ TEST(weld_path, an_even_rate_does_the_damage_of_the_time_on_the_way) {
   const std::vector<double> s = stations(480.0, 41), rate(41, 1e-6);
   const WeldPath path = weld_path(s, rate, kPace);
   EXPECT_NEAR(path.mean, 1e-6 * 480.0 / 12.0 * 360.0, 1e-12);
-  EXPECT_NEAR(path.gathered.front(), path.mean, 1e-15);
-  EXPECT_EQ(path.gathered.back(), 0.0);
-  EXPECT_NEAR(path.gathered[20], 0.5 * path.mean, 1e-12);
+  EXPECT_NEAR(path.accumulated.front(), path.mean, 1e-15);
+  EXPECT_EQ(path.accumulated.back(), 0.0);
+  EXPECT_NEAR(path.accumulated[20], 0.5 * path.mean, 1e-12);
 }
 
 /// Against following welds in time, with stops at phases all over a joint.
 TEST(weld_path, mean_and_worst_are_those_of_welds_followed_through_their_stops) {
   const std::vector<double> s = stations(400.0, 81);
   std::vector<double> rate;
-  for (const double at : s) {
-    rate.push_back(1e-6 * (1.0 + std::cos(0.21 * at)) + 5e-6 * std::exp(-std::pow((at - 230.0) / 6.0, 2)));
+  for (const double position : s) {
+    rate.push_back(1e-6 * (1.0 + std::cos(0.21 * position)) + 5e-6 * std::exp(-std::pow((position - 230.0) / 6.0, 2)));
   }
-  const auto rate_at = [&](double at) {
-    const double i = std::floor(at / 5.0), fraction = at / 5.0 - i;
+  const auto rate_at = [&](double position) {
+    const double i = std::floor(position / 5.0), fraction = position / 5.0 - i;
     const std::size_t left = std::min<std::size_t>(static_cast<std::size_t>(i), rate.size() - 2);
-    return rate[left] + (at / 5.0 - static_cast<double>(left)) * (rate[left + 1] - rate[left]) + 0.0 * fraction;
+    return rate[left] + (position / 5.0 - static_cast<double>(left)) * (rate[left + 1] - rate[left]) + 0.0 * fraction;
   };
   double worst = 0.0, mean = 0.0;
   constexpr int kPhases = 2400, kPieces = 4000;
@@ -44,7 +44,8 @@ TEST(weld_path, mean_and_worst_are_those_of_welds_followed_through_their_stops) 
   for (int i = 0; i < kPieces; ++i) moving += rate_at((i + 0.5) * 400.0 / kPieces) * 400.0 / kPieces / 12.0 * 60.0;
   for (int i = 0; i < kPhases; ++i) {
     double damage = moving;
-    for (double at = 400.0 - 12.0 * i / kPhases; at >= 0.0; at -= 12.0) damage += 300.0 * rate_at(at);
+    for (double position = 400.0 - 12.0 * i / kPhases; position >= 0.0; position -= 12.0)
+      damage += 300.0 * rate_at(position);
     worst = std::max(worst, damage);
     mean += damage / kPhases;
   }

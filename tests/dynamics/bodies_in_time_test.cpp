@@ -28,39 +28,39 @@ BodyDescription tug_that_surges(const Vec3& place, double amplitude, double peri
   return tug;
 }
 
-LineEndDescription on_tug(const Vec3& at) {
+LineEndDescription on_tug(const Vec3& point) {
   LineEndDescription end;
   end.kind = LineEndKind::body;
   end.body = "tug";
-  end.at = at;
+  end.at = point;
   return end;
 }
 
 /// Range of values from a time on.
 double half_range(const testing::LineHistory& line, const std::vector<double>& values, double from) {
-  double least = 1e300, most = -1e300;
+  double min_value = 1e300, max_value = -1e300;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (line.time[i] < from) continue;
-    least = std::min(least, values[i]);
-    most = std::max(most, values[i]);
+    min_value = std::min(min_value, values[i]);
+    max_value = std::max(max_value, values[i]);
   }
-  return 0.5 * (most - least);
+  return 0.5 * (max_value - min_value);
 }
 
-TEST(line_on_a_tug, swings_as_with_an_end_that_is_told_to_move_alike) {
+TEST(line_on_a_tug, swings_as_with_an_end_of_the_same_prescribed_motion) {
   Description d = testing::chain_case(50.0, 0.0);
   d.lines[0].second.amplitude = Vec3(2.0, 0.0, 0.0);
   d.lines[0].second.period = 10.0;
-  const testing::LineHistory told = testing::run_lines(d, options_for(10.0, 10.0)).front();
+  const testing::LineHistory prescribed = testing::run_lines(d, options_for(10.0, 10.0)).front();
   d.lines[0].second.amplitude = Vec3::Zero();
   d.lines[0].second.period = 0.0;
   d.bodies = {tug_that_surges(Vec3(12.0, -7.0, 0.0), 2.0, 10.0)};
   d.lines[0].second = on_tug(Vec3(-12.0, 7.0, 0.0));
-  const testing::LineHistory carried = testing::run_lines(d, options_for(10.0, 10.0)).front();
-  ASSERT_EQ(carried.last.size(), told.last.size());
+  const testing::LineHistory transported = testing::run_lines(d, options_for(10.0, 10.0)).front();
+  ASSERT_EQ(transported.last.size(), prescribed.last.size());
   // The same motion: left is the rounding of places, over a chain's stiffness, and what steps make of it.
-  for (std::size_t i = 0; i < told.last.size(); ++i) {
-    EXPECT_NEAR(carried.last[i], told.last[i], 1e-4 * told.most_last) << told.time[i];
+  for (std::size_t i = 0; i < prescribed.last.size(); ++i) {
+    EXPECT_NEAR(transported.last[i], prescribed.last[i], 1e-4 * prescribed.max_last_tension) << prescribed.time[i];
   }
 }
 
@@ -69,7 +69,7 @@ TEST(line_on_a_body_that_stays, swings_not_at_all) {
   d.bodies = {tug_that_surges(Vec3::Zero(), 0.0, 10.0)};
   d.lines[0].second = on_tug(Vec3::Zero());
   const testing::LineHistory line = testing::run_lines(d, options_for(5.0, 5.0)).front();
-  EXPECT_NEAR(line.most_last, line.least_last, 1e-6 * line.most_last);
+  EXPECT_NEAR(line.max_last_tension, line.min_last_tension, 1e-6 * line.max_last_tension);
 }
 
 /// A mass in the middle of a taut rope between a wall and a tug: two springs, m u'' = k (X - u) - k u.
@@ -95,7 +95,7 @@ TEST(mass_on_a_hawser, is_the_oscillator_that_two_springs_make_of_it) {
   EXPECT_NEAR(half_range(line, line.last, 20.0), std::abs(k * (1.0 - share) * kAmplitude), 0.02 * k * kAmplitude);
 }
 
-TEST(bodies_in_time, are_told_of_by_their_motion_and_the_pull_of_lines) {
+TEST(bodies_in_time, are_reported_with_their_motion_and_the_pull_of_lines) {
   Description d = testing::chain_case(50.0, 0.0);
   d.bodies = {tug_that_surges(Vec3::Zero(), 2.0, 10.0)};
   d.lines[0].second = on_tug(Vec3::Zero());
@@ -136,7 +136,7 @@ VesselPose pose_in_waves(const Description& d, const Model& model, const ModelEq
   options.seed = d.environment.waves.seed;
   Simulation run(model, *rest.solution, 0.0, options);
   EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
-  return run.now().vessel().pose;
+  return run.present().vessel().pose;
 }
 
 TEST(hull_on_lines, goes_in_waves_as_on_mooring_lines) {
@@ -147,8 +147,8 @@ TEST(hull_on_lines, goes_in_waves_as_on_mooring_lines) {
   Model lines = build_model(alone);
   const ModelEquilibrium elements = solve_equilibrium(lines);
   ASSERT_FALSE(elements.failure);
-  const auto wanted = shift_between(moored.drawn_pose, pose_in_waves(d, moored, catenaries));
-  const auto found = shift_between(lines.drawn_pose, pose_in_waves(alone, lines, elements));
+  const auto wanted = shift_between(moored.nominal_pose, pose_in_waves(d, moored, catenaries));
+  const auto found = shift_between(lines.nominal_pose, pose_in_waves(alone, lines, elements));
   // Two meshes of the lines, and steps that their errors choose; the hull heaves and surges by decimetres.
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], wanted[k], 3e-3) << k;
   for (std::size_t k = 3; k < 6; ++k) EXPECT_NEAR(found[k], wanted[k], 5e-5) << k;

@@ -15,7 +15,7 @@ using namespace testing;
 System soft_pendulum(double EI, int elements) {
   System system = rod_system({400.0, EI, 1.2, 1.2 * kGravity}, 2.0, elements);
   first_end(system).hold_place = true;
-  rod_of(system).force_scale = 2.4 * kGravity;
+  first_rod(system).force_scale = 2.4 * kGravity;
   return system;
 }
 
@@ -26,20 +26,20 @@ std::vector<double> swung(const System& system, const std::function<double(int)>
   return rod.line_now().q;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+double max_deviation(const std::vector<double>& a, const std::vector<double>& b) {
+  double max_value = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) max_value = std::max(max_value, std::abs(a[i] - b[i]));
+  return max_value;
 }
 
-/// Orders seen at two halvings of the step, where `step_of(n)` gives n steps over half a second.
-void expect_second_order(const std::function<std::function<double(int)>(int)>& step_of) {
+/// Orders seen at two halvings of the step, where `make_step(n)` gives n steps over half a second.
+void expect_second_order(const std::function<std::function<double(int)>(int)>& make_step) {
   const System system = soft_pendulum(1.0, 2);
   const std::vector<double> exact = swung(
       system, [](int) { return 0.5 / 6400; }, 6400);
   double before = 0.0;
   for (const int n : {200, 400, 800}) {
-    const double error = largest_difference(swung(system, step_of(n), n), exact);
+    const double error = max_deviation(swung(system, make_step(n), n), exact);
     if (before > 0.0) {
       EXPECT_NEAR(std::log2(before / error), 2.0, 0.15) << n;  // the next order, and the error of the finest: 1/64
     }
@@ -60,10 +60,10 @@ TEST(dynamic_accuracy, error_falls_with_the_square_of_steps_that_change_every_ti
 }
 
 struct EnergyRecord {
-  double largest_change = 0.0, last_change = 0.0, exchanged = 0.0;
+  double max_relative_change = 0.0, last_change = 0.0, exchanged = 0.0;
 };
 
-/// Of a free flexible pendulum: no force but its own weight, so that the energy stays.
+/// Energy of a free flexible pendulum: no force but its own weight, so that the energy stays.
 EnergyRecord pendulum_energy(double spectral_radius, double h) {
   const System system = soft_pendulum(5.0, 3);
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()), {spectral_radius, 1e-11, 20});
@@ -71,18 +71,18 @@ EnergyRecord pendulum_energy(double spectral_radius, double h) {
   const double start = stored(rod.energy());
   EnergyRecord record;
   rod.run(h, static_cast<int>(std::lround(3.0 / h)), [&] {
-    const InstantEnergy now = rod.energy();
-    record.last_change = stored(now) - start;
-    record.largest_change = std::max(record.largest_change, std::abs(record.last_change));
-    record.exchanged = std::max(record.exchanged, now.line.kinetic);
+    const InstantEnergy instant_energy = rod.energy();
+    record.last_change = stored(instant_energy) - start;
+    record.max_relative_change = std::max(record.max_relative_change, std::abs(record.last_change));
+    record.exchanged = std::max(record.exchanged, instant_energy.line.kinetic);
   });
   return record;
 }
 
 TEST(dynamic_accuracy, energy_of_a_free_pendulum_is_kept_to_second_order_without_damping) {
   const EnergyRecord coarse = pendulum_energy(1.0, 0.002), fine = pendulum_energy(1.0, 0.001);
-  EXPECT_LT(coarse.largest_change, 1e-4 * coarse.exchanged);           // 1000 steps to a swing
-  EXPECT_NEAR(coarse.largest_change / fine.largest_change, 4.0, 0.8);  // largest values fall between steps
+  EXPECT_LT(coarse.max_relative_change, 1e-4 * coarse.exchanged);                // 1000 steps to a swing
+  EXPECT_NEAR(coarse.max_relative_change / fine.max_relative_change, 4.0, 0.8);  // largest values fall between steps
 }
 
 TEST(dynamic_accuracy, energy_of_a_free_pendulum_only_drains_with_damping) {
@@ -99,35 +99,35 @@ double sagbend_imbalance(double h) {
   pipe.drag_normal = 0.5 * 1025.0 * 1.2 * 0.4;
   pipe.displaced_mass = pipe.added_normal = 140.0;
   System system = rod_system(pipe, 40.0, 20);
-  rod_of(system).environment.bed_offset = -30.2;
-  rod_of(system).environment.bed_stiffness = 2e4;
-  rod_of(system).environment.bed_friction_lateral = 0.5;
-  rod_of(system).environment.bed_stick = 2e4;
+  first_rod(system).environment.bed_offset = -30.2;
+  first_rod(system).environment.bed_stiffness = 2e4;
+  first_rod(system).environment.bed_friction_lateral = 0.5;
+  first_rod(system).environment.bed_stick = 2e4;
   first_end(system).hold_place = last_end(system).hold_place = true;
-  rod_of(system).force_scale = 40.0 * pipe.weight;
-  system.surroundings = [](double t, Surroundings& now) {
+  first_rod(system).force_scale = 40.0 * pipe.weight;
+  system.surroundings = [](double t, Surroundings& surroundings) {
     const double w = 3.0;
-    now.ends[0].place = Vec3(0.0, 0.0, -30.0);
-    now.ends[1].place = Vec3(40.0, 0.0, -30.0 + 0.5 * (1.0 - std::cos(w * t)));
-    now.ends[1].velocity = Vec3(0.0, 0.0, 0.5 * w * std::sin(w * t));
-    now.ends[1].acceleration = Vec3(0.0, 0.0, 0.5 * w * w * std::cos(w * t));
+    surroundings.ends[0].place = Vec3(0.0, 0.0, -30.0);
+    surroundings.ends[1].place = Vec3(40.0, 0.0, -30.0 + 0.5 * (1.0 - std::cos(w * t)));
+    surroundings.ends[1].velocity = Vec3(0.0, 0.0, 0.5 * w * std::sin(w * t));
+    surroundings.ends[1].acceleration = Vec3(0.0, 0.0, 0.5 * w * w * std::cos(w * t));
   };
   MovingRod rod(system, straight(system, Vec3(0.0, 0.0, -30.0), Vec3::UnitX()), {0.8, 1e-10, 20});
   rod.begin();
   rod.step(1e-6);  // so that the first energy is that of a state in balance, contacts and all
   InstantEnergy before = rod.energy();
   const double start = stored(before);
-  double work = 0.0, largest = 0.0;
+  double work = 0.0, max_value = 0.0;
   const auto power = [](const InstantEnergy& e) {
     return e.line.fluid_power + e.top_power + e.anchor_power - e.line.seabed_loss;
   };
   rod.run(h, static_cast<int>(std::lround(2.0 / h)), [&] {
-    const InstantEnergy now = rod.energy();
-    work += 0.5 * h * (power(before) + power(now));
-    largest = std::max(largest, std::abs(stored(now) - start - work));
-    before = now;
+    const InstantEnergy instant_energy = rod.energy();
+    work += 0.5 * h * (power(before) + power(instant_energy));
+    max_value = std::max(max_value, std::abs(stored(instant_energy) - start - work));
+    before = instant_energy;
   });
-  return largest;
+  return max_value;
 }
 
 TEST(dynamic_accuracy, energy_balance_with_drag_and_bed_closes_to_second_order) {

@@ -19,7 +19,7 @@ double pinned_frequency(int mode) {
 }
 
 // The cubic elements and their consistent mass err by (wave number x element)^4/720, 4e-7 for the fifth mode of 40.
-// What is left is the shift of the kernel's curvature and mass by the stretch of 9e-5.
+// The remaining difference is the shift of the kernel's curvature and mass by the stretch of 9e-5.
 constexpr double kFrequencyShare = 1e-4;
 
 TEST(dynamic_benchmarks, pinned_beam_under_tension_has_the_frequencies_of_the_closed_form) {

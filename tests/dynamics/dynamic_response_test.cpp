@@ -39,12 +39,12 @@ double difference_from_linear_response(double added_mass, double h) {
   constexpr int kElements = 20;
   TensionedBeam beam(false, kElements, added_mass);
   const DrivenBeam exact(TensionedBeam::kMass + added_mass);
-  const auto still = beam.system.surroundings;
-  beam.system.surroundings = [still](double t, Surroundings& now) {
-    still(t, now);
-    now.ends[1].place.z() += kAmplitude * std::sin(kOmega * t);
-    now.ends[1].velocity = Vec3(0.0, 0.0, kAmplitude * kOmega * std::cos(kOmega * t));
-    now.ends[1].acceleration = Vec3(0.0, 0.0, -kAmplitude * kOmega * kOmega * std::sin(kOmega * t));
+  const auto at_rest = beam.system.surroundings;
+  beam.system.surroundings = [at_rest](double t, Surroundings& surroundings) {
+    at_rest(t, surroundings);
+    surroundings.ends[1].place.z() += kAmplitude * std::sin(kOmega * t);
+    surroundings.ends[1].velocity = Vec3(0.0, 0.0, kAmplitude * kOmega * std::cos(kOmega * t));
+    surroundings.ends[1].acceleration = Vec3(0.0, 0.0, -kAmplitude * kOmega * kOmega * std::sin(kOmega * t));
   };
   MovingRod rod(beam.system, beam.q, {0.8, 1e-9, 12});
   for (int node = 0; node <= kElements; ++node) {
@@ -54,16 +54,16 @@ double difference_from_linear_response(double added_mass, double h) {
     rod.line_now().v[dof + 5] = kAmplitude * kOmega * exact.slope(x) * (1.0 + TensionedBeam::kStretch);
   }
   rod.begin();
-  double largest = 0.0;
+  double max_value = 0.0;
   rod.run(h, static_cast<int>(5.0 / h), [&] {
     for (int node = 0; node <= kElements; ++node) {
       const double x = TensionedBeam::kLength * node / kElements;
-      const double expected = kAmplitude * exact.value(x) * std::sin(kOmega * rod.now.time);
+      const double expected = kAmplitude * exact.value(x) * std::sin(kOmega * rod.state.time);
       const double level = place(beam.q, node).z();
-      largest = std::max(largest, std::abs(rod.r(node).z() - level - expected));
+      max_value = std::max(max_value, std::abs(rod.r(node).z() - level - expected));
     }
   });
-  return largest;
+  return max_value;
 }
 
 TEST(dynamic_response, lateral_motion_of_an_end_in_air_is_answered_as_linear_theory_says) {
@@ -84,13 +84,13 @@ System coarse_sagbend() {
   pipe.drag_normal = 0.5 * 1025.0 * 1.2 * 0.4;
   pipe.displaced_mass = pipe.added_normal = 130.0;
   System system = rod_system(pipe, 30.0, 10);
-  rod_of(system).environment.bed_offset = -30.2;
-  rod_of(system).environment.bed_stiffness = 2e4;
-  rod_of(system).environment.bed_stick = 2e4;
-  rod_of(system).environment.bed_friction_lateral = 0.5;
-  rod_of(system).environment.bed_damping = 1e3;
+  first_rod(system).environment.bed_offset = -30.2;
+  first_rod(system).environment.bed_stiffness = 2e4;
+  first_rod(system).environment.bed_stick = 2e4;
+  first_rod(system).environment.bed_friction_lateral = 0.5;
+  first_rod(system).environment.bed_damping = 1e3;
   first_end(system).hold_place = first_end(system).hold_direction = last_end(system).hold_place = true;
-  rod_of(system).force_scale = 30.0 * pipe.weight;
+  first_rod(system).force_scale = 30.0 * pipe.weight;
   ContactLaw law;
   law.stiffness = 5e4;
   law.damping = 2e3;
@@ -100,13 +100,14 @@ System coarse_sagbend() {
   system.bodies[0].rollers = {roller_under(20.0, 0.2, law)};
   system.bodies[0].rollers[0].center_V.z() += -28.1;
   system.bodies[0].cells = endless_cells();
-  system.surroundings = [](double t, Surroundings& now) {
+  system.surroundings = [](double t, Surroundings& surroundings) {
     constexpr double kRate = 3.0;
-    now.ends[0].place = Vec3(0.0, 0.0, -30.0);
-    now.ends[0].direction = Vec3::UnitX();
-    now.ends[1].place = Vec3(29.0, 0.5 * std::sin(kRate * t), -26.0 - 0.6 * (1.0 - std::cos(kRate * t)));
-    now.ends[1].velocity = Vec3(0.0, 0.5 * kRate * std::cos(kRate * t), -0.6 * kRate * std::sin(kRate * t));
-    now.ends[1].acceleration = kRate * kRate * Vec3(0.0, -0.5 * std::sin(kRate * t), -0.6 * std::cos(kRate * t));
+    surroundings.ends[0].place = Vec3(0.0, 0.0, -30.0);
+    surroundings.ends[0].direction = Vec3::UnitX();
+    surroundings.ends[1].place = Vec3(29.0, 0.5 * std::sin(kRate * t), -26.0 - 0.6 * (1.0 - std::cos(kRate * t)));
+    surroundings.ends[1].velocity = Vec3(0.0, 0.5 * kRate * std::cos(kRate * t), -0.6 * kRate * std::sin(kRate * t));
+    surroundings.ends[1].acceleration =
+        kRate * kRate * Vec3(0.0, -0.5 * std::sin(kRate * t), -0.6 * std::cos(kRate * t));
   };
   return system;
 }
@@ -114,7 +115,7 @@ System coarse_sagbend() {
 /// A cubic from the bed to the top.
 std::vector<double> sagging(const System& system) {
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) {
+  for (const double s : first_rod(system).mesh.s) {
     const double u = s / 30.0;
     q.insert(q.end(), {29.0 * u, 0.0, -30.0 + 4.0 * u * u * (1.5 - 0.5 * u), 29.0 / 30.0, 0.0,
                        4.0 / 30.0 * u * (3.0 - 1.5 * u)});
@@ -129,7 +130,7 @@ struct Ride {
 };
 
 void record(MovingRod& rod, Ride& ride) {
-  if (ride.first_hit == 0.0 && rod.contacts()[0].normal > 0.0) ride.first_hit = rod.now.time;
+  if (ride.first_hit == 0.0 && rod.contacts()[0].normal > 0.0) ride.first_hit = rod.state.time;
 }
 
 Ride implicit_ride(double h) {
@@ -148,23 +149,23 @@ Ride explicit_ride(double h) {
   MovingRod rod(system, sagging(system));
   rod.line_now().v[rod.line_now().v.size() - 5] = 1.5;
   rod.begin();
-  SystemState next = rod.now;
+  SystemState next = rod.state;
   Ride ride;
   for (int i = 0; i < static_cast<int>(std::lround(1.0 / h)); ++i) {
-    if (!explicit_step(rod.assembly(), rod.now, h, next)) throw std::runtime_error("unstable");
-    std::swap(rod.now, next);
+    if (!explicit_step(rod.assembly(), rod.state, h, next)) throw std::runtime_error("unstable");
+    std::swap(rod.state, next);
     record(rod, ride);
   }
   ride.q = rod.line_now().q;
   return ride;
 }
 
-double largest_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
+double max_state_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double max_value = 0.0;
   for (int node = 0; node < static_cast<int>(a.size()) / 6; ++node) {
-    largest = std::max(largest, (place(a, node) - place(b, node)).norm());
+    max_value = std::max(max_value, (place(a, node) - place(b, node)).norm());
   }
-  return largest;
+  return max_value;
 }
 
 TEST(explicit_step, agrees_with_the_implicit_scheme_on_a_sagbend_that_hits_a_roller) {
@@ -172,37 +173,37 @@ TEST(explicit_step, agrees_with_the_implicit_scheme_on_a_sagbend_that_hits_a_rol
   const Ride a = explicit_ride(h), b = implicit_ride(h);
   // Points of the pipe have moved by a metre. Friction and the jump of a damped contact leave errors of first order in
   // both: each is 1.2e-4 m from what both tend to.
-  EXPECT_LT(largest_distance(a.q, b.q), 2e-4);
-  EXPECT_GT(largest_distance(a.q, sagging(coarse_sagbend())), 1.0);
+  EXPECT_LT(max_state_distance(a.q, b.q), 2e-4);
+  EXPECT_GT(max_state_distance(a.q, sagging(coarse_sagbend())), 1.0);
   EXPECT_GT(a.first_hit, 0.1);
   EXPECT_NEAR(a.first_hit, b.first_hit, 2.0 * h);
 }
 
 TEST(explicit_step, tends_to_what_the_implicit_scheme_tends_to) {
   const Ride fine = explicit_ride(1e-4);
-  const double coarse = largest_distance(implicit_ride(4e-3).q, fine.q);
-  EXPECT_LT(largest_distance(implicit_ride(1e-3).q, fine.q), 0.5 * coarse);  // first order would give a quarter
+  const double coarse = max_state_distance(implicit_ride(4e-3).q, fine.q);
+  EXPECT_LT(max_state_distance(implicit_ride(1e-3).q, fine.q), 0.5 * coarse);  // first order would give a quarter
 }
 
-/// A soft chain let go level, after half a second, in `steps` steps of central differences.
+/// A soft chain released level, after half a second, in `steps` steps of central differences.
 std::vector<double> explicit_pendulum(int steps) {
   System system = rod_system({400.0, 1.0, 1.2, 1.2 * kGravity}, 2.0, 2);
   first_end(system).hold_place = true;
-  rod_of(system).force_scale = 2.4 * kGravity;
+  first_rod(system).force_scale = 2.4 * kGravity;
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
-  SystemState next = rod.now;
+  SystemState next = rod.state;
   for (int i = 0; i < steps; ++i) {
-    if (!explicit_step(rod.assembly(), rod.now, 0.5 / steps, next)) throw std::runtime_error("unstable");
-    std::swap(rod.now, next);
+    if (!explicit_step(rod.assembly(), rod.state, 0.5 / steps, next)) throw std::runtime_error("unstable");
+    std::swap(rod.state, next);
   }
   return rod.line_now().q;
 }
 
 TEST(explicit_step, error_falls_with_the_square_of_the_step) {
   const std::vector<double> exact = explicit_pendulum(6400);
-  const double coarse = largest_distance(explicit_pendulum(400), exact);
-  const double fine = largest_distance(explicit_pendulum(800), exact);
+  const double coarse = max_state_distance(explicit_pendulum(400), exact);
+  const double fine = max_state_distance(explicit_pendulum(800), exact);
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.1);  // the finest errs by 1/64 of `fine`
   EXPECT_LT(fine, 1e-4);
 }
@@ -211,11 +212,11 @@ TEST(explicit_step, says_so_when_steps_are_too_long_to_be_stable) {
   const System system = coarse_sagbend();
   MovingRod rod(system, sagging(system));
   rod.begin();
-  SystemState next = rod.now;
+  SystemState next = rod.state;
   bool finite = true;
   for (int i = 0; i < 1000 && finite; ++i) {
-    finite = explicit_step(rod.assembly(), rod.now, 0.05, next);
-    std::swap(rod.now, next);
+    finite = explicit_step(rod.assembly(), rod.state, 0.05, next);
+    std::swap(rod.state, next);
   }
   EXPECT_FALSE(finite);
 }

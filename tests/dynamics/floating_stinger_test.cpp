@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/run/simulation.h"
-#include "dynamics/setup/dynamic_obstacle.h"
+#include "dynamics/setup/unsupported_in_dynamics.h"
 #include "model/pipe/section.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "seafiles/hydrodynamics_reader.h"
@@ -21,7 +21,7 @@ Description calm(const std::string& name) {
   d.rollers.front().stiffness = 2e7;
   d.mesh.overbend_element = 1.5;
   d.mesh.touchdown_element = 4.0;
-  d.mesh.longest_element = 10.0;
+  d.mesh.max_element_length = 10.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 4.0;
   d.dynamics->build_up = 2.0;
@@ -42,7 +42,7 @@ struct InTime {
 };
 
 HingeReading reading(const Simulation& simulation) {
-  return simulation.now().assembly->hinged().reading(0);
+  return simulation.present().assembly->hinged().reading(0);
 }
 
 TEST(floating_stinger, begins_in_the_equilibrium_of_statics_and_stays_there) {
@@ -61,11 +61,11 @@ TEST(floating_stinger, begins_in_the_equilibrium_of_statics_and_stays_there) {
 
 TEST(floating_stinger, in_a_current_begins_in_the_equilibrium_of_statics_and_stays_there) {
   Description d = calm("HS16-tanks");
-  const double still = InTime(d).statics.stinger.at(0).angle;
+  const double static_angle = InTime(d).statics.stinger.at(0).angle;
   d.environment.current = {{0.0, 0.8, d.vessel.heading}, {d.environment.water_depth, 0.8, d.vessel.heading}};
   const InTime lay(d);
   const StingerSectionResult& at_rest = lay.statics.stinger.at(0);
-  EXPECT_GT(std::abs(at_rest.angle - still), 1e-3);
+  EXPECT_GT(std::abs(at_rest.angle - static_angle), 1e-3);
   Simulation simulation = lay.simulation();
   ASSERT_FALSE(simulation.failure());
   EXPECT_NEAR(reading(simulation).force.norm(), at_rest.hinge_force, 2e-3 * at_rest.hinge_force);
@@ -117,7 +117,7 @@ TEST(floating_stinger, resumes_from_a_checkpoint_bit_for_bit) {
   ASSERT_TRUE(whole.advance(1.0));
   ASSERT_TRUE(resumed.advance(1.0));
   EXPECT_EQ(reading(whole).angle, reading(resumed).angle);
-  EXPECT_EQ(whole.now().state->lines[0].q, resumed.now().state->lines[0].q);
+  EXPECT_EQ(whole.present().state->lines[0].q, resumed.present().state->lines[0].q);
 }
 
 TEST(floating_stinger, that_the_ship_holds_is_part_of_the_vessel) {
@@ -125,7 +125,7 @@ TEST(floating_stinger, that_the_ship_holds_is_part_of_the_vessel) {
   d.supports.sections.front().angle = 0.01;
   const InTime lay(d);
   const Simulation simulation = lay.simulation();
-  EXPECT_TRUE(simulation.now().assembly->hinged().empty());
+  EXPECT_TRUE(simulation.present().assembly->hinged().empty());
   EXPECT_EQ(simulation.system().bodies.size(), 1U);
 }
 
@@ -150,20 +150,21 @@ Description afloat() {
   return d;
 }
 
-// Hull, pipe and stinger come to rest together before they are let go: the far end pulls the hull by a metre against
-// its springs, the pipe lies otherwise on the rollers, and the stinger, which floats softly, turns by half a degree.
+// Hull, pipe and stinger reach equilibrium together before they are released: the far end pulls the hull by a metre
+// against its springs, the pipe lies otherwise on the rollers, and the stinger, which floats softly, turns by half a
+// degree.
 TEST(floating_stinger, on_a_hull_that_floats_free_starts_from_rest_and_keeps_account_of_its_energy) {
   const InTime lay(afloat());
-  ASSERT_FALSE(dynamic_obstacle(lay.model));
+  ASSERT_FALSE(unsupported_in_dynamics(lay.model));
   Simulation simulation = lay.simulation();
   ASSERT_FALSE(simulation.failure());
-  const std::vector<HullState> first = simulation.now().state->bodies;
+  const std::vector<HullState> first = simulation.present().state->bodies;
   ASSERT_EQ(first.size(), 2U);
   EXPECT_LT(first[0].acc.head<3>().norm(), 1e-6 * kGravity);
   EXPECT_LT(std::abs(first[1].acc(kHingeFreedom)), 1e-5);
   EXPECT_NEAR(reading(simulation).angle, lay.statics.stinger.at(0).angle, 0.02);
   ASSERT_TRUE(simulation.advance(simulation.end()));
-  EXPECT_GT(std::abs(simulation.now().state->bodies[0].h(2) - first[0].h(2)), 1e-3);
+  EXPECT_GT(std::abs(simulation.present().state->bodies[0].h(2) - first[0].h(2)), 1e-3);
   EXPECT_LT(std::abs(simulation.energy().drift()), 0.01);
 }
 

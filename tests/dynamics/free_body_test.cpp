@@ -1,4 +1,4 @@
-/// Free bodies with lines in time: against closed forms, told motions, invariances.
+/// Free bodies with lines in time: against closed forms, prescribed motions, invariances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,38 +19,41 @@ class BodyRun {
  public:
   BodyRun(const System& system, const std::vector<std::vector<double>>& q,
           const StepSettings& settings = {1.0, 1e-11, 30})
-      : system_(system), assembly_(kept(system_)), stepper_(assembly_, settings), now(state_at_rest(system_, q, 0.0)) {}
+      : system_(system),
+        assembly_(kept(system_)),
+        stepper_(assembly_, settings),
+        state(state_at_rest(system_, q, 0.0)) {}
   BodyRun(const BodyRun&) = delete;
   BodyRun& operator=(const BodyRun&) = delete;
 
   void begin() {
-    assembly_.set_time(now.time, now);
-    assembly_.impose_ends(now);
-    ASSERT_TRUE(assembly_.find_accelerations(now));
-    for (LineState& line : now.lines) line.alg = line.acc;
-    for (AttachmentState& end : now.attachments) end.guide.alg = end.guide.acc;
-    for (HullState& body : now.bodies) body.alg = body.acc;
-    next_ = now;
+    assembly_.set_time(state.time, state);
+    assembly_.impose_ends(state);
+    ASSERT_TRUE(assembly_.find_accelerations(state));
+    for (LineState& line : state.lines) line.algorithmic_acceleration = line.acc;
+    for (AttachmentState& end : state.attachments) end.guide.algorithmic_acceleration = end.guide.acc;
+    for (HullState& body : state.bodies) body.algorithmic_acceleration = body.acc;
+    next_ = state;
   }
   void step(double h) {
-    const StepReport report = stepper_.step(now, h, next_);
-    EXPECT_TRUE(report.converged()) << now.time << " " << report.residual;
-    std::swap(now, next_);
+    const StepReport report = stepper_.step(state, h, next_);
+    EXPECT_TRUE(report.converged()) << state.time << " " << report.residual;
+    std::swap(state, next_);
   }
   void steps(double h, int count) {
     for (int i = 0; i < count; ++i) step(h);
   }
   double energy() const {
-    const InstantEnergy e = assembly_.energy(now);
+    const InstantEnergy e = assembly_.energy(state);
     return stored(e) + e.bodies.kinetic + e.bodies.stored;
   }
   Assembly& assembly() { return assembly_; }
   TimeStepper& stepper() { return stepper_; }
-  const HullState& body(std::size_t i = 0) const { return now.bodies[i]; }
+  const HullState& body(std::size_t i = 0) const { return state.bodies[i]; }
 
  private:
   static const System& kept(System& system) {
-    system.surroundings = still(system);
+    system.surroundings = surroundings_at_rest(system);
     return system;
   }
 
@@ -60,7 +63,7 @@ class BodyRun {
   SystemState next_;
 
  public:
-  SystemState now;
+  SystemState state;
 };
 
 std::vector<std::vector<double>> level(const System& system) {
@@ -82,14 +85,14 @@ TEST(free_body, on_a_spring_and_a_cable_swings_with_the_period_of_both) {
   const double EA = 8e3;
   const System system = tied_body(EA, springs);
   BodyRun run(system, {straight(system, Vec3::Zero(), Vec3::UnitX(), 0.05)});
-  run.now.bodies[0].h(0) = 0.2;  // 5 % of 4 m
+  run.state.bodies[0].h(0) = 0.2;  // 5 % of 4 m
   run.begin();
   const double omega = std::sqrt((600.0 + EA / 4.0) / springs.body.mass);
   const double h = 2.0 * std::numbers::pi / omega / 400.0;
   double error = 0.0;
   for (int i = 0; i < 100; ++i) {  // a quarter of a period, in which the cable stays taut
     run.step(h);
-    error = std::max(error, std::abs(run.body().h(0) - 0.2 * std::cos(omega * run.now.time)));
+    error = std::max(error, std::abs(run.body().h(0) - 0.2 * std::cos(omega * run.state.time)));
   }
   EXPECT_LT(error, 2e-4 * 0.2 + 1e-5);
   EXPECT_LT(run.body().h.tail<5>().norm(), 1e-12);
@@ -111,13 +114,13 @@ TEST(free_body, with_an_ideal_winch_feels_the_constant_tension_of_its_line) {
   const double h = 2.0 * std::numbers::pi / omega / 400.0;
   for (int i = 0; i < 300; ++i) {
     run.step(h);
-    const double expected = -kTension / 600.0 * (1.0 - std::cos(omega * run.now.time));
+    const double expected = -kTension / 600.0 * (1.0 - std::cos(omega * run.state.time));
     ASSERT_NEAR(run.body().h(0), expected, 1e-4 * kTension / 600.0) << i;
-    ASSERT_NEAR(run.now.attachments[1].travel.q, expected, 1e-4 * kTension / 600.0) << i;
+    ASSERT_NEAR(run.state.attachments[1].travel.q, expected, 1e-4 * kTension / 600.0) << i;
   }
 }
 
-/// A body on springs between two cables with weight, one to a point beside it and one to its top, pinned and clamped.
+/// A body on springs between two cables with weight, one to a point next to it and one to its top, pinned and clamped.
 System between_cables() {
   System system = rod_system({2e3, 2.0, 0.8, 0.8 * kGravity}, 4.0, 8);
   system.lines.push_back(system.lines[0]);
@@ -145,7 +148,7 @@ std::vector<std::vector<double>> two_level(const System& system) {
 double energy_change(double h) {
   const System system = between_cables();
   BodyRun run(system, two_level(system));
-  run.now.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
+  run.state.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
   run.begin();
   const double first = run.energy();
   double change = 0.0;
@@ -183,10 +186,10 @@ std::pair<SystemState, Vec3> turned(double angle) {
     }
   }
   BodyRun run(system, q, {0.8, 1e-12, 30});
-  run.now.bodies[0].h << turn * Vec3(0.0, 0.0, 0.0), 0.0, 0.0, angle;
+  run.state.bodies[0].h << turn * Vec3(0.0, 0.0, 0.0), 0.0, 0.0, angle;
   run.begin();
   run.steps(2e-3, 100);
-  return {run.now, turn.transpose() * run.now.bodies[0].h.head<3>()};
+  return {run.state, turn.transpose() * run.state.bodies[0].h.head<3>()};
 }
 
 TEST(free_body, in_a_turned_world_does_the_same) {
@@ -198,9 +201,9 @@ TEST(free_body, in_a_turned_world_does_the_same) {
     EXPECT_LT((back - place).norm(), 1e-9) << degrees;
     EXPECT_LT((state.bodies[0].h.tail<3>() - plain.bodies[0].h.tail<3>() - angle * Vec3::UnitZ()).norm(), 1e-9);
     for (std::size_t i = 0; i < plain.lines[1].q.size(); i += 3) {
-      const Vec3 here(Eigen::Map<const Vec3>(plain.lines[1].q.data() + i));
-      const Vec3 there(Eigen::Map<const Vec3>(state.lines[1].q.data() + i));
-      EXPECT_LT((turned_about_z(-angle) * there - here).norm(), 1e-9) << degrees << " " << i;
+      const Vec3 original(Eigen::Map<const Vec3>(plain.lines[1].q.data() + i));
+      const Vec3 rotated(Eigen::Map<const Vec3>(state.lines[1].q.data() + i));
+      EXPECT_LT((turned_about_z(-angle) * rotated - original).norm(), 1e-9) << degrees << " " << i;
     }
   }
 }
@@ -228,26 +231,26 @@ System heavy_with_rod(bool free) {
 const Vec3 kSpeed(0.3, -0.2, 0.1);
 constexpr double kTurning = 0.4;
 
-TEST(free_body, that_nothing_can_move_carries_lines_like_a_body_whose_motion_is_told) {
+TEST(free_body, that_nothing_can_move_carries_lines_like_a_body_whose_motion_is_prescribed) {
   const Vec3 reference(0.5, 0.0, 0.2);
-  const auto told = [&](double t) {
-    HullState at;
-    at.h << reference + kSpeed * t, 0.0, 0.0, kTurning * t;
-    at.v << kSpeed, 0.0, 0.0, kTurning;
-    return at;
+  const auto prescribed_motion = [&](double t) {
+    HullState hull_state;
+    hull_state.h << reference + kSpeed * t, 0.0, 0.0, kTurning * t;
+    hull_state.v << kSpeed, 0.0, 0.0, kTurning;
+    return hull_state;
   };
   System prescribed = heavy_with_rod(false);
   FreeBody kinematics;
   kinematics.reference_V = reference;
-  prescribed.surroundings = [&](double t, Surroundings& now) {
-    now.bodies[0] = rigid_motion(kinematics, told(t));
-    lead_attachments(prescribed, now);
+  prescribed.surroundings = [&](double t, Surroundings& surroundings) {
+    surroundings.bodies[0] = rigid_motion(kinematics, prescribed_motion(t));
+    set_attachment_motions(prescribed, surroundings);
   };
   MovingRod rod(prescribed, level(prescribed)[0], {0.8, 1e-9, 30});
   const System system = heavy_with_rod(true);
   BodyRun run(system, level(system), {0.8, 1e-9, 30});
-  run.now.bodies[0] = told(0.0);
-  for (LineState* line : {&run.now.lines[0], &rod.now.lines[0]}) {
+  run.state.bodies[0] = prescribed_motion(0.0);
+  for (LineState* line : {&run.state.lines[0], &rod.state.lines[0]}) {
     for (std::size_t i = 0; i < line->v.size(); i += 6) {
       const Vec3 r(Eigen::Map<const Vec3>(line->q.data() + i));
       Eigen::Map<Vec3>(line->v.data() + i) = kSpeed + kTurning * Vec3::UnitZ().cross(r - reference);
@@ -258,10 +261,10 @@ TEST(free_body, that_nothing_can_move_carries_lines_like_a_body_whose_motion_is_
   rod.begin();
   run.steps(2e-3, 250);
   rod.run(2e-3, 250);
-  EXPECT_GT(run.now.lines[0].contacts[0].carries, 0);
+  EXPECT_GT(run.state.lines[0].contacts[0].carries, 0);
   double difference = 0.0;
-  for (std::size_t i = 0; i < run.now.lines[0].q.size(); ++i) {
-    difference = std::max(difference, std::abs(run.now.lines[0].q[i] - rod.now.lines[0].q[i]));
+  for (std::size_t i = 0; i < run.state.lines[0].q.size(); ++i) {
+    difference = std::max(difference, std::abs(run.state.lines[0].q[i] - rod.state.lines[0].q[i]));
   }
   EXPECT_LT(difference, 1e-7);
 }
@@ -274,14 +277,14 @@ double energy_error(double h) {
   springs.damping = Vec6::Constant(20.0);
   system.bodies[0].free = free_body(springs, Vec3(0.5, 0.0, 0.2));
   BodyRun run(system, level(system));
-  run.now.bodies[0].h.head<3>() = Vec3(0.5, 0.0, 0.2);
-  run.now.bodies[0].v << 0.1, 0.2, 0.0, 0.3, 0.0, 0.2;
+  run.state.bodies[0].h.head<3>() = Vec3(0.5, 0.0, 0.2);
+  run.state.bodies[0].v << 0.1, 0.2, 0.0, 0.3, 0.0, 0.2;
   run.begin();
   EnergyAccount account;
-  account.start(run.assembly().energy(run.now), 1e-6);
+  account.start(run.assembly().energy(run.state), 1e-6);
   for (int i = 0; i < static_cast<int>(std::lround(0.2 / h)); ++i) {
     run.step(h);
-    account.add(run.assembly().energy(run.now), h);
+    account.add(run.assembly().energy(run.state), h);
   }
   EXPECT_GT(run.assembly().line(0).contacts().contacts()[0].normal, 0.0);
   EXPECT_GT(account.balance().friction_loss, 1e-3);
@@ -303,19 +306,19 @@ TEST(free_body, that_is_held_leaves_its_line_what_it_is_and_shows_the_wrench_of_
   held.begin();
   held.steps(2e-3, 100);
   System fixed = heavy_with_rod(false);
-  fixed.surroundings = [&](double, Surroundings& now) { lead_attachments(fixed, now); };
+  fixed.surroundings = [&](double, Surroundings& surroundings) { set_attachment_motions(fixed, surroundings); };
   MovingRod rod(fixed, level(fixed)[0], {0.8, 1e-9, 30});
   rod.begin();
   rod.run(2e-3, 100);
-  for (std::size_t i = 0; i < held.now.lines[0].q.size(); ++i) {
-    EXPECT_NEAR(held.now.lines[0].q[i], rod.now.lines[0].q[i], 1e-10) << i;
+  for (std::size_t i = 0; i < held.state.lines[0].q.size(); ++i) {
+    EXPECT_NEAR(held.state.lines[0].q[i], rod.state.lines[0].q[i], 1e-10) << i;
   }
   const RollerContact& contact = rod.contacts()[0];
   ASSERT_GT(contact.normal, 1.0);
   const std::array<double, 6>& end = rod.assembly().line(0).end_force(LineEnd::last);
   const Vec3 force = contact.force() + Vec3(end[0], end[1], end[2]);
   const Vec3 moment =
-      contact.at.place.cross(contact.force()) + rod.r(rod.last()).cross(Vec3(end[0], end[1], end[2])) +
+      contact.closest.place.cross(contact.force()) + rod.r(rod.last()).cross(Vec3(end[0], end[1], end[2])) +
       Vec3(rod.line_now().q[27], rod.line_now().q[28], rod.line_now().q[29]).cross(Vec3(end[3], end[4], end[5]));
   const std::vector<double>& wrench = held.assembly().body_residual();
   EXPECT_LT((Vec3(wrench[0], wrench[1], wrench[2]) - force).norm(), 1e-8 * force.norm());
@@ -343,15 +346,15 @@ TEST(free_body, on_quasi_static_lines_keeps_its_energy_to_second_order) {
                   to_point(Vec3(0.0, -1.5, 0.2), Vec3(0.0, -2.0, 0.4), 800.0)};
   const auto change = [&](double h) {
     BodyRun run(system, {});
-    run.now.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
+    run.state.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
     run.begin();
     const double first = run.energy();
-    double largest = 0.0;
+    double max_value = 0.0;
     for (int i = 0; i < static_cast<int>(std::lround(1.0 / h)); ++i) {
       run.step(h);
-      largest = std::max(largest, std::abs(run.energy() - first));
+      max_value = std::max(max_value, std::abs(run.energy() - first));
     }
-    return largest;
+    return max_value;
   };
   const double coarse = change(0.02), fine = change(0.01);
   EXPECT_LT(fine, 0.5);
@@ -363,21 +366,21 @@ TEST(free_body, resumes_from_a_checkpoint_bit_for_bit) {
   const System system = between_cables();
   const auto started = [&] {
     auto run = std::make_unique<BodyRun>(system, two_level(system));
-    run->now.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
+    run->state.bodies[0].v << 0.3, -0.2, 0.4, 0.2, -0.3, 0.25;
     run->begin();
     return run;
   };
   const auto whole = started(), resumed = started();
   whole->steps(2e-3, 20);
   DynamicCheckpoint checkpoint;
-  save_state(checkpoint, whole->now);
+  save_state(checkpoint, whole->state);
   whole->stepper().forget();
   whole->steps(2e-3, 20);
-  restore_state(checkpoint, resumed->now);
+  restore_state(checkpoint, resumed->state);
   resumed->steps(2e-3, 20);
-  EXPECT_EQ(whole->now.bodies[0].h, resumed->now.bodies[0].h);
-  EXPECT_EQ(whole->now.bodies[0].alg, resumed->now.bodies[0].alg);
-  EXPECT_EQ(whole->now.lines[1].q, resumed->now.lines[1].q);
+  EXPECT_EQ(whole->state.bodies[0].h, resumed->state.bodies[0].h);
+  EXPECT_EQ(whole->state.bodies[0].algorithmic_acceleration, resumed->state.bodies[0].algorithmic_acceleration);
+  EXPECT_EQ(whole->state.lines[1].q, resumed->state.lines[1].q);
 }
 
 TEST(free_body, steps_without_asking_for_memory) {

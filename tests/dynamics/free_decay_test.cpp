@@ -1,4 +1,4 @@
-/// BGL-1 let go from a distance to its rest in calm water, on eight lines of elements and under its pipe.
+/// BGL-1 released from a distance to its rest in calm water, on eight lines of elements and under its pipe.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Description calm_lay(TensionerMode tensioner) {
   d.environment.current.clear();
   d.mesh.overbend_element = 2.0;
   d.mesh.touchdown_element = 5.0;
-  d.mesh.longest_element = 10.0;
+  d.mesh.max_element_length = 10.0;
   for (MooringLineDescription& line : d.moorings->lines) {
     for (LineSegmentDescription& segment : line.segments) {
       segment.type.friction = 0.0;
@@ -40,7 +40,7 @@ Description calm_lay(TensionerMode tensioner) {
 
 struct Decay {
   double period = 0.0;      ///< Between the first and the third crossing of the middle of two turning points [s].
-  double of_statics = 0.0;  ///< Of the linear system: catenaries, the water's mass at the period, no pipe [s].
+  double of_statics = 0.0;  ///< Period of the linear system: catenaries, the water's mass at the period, no pipe [s].
   double tension = 0.0;     ///< Mean at the tensioner over that time [N].
 };
 
@@ -61,7 +61,7 @@ Decay decay(const Description& d, int freedom, double kick) {
   std::vector<double> tension;
   while (simulation.step()) {
     tension.push_back(simulation.tension());
-    motion.emplace_back(simulation.time(), simulation.now().state->bodies[0].h(freedom));
+    motion.emplace_back(simulation.time(), simulation.present().state->bodies[0].h(freedom));
   }
   EXPECT_FALSE(simulation.failure());
   EXPECT_LT(std::abs(simulation.energy().drift()), 1e-3);
@@ -83,16 +83,16 @@ Decay decay(const Description& d, int freedom, double kick) {
   return result;
 }
 
-/// What a pipe whose upper end is held adds to the surge of its barge: by the shapes at rest of two tensions.
+/// Contribution of a pipe whose upper end is held to the surge of its barge: by the shapes at rest of two tensions.
 struct HeldPipe {
   double stiffness = 0.0;  ///< [N/m]
-  double mass = 0.0;       ///< Of the pipe and the water around it, moved as the shapes differ (Rayleigh) [kg].
+  double mass = 0.0;       ///< Mass of the pipe and the water around it, moved as the shapes differ (Rayleigh) [kg].
 };
 
 HeldPipe held_pipe(Description d, double wanted) {
   d.moorings.reset();
   d.vessel.motion = VesselMotion::fixed;
-  d.mesh.overbend_element = d.mesh.touchdown_element = d.mesh.longest_element = 2.0;
+  d.mesh.overbend_element = d.mesh.touchdown_element = d.mesh.max_element_length = 2.0;
   const auto at_tension = [&](double tension) {
     d.tensioner.tension = tension;
     return solve_statics(build_model(d)).solution.value();
@@ -103,10 +103,10 @@ HeldPipe held_pipe(Description d, double wanted) {
     return Vec3(Eigen::Map<const Vec3>(s.state.q.data() + 6 * i + part));
   };
   const auto place = [&](const StaticSolution& s, double from_top) {
-    const double at = s.mesh.s.back() - from_top;
+    const double position = s.mesh.s.back() - from_top;
     const auto right =
-        static_cast<std::size_t>(std::upper_bound(s.mesh.s.begin(), s.mesh.s.end() - 1, at) - s.mesh.s.begin());
-    const double share = (at - s.mesh.s[right - 1]) / (s.mesh.s[right] - s.mesh.s[right - 1]);
+        static_cast<std::size_t>(std::upper_bound(s.mesh.s.begin(), s.mesh.s.end() - 1, position) - s.mesh.s.begin());
+    const double share = (position - s.mesh.s[right - 1]) / (s.mesh.s[right] - s.mesh.s[right - 1]);
     const std::size_t top = s.mesh.s.size() - 1;
     return Vec3((1.0 - share) * node(s, right - 1, 0) + share * node(s, right, 0) - node(s, top, 0));
   };

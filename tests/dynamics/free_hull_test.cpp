@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/run/simulation.h"
-#include "dynamics/setup/dynamic_obstacle.h"
+#include "dynamics/setup/unsupported_in_dynamics.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "seafiles/hydrodynamics_reader.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSurge = 1.8479e5;  ///< Of eight mooring lines of 64 mm wire at 300 kN [N/m].
+constexpr double kSurge = 1.8479e5;  ///< Stiffness of eight mooring lines of 64 mm wire at 300 kN [N/m].
 
 /// The example, coarse, from held to floating free.
 Description afloat() {
@@ -19,7 +19,7 @@ Description afloat() {
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 1.0;
   d.dynamics->build_up = 2.0;
@@ -43,23 +43,23 @@ Description afloat() {
 
 TEST(free_hull, under_its_pipe_starts_from_rest_and_keeps_account_of_its_energy) {
   const Model model = build_model(afloat());
-  ASSERT_FALSE(dynamic_obstacle(model));
+  ASSERT_FALSE(unsupported_in_dynamics(model));
   const StaticSolution start = solve_statics(model).solution.value();
   const double tension = model.description.tensioner.tension.value();
   Simulation simulation(model, start, tension, dynamic_options(model));
   ASSERT_FALSE(simulation.failure());
-  const HullState first = simulation.now().state->bodies.at(0);
+  const HullState first = simulation.present().state->bodies.at(0);
   EXPECT_LT(first.acc.head<3>().norm(), 1e-6 * kGravity);
   EXPECT_LT(first.acc.tail<3>().norm(), 1e-7);
   EXPECT_NEAR(simulation.tension(), tension, 1e-4 * tension);
-  // The pipe's far end pulls with the horizontal force of statics; the current pushes hull and pipe besides.
+  // The pipe's far end pulls with the horizontal force of statics; in addition the current pushes hull and pipe.
   EXPECT_GT(std::abs(first.h(0)), 0.5 * start.state.far_force / kSurge);
   EXPECT_LT(std::abs(first.h(2) - 0.818), 2e-3);  // ballasted: as drawn
   EXPECT_LT(std::abs(first.h(4)), 1e-3);
   while (simulation.step()) {
   }
   ASSERT_FALSE(simulation.failure());
-  const HullState& last = simulation.now().state->bodies.at(0);
+  const HullState& last = simulation.present().state->bodies.at(0);
   EXPECT_GT((last.h - first.h).norm(), 1e-3);
   EXPECT_LT(std::abs(simulation.energy().drift()), 3e-3);  // of little that has passed so soon
 }
@@ -76,9 +76,9 @@ TEST(free_hull, resumes_from_a_checkpoint_bit_for_bit) {
   resumed.restore(checkpoint);
   resumed.advance(0.5);
   EXPECT_EQ(whole.time(), resumed.time());
-  EXPECT_EQ(whole.now().state->bodies[0].h, resumed.now().state->bodies[0].h);
-  EXPECT_EQ(whole.now().state->bodies[0].radiation.values, resumed.now().state->bodies[0].radiation.values);
-  EXPECT_EQ(whole.now().state->lines[0].q, resumed.now().state->lines[0].q);
+  EXPECT_EQ(whole.present().state->bodies[0].h, resumed.present().state->bodies[0].h);
+  EXPECT_EQ(whole.present().state->bodies[0].radiation.values, resumed.present().state->bodies[0].radiation.values);
+  EXPECT_EQ(whole.present().state->lines[0].q, resumed.present().state->lines[0].q);
 }
 
 }  // namespace

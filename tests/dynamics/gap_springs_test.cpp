@@ -31,19 +31,19 @@ TEST(gap_springs, carry_a_pipe_that_nothing_pushes_aside_as_boxes_of_a_single_ro
   };
   const StaticResults springs = solved(SupportContact::gap_springs), rollers = solved(SupportContact::rollers);
   ASSERT_EQ(springs.supports.size(), 13U);
-  double largest = 0.0;
+  double max_value = 0.0;
   for (std::size_t i = 0; i < springs.supports.size(); ++i) {
     EXPECT_NEAR(springs.supports[i].vertical, rollers.supports[i].vertical, 1.0) << springs.supports[i].name;
-    largest = std::max(largest, springs.supports[i].vertical);
+    max_value = std::max(max_value, springs.supports[i].vertical);
   }
-  EXPECT_GT(largest, 30e3);
+  EXPECT_GT(max_value, 30e3);
 }
 
 TEST(gap_springs, hold_a_pipe_that_the_current_pushes_aside_as_rollers_do_on_the_whole) {
   const StaticResults springs = solve_results(bgl1(SupportContact::gap_springs));
   const StaticResults rollers = solve_results(bgl1(SupportContact::rollers));
   double vertical[2] = {}, lateral[2] = {};
-  bool beside = false;
+  bool neighbour = false;
   for (std::size_t i = 0; i < springs.supports.size(); ++i) {
     vertical[0] += springs.supports[i].vertical;
     vertical[1] += rollers.supports[i].vertical;
@@ -52,12 +52,12 @@ TEST(gap_springs, hold_a_pipe_that_the_current_pushes_aside_as_rollers_do_on_the
     for (const RollerResult& spring : springs.supports[i].rows[0].rollers) {
       if (spring.position == RollerPosition::bottom) continue;
       // The clearance is used up and no more: what the contact gives under the push.
-      EXPECT_GE(spring.separation, -springs.largest_penetration * (1.0 + 1e-9));
-      EXPECT_LT(springs.largest_penetration, 5e-3);
-      beside = beside || spring.reaction > 1e3;
+      EXPECT_GE(spring.separation, -springs.max_penetration * (1.0 + 1e-9));
+      EXPECT_LT(springs.max_penetration, 5e-3);
+      neighbour = neighbour || spring.reaction > 1e3;
     }
   }
-  EXPECT_TRUE(beside);
+  EXPECT_TRUE(neighbour);
   // Sloping side rollers lift the pipe and share the load otherwise; what hangs from the supports is nearly the same.
   EXPECT_NEAR(vertical[0], vertical[1], 0.01 * vertical[1]);
   EXPECT_NEAR(lateral[0], lateral[1], 0.03 * std::abs(lateral[1]));
@@ -66,13 +66,13 @@ TEST(gap_springs, hold_a_pipe_that_the_current_pushes_aside_as_rollers_do_on_the
 
 TEST(gap_springs, give_one_row_for_each_box_however_many_rows_of_rollers_it_has) {
   Description d = bgl1(SupportContact::gap_springs);
-  const StaticResults one = solve_results(d);
+  const StaticResults static_results = solve_results(d);
   for (BoxDescription& box : d.supports.boxes) box.rows = 3;
   const StaticResults three = solve_results(d);
-  for (std::size_t i = 0; i < one.supports.size(); ++i) {
+  for (std::size_t i = 0; i < static_results.supports.size(); ++i) {
     ASSERT_EQ(three.supports[i].rows.size(), 1U);
     EXPECT_EQ(three.supports[i].rows[0].rollers.size(), 3U);
-    EXPECT_EQ(three.supports[i].reaction, one.supports[i].reaction);
+    EXPECT_EQ(three.supports[i].reaction, static_results.supports[i].reaction);
   }
 }
 
@@ -91,12 +91,14 @@ SpringForces forces(double to_port, double up) {
   d.supports.contact = SupportContact::gap_springs;
   const double radius = 0.2445;
   const Supports s = place_supports(d, radius);
-  const SupportBox& at = s.boxes[0];
-  const Vec3 middle = at.point_S + (radius + up) * at.normal_S - to_port * Vec3::UnitY();  // S has Y to starboard
+  const SupportBox& support_box = s.boxes[0];
+  const Vec3 middle =
+      support_box.point_S + (radius + up) * support_box.normal_S - to_port * Vec3::UnitY();  // S has Y to starboard
   std::vector<double> q;
   for (const double along : {-1.0, 1.0}) {
-    const Vec3 r = middle + along * at.direction_S;
-    q.insert(q.end(), {r.x(), r.y(), r.z(), at.direction_S.x(), at.direction_S.y(), at.direction_S.z()});
+    const Vec3 r = middle + along * support_box.direction_S;
+    q.insert(q.end(), {r.x(), r.y(), r.z(), support_box.direction_S.x(), support_box.direction_S.y(),
+                       support_box.direction_S.z()});
   }
   const std::vector<double> length{2.0};
   SpringForces result;

@@ -44,53 +44,53 @@ FreeBody level_section(int carrier, const Vec3& hinge_V, double angle) {
 
 const double kInertia = kMass * kArm * kArm + kOwnInertia;
 
-RigidMotion still_barge(double /*time*/) {
+RigidMotion barge_at_rest(double /*time*/) {
   return {};
 }
 
 /// Bodies without lines, their integrator and their present.
 class HingedRun {
  public:
-  HingedRun(std::vector<FreeBody> sections, std::function<RigidMotion(double)> barge = still_barge,
+  HingedRun(std::vector<FreeBody> sections, std::function<RigidMotion(double)> barge = barge_at_rest,
             double spectral_radius = 1.0)
       : system_(made(std::move(sections), std::move(barge))),
         assembly_(system_),
         stepper_(assembly_, {spectral_radius, 1e-11, 30}),
-        now(state_at_rest(system_, {}, 0.0)) {}
+        state(state_at_rest(system_, {}, 0.0)) {}
   HingedRun(const HingedRun&) = delete;
   HingedRun& operator=(const HingedRun&) = delete;
 
   void begin() {
-    assembly_.set_time(now.time, now);
-    assembly_.impose_ends(now);
-    ASSERT_TRUE(assembly_.find_accelerations(now));
-    for (HullState& body : now.bodies) body.alg = body.acc;
-    assembly_.evaluate(now, now, {}, false);
-    next_ = now;
-    energy_.start(assembly_.energy(now), 1.0);
+    assembly_.set_time(state.time, state);
+    assembly_.impose_ends(state);
+    ASSERT_TRUE(assembly_.find_accelerations(state));
+    for (HullState& body : state.bodies) body.algorithmic_acceleration = body.acc;
+    assembly_.evaluate(state, state, {}, false);
+    next_ = state;
+    energy_.start(assembly_.energy(state), 1.0);
   }
   void step(double h) {
-    const StepReport report = stepper_.step(now, h, next_);
-    EXPECT_TRUE(report.converged()) << now.time << " " << report.residual;
+    const StepReport report = stepper_.step(state, h, next_);
+    EXPECT_TRUE(report.converged()) << state.time << " " << report.residual;
     energy_.add(assembly_.energy(next_), h);
-    std::swap(now, next_);
+    std::swap(state, next_);
   }
   void steps(double h, int count) {
     for (int i = 0; i < count; ++i) step(h);
   }
-  double angle(std::size_t i = 0) const { return now.bodies[i].h(kHingeFreedom); }
-  double& rate(std::size_t i = 0) { return now.bodies[i].v(kHingeFreedom); }
+  double angle(std::size_t i = 0) const { return state.bodies[i].h(kHingeFreedom); }
+  double& rate(std::size_t i = 0) { return state.bodies[i].v(kHingeFreedom); }
   HingeReading reading(std::size_t i = 0) const { return assembly_.hinged().reading(i); }
   const EnergyBalance& energy() const { return energy_.balance(); }
   TimeStepper& stepper() { return stepper_; }
   /// Mean time between passages of the first angle through `middle` upwards, over `count` of them [s].
   double period(double h, double middle, int count) {
     std::vector<double> passed;
-    while (static_cast<int>(passed.size()) <= count && now.time < 1e4) {
+    while (static_cast<int>(passed.size()) <= count && state.time < 1e4) {
       const double before = angle() - middle;
       step(h);
       const double after = angle() - middle;
-      if (before < 0.0 && after >= 0.0) passed.push_back(now.time - h * after / (after - before));
+      if (before < 0.0 && after >= 0.0) passed.push_back(state.time - h * after / (after - before));
     }
     return (passed.back() - passed.front()) / count;
   }
@@ -100,8 +100,8 @@ class HingedRun {
     System system;
     system.bodies.emplace_back();
     for (FreeBody& section : sections) system.bodies.emplace_back().free = std::move(section);
-    system.surroundings = [barge = std::move(barge)](double time, Surroundings& now) {
-      now.bodies.front() = barge(time);
+    system.surroundings = [barge = std::move(barge)](double time, Surroundings& surroundings) {
+      surroundings.bodies.front() = barge(time);
     };
     return system;
   }
@@ -113,7 +113,7 @@ class HingedRun {
   EnergyAccount energy_;
 
  public:
-  SystemState now;
+  SystemState state;
 };
 
 using Values = std::vector<double>;
@@ -121,9 +121,9 @@ using Values = std::vector<double>;
 /// Classical Runge-Kutta.
 void runge_kutta(Values& y, double& t, double h, const std::function<Values(double, const Values&)>& rates) {
   const auto ahead = [&](const Values& k, double by) {
-    Values at = y;
-    for (std::size_t i = 0; i < y.size(); ++i) at[i] += by * k[i];
-    return at;
+    Values sample = y;
+    for (std::size_t i = 0; i < y.size(); ++i) sample[i] += by * k[i];
+    return sample;
   };
   const Values a = rates(t, y), b = rates(t + 0.5 * h, ahead(a, 0.5 * h)), c = rates(t + 0.5 * h, ahead(b, 0.5 * h)),
                d = rates(t + h, ahead(c, h));
@@ -146,14 +146,14 @@ TEST(hinged_section, in_air_keeps_its_energy_over_a_large_swing) {
   EXPECT_LT(std::abs(run.energy().error), 1e-4 * kMass * kGravity * kArm);
 }
 
-// The hinge of a pendulum at rest, let go level: W (1 - m r^2 / I) upwards.
+// The hinge of a pendulum at rest, released level: W (1 - m r^2 / I) upwards.
 TEST(hinged_section, let_go_level_is_held_by_its_hinge_with_the_weight_that_does_not_fall) {
   HingedRun run({level_section(0, Vec3(-3.0, 0.5, 2.0), 0.0)});
   run.begin();
   const Vec3 force = run.reading().force;
   EXPECT_NEAR(force.z(), kMass * kGravity * (1.0 - kMass * kArm * kArm / kInertia), 1e-3 * kMass);
   EXPECT_NEAR(force.x(), 0.0, 1.0);
-  EXPECT_NEAR(run.now.bodies[0].acc(kHingeFreedom), kMass * kGravity * kArm / kInertia, 1e-9);
+  EXPECT_NEAR(run.state.bodies[0].acc(kHingeFreedom), kMass * kGravity * kArm / kInertia, 1e-9);
 }
 
 /// A tank on the line from the hinge, which stands `height` above the water, out to `reach`.
@@ -171,8 +171,8 @@ struct FloatingTank {
     hinged.hinge.rest = 0.0;
     constexpr int kStrips = 36;
     for (int i = 0; i < kStrips; ++i) {
-      const auto at = [&](int k) { return Vec3(-reach * k / kStrips, 0.0, height); };
-      hinged.section.strips.push_back({at(i), at(i + 1), diameter, drag, added_mass, 0});
+      const auto sample = [&](int k) { return Vec3(-reach * k / kStrips, 0.0, height); };
+      hinged.section.strips.push_back({sample(i), sample(i + 1), diameter, drag, added_mass, 0});
     }
     hinged.section.mass = 0.5 * weight_density * area() * reach / kGravity;
     hinged.section.center_V = Vec3(-0.5 * reach, 0.0, height);
@@ -233,17 +233,18 @@ TEST(hinged_section, rebounds_from_a_stop_as_the_equation_of_one_freedom_does) {
   run.begin();
   Values y{0.0, 0.0};
   double t = 0.0;
-  const auto rates = [&](double, const Values& at) {
-    const double moment = kMass * kGravity * kArm * std::cos(at[0]) + hinge_moment(stop, at[0], at[1], 0.0, 0.0).stop;
-    return Values{at[1], moment / kInertia};
+  const auto rates = [&](double, const Values& sample) {
+    const double moment =
+        kMass * kGravity * kArm * std::cos(sample[0]) + hinge_moment(stop, sample[0], sample[1], 0.0, 0.0).stop;
+    return Values{sample[1], moment / kInertia};
   };
-  double largest = 0.0;
+  double max_value = 0.0;
   for (int i = 0; i < 2000; ++i) {
     run.step(1e-3);
     for (int k = 0; k < 4; ++k) runge_kutta(y, t, 2.5e-4, rates);
-    largest = std::max(largest, std::abs(run.angle() - y[0]));
+    max_value = std::max(max_value, std::abs(run.angle() - y[0]));
   }
-  EXPECT_LT(largest, 5e-5);
+  EXPECT_LT(max_value, 5e-5);
   EXPECT_LT(std::abs(run.energy().error), 2e-3 * kMass * kGravity * kArm * 0.15);
 }
 
@@ -263,7 +264,7 @@ RigidMotion rolling_barge(double t) {
 }
 
 // In the plane: the section stands at phi = theta - pitch below the level, its hinge moves with the barge.
-TEST(hinged_section, on_a_barge_that_is_told_moves_as_a_pendulum_on_a_moving_support) {
+TEST(hinged_section, on_a_barge_of_prescribed_motion_moves_as_a_pendulum_on_a_moving_support) {
   const Vec3 hinge_V(-60.0, 0.0, 3.0);
   HingedRun run({level_section(0, hinge_V, 1.2)}, rolling_barge);
   run.begin();
@@ -271,19 +272,19 @@ TEST(hinged_section, on_a_barge_that_is_told_moves_as_a_pendulum_on_a_moving_sup
   const auto rates = [&](double t, const Values& y) {
     const PointMotion hinge = point_motion(rolling_barge(t), hinge_V);
     const double phi = y[0];
-    // Of the centre: astern by r cos phi, down by r sin phi from the hinge.
+    // Position of the centre: astern by r cos phi, down by r sin phi from the hinge.
     const Vec3 across(std::sin(phi), 0.0, -std::cos(phi));
     const Vec3 pull = -kMass * (hinge.acceleration + kGravity * Vec3::UnitZ());
     return Values{y[1], kArm * pull.dot(across) / kInertia};
   };
   Values y{1.2 - pitch(0.0)[0], -pitch(0.0)[1]};
-  double t = 0.0, largest = 0.0;
+  double t = 0.0, max_value = 0.0;
   for (int i = 0; i < 2000; ++i) {
     run.step(0.01);
     runge_kutta(y, t, 0.01, rates);
-    largest = std::max(largest, std::abs(run.angle() - (y[0] + pitch(t)[0])));
+    max_value = std::max(max_value, std::abs(run.angle() - (y[0] + pitch(t)[0])));
   }
-  EXPECT_LT(largest, 2e-3);
+  EXPECT_LT(max_value, 2e-3);
   EXPECT_GT(std::abs(run.angle() - 1.2), 0.0);
   EXPECT_LT(std::abs(run.energy().error), 1e-3 * run.energy().throughput + 1e-3 * kMass * kGravity);
 }
@@ -303,13 +304,13 @@ TEST(hinged_section, that_carries_another_moves_as_a_double_pendulum) {
     return Values{va, vb, (m22 * fa - m12 * fb) / det, (m11 * fb - m12 * fa) / det};
   };
   Values y{1.0, 1.4, 0.0, 0.0};
-  double t = 0.0, largest = 0.0;
+  double t = 0.0, max_value = 0.0;
   for (int i = 0; i < 1000; ++i) {
     run.step(0.01);
     runge_kutta(y, t, 0.01, rates);
-    largest = std::max({largest, std::abs(run.angle(0) - y[0]), std::abs(run.angle(1) - (y[1] - y[0]))});
+    max_value = std::max({max_value, std::abs(run.angle(0) - y[0]), std::abs(run.angle(1) - (y[1] - y[0]))});
   }
-  EXPECT_LT(largest, 2e-3);
+  EXPECT_LT(max_value, 2e-3);
   EXPECT_LT(std::abs(run.energy().error), 1e-3 * kMass * kGravity * l);
 }
 
@@ -317,11 +318,11 @@ TEST(hinged_section, that_carries_another_moves_as_a_double_pendulum) {
 TEST(hinged_section, held_by_the_friction_of_its_hinge_yields_by_the_breakaway_and_stays) {
   FreeBody section = level_section(0, Vec3::Zero(), 0.0);
   section.hinge->law.friction = 2.0 * kMass * kGravity * kArm;
-  section.hinge->law.friction_damping = 0.4 * std::sqrt(section.hinge->law.friction / kBreakaway * kInertia);
-  HingedRun run({std::move(section)}, still_barge, 0.6);
+  section.hinge->law.friction_damping = 0.4 * std::sqrt(section.hinge->law.friction / kBreakawayRotation * kInertia);
+  HingedRun run({std::move(section)}, barge_at_rest, 0.6);
   run.begin();
   run.steps(0.02, 1000);
-  EXPECT_NEAR(run.angle(), 0.5 * kBreakaway, 0.05 * kBreakaway);
+  EXPECT_NEAR(run.angle(), 0.5 * kBreakawayRotation, 0.05 * kBreakawayRotation);
   EXPECT_NEAR(run.reading().friction_moment, -kMass * kGravity * kArm, 1e-3 * kMass * kGravity * kArm);
 }
 
@@ -340,7 +341,7 @@ TEST(hinged_section, in_waves_is_lifted_by_the_water_that_rises_along_its_tank) 
   double low = 9.0, high = -9.0;
   for (int i = 0; i < 1500; ++i) {
     run.step(0.1);
-    if (run.now.time < 50.0) continue;
+    if (run.state.time < 50.0) continue;
     low = std::min(low, run.angle());
     high = std::max(high, run.angle());
   }
@@ -364,14 +365,14 @@ TEST(hinged_section, resumes_from_a_checkpoint_bit_for_bit) {
   const auto whole = started(), resumed = started();
   whole->steps(0.02, 20);
   DynamicCheckpoint checkpoint;
-  save_state(checkpoint, whole->now);
+  save_state(checkpoint, whole->state);
   whole->stepper().forget();
   whole->steps(0.02, 20);
-  restore_state(checkpoint, resumed->now);
+  restore_state(checkpoint, resumed->state);
   resumed->steps(0.02, 20);
-  EXPECT_EQ(whole->now.bodies[0].h, resumed->now.bodies[0].h);
-  EXPECT_EQ(whole->now.bodies[0].hinge_slip, resumed->now.bodies[0].hinge_slip);
-  EXPECT_EQ(whole->now.bodies[0].alg, resumed->now.bodies[0].alg);
+  EXPECT_EQ(whole->state.bodies[0].h, resumed->state.bodies[0].h);
+  EXPECT_EQ(whole->state.bodies[0].hinge_slip, resumed->state.bodies[0].hinge_slip);
+  EXPECT_EQ(whole->state.bodies[0].algorithmic_acceleration, resumed->state.bodies[0].algorithmic_acceleration);
 }
 
 TEST(hinged_section, steps_without_asking_for_memory) {

@@ -53,9 +53,9 @@ RodMaterial jumper_pipe() {
 /// state.
 std::vector<double> catenary(const System& system, double EA) {
   constexpr double kHorizontal = 11.472e3, kVertical = -24.028e3;
-  const double w = (kVertical * -1.0 + 45.722e3) / rod_of(system).mesh.s.back();
+  const double w = (kVertical * -1.0 + 45.722e3) / first_rod(system).mesh.s.back();
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) {
+  for (const double s : first_rod(system).mesh.s) {
     const double v = kVertical + w * s, size = std::hypot(kHorizontal, v);
     const double x =
         kHorizontal / w * (std::asinh(v / kHorizontal) - std::asinh(kVertical / kHorizontal)) + kHorizontal * s / EA;
@@ -110,24 +110,24 @@ double difference(const std::string& name, const LinearWave& wave) {
   const auto steps = [](double time) { return static_cast<int>(std::lround(time / kStep)); };
   System system = rod_system(jumper_pipe(), 170.0, 170);
   hold_ends(system, true, false);
-  rod_of(system).force_scale = 170.0 * 165.0 * kG;
+  first_rod(system).force_scale = 170.0 * 165.0 * kG;
   MovingRod* moving = nullptr;
-  system.surroundings = [&](double time, Surroundings& now) {
-    now.ends[0].place = Vec3(-100.0, 0.0, -55.0);
-    now.ends[1].place = Vec3(0.0, 0.0, -5.0);
+  system.surroundings = [&](double time, Surroundings& surroundings) {
+    surroundings.ends[0].place = Vec3(-100.0, 0.0, -55.0);
+    surroundings.ends[1].place = Vec3(0.0, 0.0, -5.0);
     if (moving == nullptr) return;
     const double share = std::clamp((time - kSettle) / kRamp, 0.0, 1.0);
-    now.water[0].resize(moving->line_now().q.size() / 6 * kWaterValues);
+    surroundings.water[0].resize(moving->line_now().q.size() / 6 * kWaterValues);
     for (int node = 0; node <= moving->last(); ++node) {
-      wave.water_at(moving->r(node), time, share, now.water[0].data() + kWaterValues * node);
+      wave.water_at(moving->r(node), time, share, surroundings.water[0].data() + kWaterValues * node);
     }
   };
-  MovingRod rod(system, catenary(system, rod_of(system).elements.EA[0]), {0.6, 1e-7, 40});
+  MovingRod rod(system, catenary(system, first_rod(system).elements.EA[0]), {0.6, 1e-7, 40});
   moving = &rod;
   rod.begin();
   for (int i = 0; i < 40; ++i) {  // the guess rings in its stretch: taken out by stopping it again and again
     rod.run(1e-3, 7);
-    rod.now = state_at_rest(system, {rod.line_now().q}, 0.0);
+    rod.state = state_at_rest(system, {rod.line_now().q}, 0.0);
     rod.begin();
   }
   for (int i = 0; i < steps(kSettle + kRamp + 3.0 * kPeriod); ++i) advance(rod, kStep);
@@ -137,19 +137,20 @@ double difference(const std::string& name, const LinearWave& wave) {
     tension.push_back(1e-3 * end_pull(rod));
   }
   const Series reference = published(name);
-  double sum = 0.0, least = 1e9, most = -1e9;
+  double sum = 0.0, min_value = 1e9, max_value = -1e9;
   for (std::size_t i = 0; i < reference.time.size(); ++i) {
-    const double at = (reference.time[i] - kStep) / kStep;  // the first sample stands one step after a whole period
-    const double from = std::max(at, 0.0);
+    const double position =
+        (reference.time[i] - kStep) / kStep;  // the first sample stands one step after a whole period
+    const double from = std::max(position, 0.0);
     const std::size_t before = std::min(static_cast<std::size_t>(from), tension.size() - 2);
     const double ours =
         tension[before] + (from - static_cast<double>(before)) * (tension[before + 1] - tension[before]);
     sum += std::pow(ours - reference.tension[i], 2);
-    least = std::min(least, reference.tension[i]);
-    most = std::max(most, reference.tension[i]);
+    min_value = std::min(min_value, reference.tension[i]);
+    max_value = std::max(max_value, reference.tension[i]);
   }
   EXPECT_GT(reference.time.size(), 50u);
-  return std::sqrt(sum / static_cast<double>(reference.time.size())) / (most - least);
+  return std::sqrt(sum / static_cast<double>(reference.time.size())) / (max_value - min_value);
 }
 
 constexpr double degrees(double angle) {
@@ -173,17 +174,17 @@ TEST(line_at_rest_in_a_wave, carries_the_dynamic_pressure_on_its_cross_section) 
   pipe.weight = pipe.buoyancy = pipe.drag_normal = 0.0;
   System system = rod_system(pipe, 40.0, 8);
   const Vec3 along = Vec3(0.6, 0.0, 0.8);
-  system.surroundings = [&](double, Surroundings& now) {
-    now.water[0].assign(9 * kWaterValues, 0.0);
+  system.surroundings = [&](double, Surroundings& surroundings) {
+    surroundings.water[0].assign(9 * kWaterValues, 0.0);
     for (std::size_t node = 0; node < 9; ++node) {
       for (int i = 0; i < 3; ++i)
-        now.water[0][kWaterValues * node + 3 + static_cast<std::size_t>(i)] = kAcceleration * along(i);
+        surroundings.water[0][kWaterValues * node + 3 + static_cast<std::size_t>(i)] = kAcceleration * along(i);
     }
   };
   // rho a = -dp/ds, so that N = p A with the pressure zero at the far end
   const double by_length = -pipe.displaced_mass * kAcceleration;
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) {
+  for (const double s : first_rod(system).mesh.s) {
     const double stretch = by_length * (s - 40.0) / pipe.EA;
     const Vec3 r = Vec3(0.0, 0.0, -60.0) + (s + by_length * (0.5 * s * s - 40.0 * s) / pipe.EA) * along;
     const Vec3 t = (1.0 + stretch) * along;
@@ -195,7 +196,7 @@ TEST(line_at_rest_in_a_wave, carries_the_dynamic_pressure_on_its_cross_section) 
   assembly.evaluate(state, before, {}, false);
   for (std::size_t node = 0; node < 9; ++node) {
     const Vec3 tension = Eigen::Map<const Vec3>(assembly.line(0).cuts().data() + 6 * node);
-    EXPECT_NEAR(tension.dot(along), by_length * (rod_of(system).mesh.s[node] - 40.0), 1e-3);
+    EXPECT_NEAR(tension.dot(along), by_length * (first_rod(system).mesh.s[node] - 40.0), 1e-3);
     if (node > 0 && node < 8) {
       EXPECT_LT(Vec3(Eigen::Map<const Vec3>(assembly.line(0).residual().data() + 6 * node)).norm(), 1e-3);
     }

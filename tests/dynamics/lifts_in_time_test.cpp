@@ -19,7 +19,7 @@ namespace {
 Description read_case(const std::string& name, std::size_t stage) {
   const Description d =
       read_model(std::string(OVERBEND_SOURCE_DIR) + "/validation/lift_cases/" + name + ".yaml").description.value();
-  return at_stage(d, lay_stages(d).at(stage));
+  return make_stage_description(d, lay_stages(d).at(stage));
 }
 
 Description heaving(Description d, double amplitude, double period) {
@@ -38,20 +38,20 @@ DynamicOptions options_for(double duration, double build_up) {
 }
 
 struct Range {
-  double least = 1e300, most = -1e300, last = 0.0;
+  double min_value = 1e300, max_value = -1e300, last = 0.0;
 };
 
 /// Tensions at the upper ends of the wires from t = 0 on, or from `from` on [s]; by name.
-std::map<std::string, Range> tensions_of(Simulation& run, double from = 0.0) {
+std::map<std::string, Range> record_tensions(Simulation& run, double from = 0.0) {
   std::map<std::string, Range> all;
   while (run.step()) {
     if (run.time() < from) continue;
-    const Instant now = run.now();
+    const Instant instant = run.present();
     for (const FollowedLine& line : run.lines()) {
       Range& range = all[line.name];
-      range.last = end_tension(*now.assembly, *now.state, line, LineEnd::first);
-      range.least = std::min(range.least, range.last);
-      range.most = std::max(range.most, range.last);
+      range.last = end_tension(*instant.assembly, *instant.state, line, LineEnd::first);
+      range.min_value = std::min(range.min_value, range.last);
+      range.max_value = std::max(range.max_value, range.last);
     }
   }
   EXPECT_FALSE(run.failure()) << run.failure()->what;
@@ -68,11 +68,11 @@ TEST(lifts_in_time, stay_at_rest_where_nothing_moves) {
     Model model = build_model(heaving(read_case(name, static_cast<std::size_t>(stage)), 1e-9, 10.0));
     const ModelEquilibrium rest = solve_equilibrium(model, nullptr);
     Simulation run(model, rest.solution.value(), 0.0, options_for(10.0, 0.0));
-    for (const auto& [line, range] : tensions_of(run)) {
+    for (const auto& [line, range] : record_tensions(run)) {
       if (line.starts_with("pipe")) continue;
       const double wanted = at_rest(rest.lines, line);
-      EXPECT_NEAR(range.least, wanted, 5e-4 * wanted + 1.0) << name << " " << line;
-      EXPECT_NEAR(range.most, wanted, 5e-4 * wanted + 1.0) << name << " " << line;
+      EXPECT_NEAR(range.min_value, wanted, 5e-4 * wanted + 1.0) << name << " " << line;
+      EXPECT_NEAR(range.max_value, wanted, 5e-4 * wanted + 1.0) << name << " " << line;
     }
   }
 }
@@ -90,16 +90,16 @@ TEST(lifts_in_time, have_the_tensions_of_statics_where_the_vessel_heaves_slowly)
   }
   Model raised = build_model(higher);
   const ModelEquilibrium crest = solve_equilibrium(raised, nullptr);
-  for (const auto& [line, range] : tensions_of(run)) {
+  for (const auto& [line, range] : record_tensions(run)) {
     if (line == "pipe") continue;
     const double up = at_rest(crest.lines, line), level = at_rest(rest.lines, line);
-    const double wanted = up > level ? range.most : range.least;
+    const double wanted = up > level ? range.max_value : range.min_value;
     EXPECT_NEAR(wanted, up, 0.02 * std::abs(up - level) + 0.002 * up) << line;
   }
 }
 
 /// A short bar upright in air on a wire from the vessel.
-Description hung_bar() {
+Description suspended_bar_in_time() {
   Description d = read_case("DL8-one", 0);
   d.stage.reset();
   d.operation = {};
@@ -121,7 +121,7 @@ Description hung_bar() {
 // A mass on a spring whose other end heaves: amplitude k a / (1 - (w / w_n)^2) times (w / w_n)^2 about the weight.
 TEST(lifts_in_time, swing_as_a_mass_on_a_spring) {
   constexpr double kHeave = 0.2, kPeriod = 6.0;
-  const Description d = hung_bar();
+  const Description d = suspended_bar_in_time();
   Model model = build_model(heaving(d, kHeave, kPeriod));
   const ModelEquilibrium rest = solve_equilibrium(model, nullptr);
   ASSERT_TRUE(rest.solution) << rest.failure->why;
@@ -130,15 +130,15 @@ TEST(lifts_in_time, swing_as_a_mass_on_a_spring) {
   DynamicOptions options = options_for(12.0, 60.0);
   options.max_step = 0.02;
   Simulation run(model, *rest.solution, 0.0, options);
-  const Range wire = tensions_of(run)["davit 1"];
-  const double w = 2.0 * std::numbers::pi / kPeriod, own = std::sqrt(4e5 / 20.0 * 9.80665 / weight);
-  const double swing = weight / 9.80665 * w * w * kHeave / (1.0 - w * w / (own * own));
-  EXPECT_NEAR(wire.most - weight, swing, 0.02 * swing);
-  EXPECT_NEAR(weight - wire.least, swing, 0.02 * swing);
+  const Range wire = record_tensions(run)["davit 1"];
+  const double w = 2.0 * std::numbers::pi / kPeriod, natural_frequency = std::sqrt(4e5 / 20.0 * 9.80665 / weight);
+  const double swing = weight / 9.80665 * w * w * kHeave / (1.0 - w * w / (natural_frequency * natural_frequency));
+  EXPECT_NEAR(wire.max_value - weight, swing, 0.02 * swing);
+  EXPECT_NEAR(weight - wire.min_value, swing, 0.02 * swing);
 }
 
-// A wire that snaps: energy is kept, and the peak does not hang on the step.
-TEST(lifts_in_time, snap_with_a_load_that_does_not_hang_on_the_step) {
+// A wire that snaps: energy is kept, and the peak does not depend on the step.
+TEST(lifts_in_time, snap_with_a_load_that_does_not_depend_on_the_step) {
   double peak[2];
   for (const bool fine : {false, true}) {
     Model model = build_model(heaving(read_case("DL8-one", 1), 2.5, 8.0));
@@ -146,10 +146,10 @@ TEST(lifts_in_time, snap_with_a_load_that_does_not_hang_on_the_step) {
     DynamicOptions options = options_for(4.0, 8.0);
     if (fine) options.max_step = 0.004;
     Simulation run(model, rest.solution.value(), 0.0, options);
-    const Range wire = tensions_of(run)["davit 1"];
-    EXPECT_EQ(wire.least, 0.0);
+    const Range wire = record_tensions(run)["davit 1"];
+    EXPECT_EQ(wire.min_value, 0.0);
     EXPECT_LT(std::abs(run.energy().drift()), 1e-3);
-    peak[fine ? 1 : 0] = wire.most;
+    peak[fine ? 1 : 0] = wire.max_value;
   }
   EXPECT_NEAR(peak[0], peak[1], 0.02 * peak[1]);
 }
@@ -161,7 +161,7 @@ TEST(lifts_in_time, go_on_from_a_checkpoint_bit_for_bit) {
   Simulation whole(model, rest.solution.value(), 0.0, options), second(model, *rest.solution, 0.0, options);
   ASSERT_TRUE(whole.advance(2.0));
   second.restore(whole.checkpoint());
-  const auto a = tensions_of(whole), b = tensions_of(second);
+  const auto a = record_tensions(whole), b = record_tensions(second);
   for (const auto& [line, range] : a) EXPECT_EQ(range.last, b.at(line).last) << line;
 }
 

@@ -8,24 +8,24 @@
 namespace overbend {
 namespace {
 
-DynamicOptions options_for(double duration, double build_up, double most = 0.1) {
+DynamicOptions options_for(double duration, double build_up, double max_value = 0.1) {
   DynamicOptions options;
   options.duration = duration;
   options.build_up = build_up;
   options.output_step = 0.1;
-  options.max_step = most;
+  options.max_step = max_value;
   return options;
 }
 
 struct Extremes {
-  double least = 1e300, most = -1e300;
+  double min_value = 1e300, max_magnitude = -1e300;
 };
 
-Extremes extremes_of(const std::vector<double>& values) {
+Extremes find_value_extremes(const std::vector<double>& values) {
   Extremes e;
   for (const double value : values) {
-    e.least = std::min(e.least, value);
-    e.most = std::max(e.most, value);
+    e.min_value = std::min(e.min_value, value);
+    e.max_magnitude = std::max(e.max_magnitude, value);
   }
   return e;
 }
@@ -38,16 +38,16 @@ struct ChainCase {
 class chain : public ::testing::TestWithParam<ChainCase> {};
 
 TEST_P(chain, whose_fairlead_heaves_has_the_extremes_of_orcaflex) {
-  const ChainCase& one = GetParam();
+  const ChainCase& chain_case = GetParam();
   const std::vector<LineHistory> lines =
-      testing::run_lines(testing::chain_case(one.depth, one.amplitude), options_for(20.0, 10.0));
-  const std::vector<std::vector<double>> reference = testing::number_columns(std::string("moordyn/") + one.file);
-  const Extremes fairlead = extremes_of(reference.at(3)), anchor = extremes_of(reference.at(4));
+      testing::run_lines(testing::chain_case(chain_case.depth, chain_case.amplitude), options_for(20.0, 10.0));
+  const std::vector<std::vector<double>> reference = testing::number_columns(std::string("moordyn/") + chain_case.file);
+  const Extremes fairlead = find_value_extremes(reference.at(3)), anchor = find_value_extremes(reference.at(4));
   // 3 % of the largest.
-  EXPECT_NEAR(1e-3 * lines[0].most_last, fairlead.most, 0.03 * fairlead.most);
-  EXPECT_NEAR(1e-3 * lines[0].least_last, fairlead.least, 0.03 * fairlead.most);
-  EXPECT_NEAR(1e-3 * lines[0].most_first, anchor.most, 0.03 * anchor.most);
-  EXPECT_NEAR(1e-3 * lines[0].least_first, anchor.least, 0.03 * anchor.most);
+  EXPECT_NEAR(1e-3 * lines[0].max_last_tension, fairlead.max_magnitude, 0.03 * fairlead.max_magnitude);
+  EXPECT_NEAR(1e-3 * lines[0].min_last_tension, fairlead.min_value, 0.03 * fairlead.max_magnitude);
+  EXPECT_NEAR(1e-3 * lines[0].max_first_tension, anchor.max_magnitude, 0.03 * anchor.max_magnitude);
+  EXPECT_NEAR(1e-3 * lines[0].min_first_tension, anchor.min_value, 0.03 * anchor.max_magnitude);
 }
 
 INSTANTIATE_TEST_SUITE_P(of_moordyn, chain,
@@ -91,9 +91,9 @@ TEST(chain_of_a_fiftieth_of_the_size, has_the_tensions_of_froudes_law) {
   d.environment.seabed.stiffness = 1e6;  // on a softer one the chain would sink by more than the model lets it, 1 cm
   const LineHistory whole = of_own_steps(d), small = of_own_steps(scaled(d, kScale));
   const double force = std::pow(kScale, 3);
-  EXPECT_NEAR(small.most_last / force, whole.most_last, 0.005 * whole.most_last);
-  EXPECT_NEAR(small.least_last / force, whole.least_last, 0.005 * whole.most_last);
-  EXPECT_NEAR(small.most_first / force, whole.most_first, 0.005 * whole.most_last);
+  EXPECT_NEAR(small.max_last_tension / force, whole.max_last_tension, 0.005 * whole.max_last_tension);
+  EXPECT_NEAR(small.min_last_tension / force, whole.min_last_tension, 0.005 * whole.max_last_tension);
+  EXPECT_NEAR(small.max_first_tension / force, whole.max_first_tension, 0.005 * whole.max_last_tension);
 }
 
 struct JumperCase {
@@ -113,11 +113,11 @@ TEST_P(jumper, whose_top_moves_has_the_published_tension) {
     const std::size_t row = static_cast<std::size_t>(std::lround(std::fmod(reference[0][i] + 270.0, 27.0) / 0.1));
     sum += std::pow(1e-3 * lines[0].last.at(row) - reference[1][i], 2);
   }
-  const Extremes range = extremes_of(reference[1]);
+  const Extremes range = find_value_extremes(reference[1]);
   // Digitised to 0.2 kN; 0.5 kN is 1 % of the tension.
   EXPECT_LT(std::sqrt(sum / static_cast<double>(reference[0].size())), 0.5);
-  EXPECT_NEAR(1e-3 * lines[0].most_last, range.most, 0.02 * range.most);
-  EXPECT_NEAR(1e-3 * lines[0].least_last, range.least, 0.02 * range.least);
+  EXPECT_NEAR(1e-3 * lines[0].max_last_tension, range.max_magnitude, 0.02 * range.max_magnitude);
+  EXPECT_NEAR(1e-3 * lines[0].min_last_tension, range.min_value, 0.02 * range.min_value);
 }
 
 INSTANTIATE_TEST_SUITE_P(of_lowe_and_langley, jumper,
@@ -179,8 +179,8 @@ TEST(lines_in_time, at_rest_stay_at_rest) {
   const std::vector<LineHistory> lines = testing::run_lines(d, options_for(5.0, 0.0));
   const testing::RestingLines rest(d);
   // Steps balance to 1e-6 of the weight.
-  EXPECT_NEAR(lines[0].least_last, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
-  EXPECT_NEAR(lines[0].most_last, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
+  EXPECT_NEAR(lines[0].min_last_tension, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
+  EXPECT_NEAR(lines[0].max_last_tension, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
 }
 
 /// A line with a clump and a buoy in a wave, its top swinging.
@@ -221,17 +221,17 @@ TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
   EXPECT_LT(fine, 0.4 * coarse + 1e-5);
 }
 
-TEST(lines_in_time, on_a_heaving_vessel_swing_as_if_their_end_were_told_to) {
-  const LineHistory told = testing::run_lines(testing::chain_case(50.0, 2.0), options_for(10.0, 10.0)).front();
+TEST(lines_in_time, on_a_heaving_vessel_swing_as_if_their_end_motion_were_prescribed) {
+  const LineHistory prescribed = testing::run_lines(testing::chain_case(50.0, 2.0), options_for(10.0, 10.0)).front();
   Description d = testing::chain_case(50.0, 0.0);
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.harmonic["heave"] = {2.0, 10.0, 0.0};
   d.vessel.heading = 0.5 * std::numbers::pi;  // the bow to the east: V along W
   d.lines[0].second.kind = LineEndKind::body;
-  const LineHistory carried = testing::run_lines(d, options_for(10.0, 10.0)).front();
+  const LineHistory transported = testing::run_lines(d, options_for(10.0, 10.0)).front();
   // The phase of the build-up differs where sine and cosine do; a period later little is left of that.
-  EXPECT_NEAR(carried.most_last, told.most_last, 0.01 * told.most_last);
-  EXPECT_NEAR(carried.least_last, told.least_last, 0.01 * told.most_last);
+  EXPECT_NEAR(transported.max_last_tension, prescribed.max_last_tension, 0.01 * prescribed.max_last_tension);
+  EXPECT_NEAR(transported.min_last_tension, prescribed.min_last_tension, 0.01 * prescribed.max_last_tension);
 }
 
 TEST(lines_in_time, have_their_extremes_along_the_line_whatever_the_output_step) {
@@ -241,12 +241,12 @@ TEST(lines_in_time, have_their_extremes_along_the_line_whatever_the_output_step)
   const LineHistory seldom = testing::run_lines(busy_line(), rare).front();
   for (const LineHistory* line : {&often, &seldom}) {
     // The node of the end bears what holds it.
-    EXPECT_NEAR(line->most_tension.back(), line->most_last, 0.01 * line->most_last);
-    EXPECT_NEAR(line->least_tension.back(), line->least_last, 0.01 * line->most_last);
+    EXPECT_NEAR(line->max_node_tension.back(), line->max_last_tension, 0.01 * line->max_last_tension);
+    EXPECT_NEAR(line->min_tension.back(), line->min_last_tension, 0.01 * line->max_last_tension);
   }
-  for (std::size_t node = 0; node < often.most_tension.size(); ++node) {
-    EXPECT_NEAR(seldom.most_tension[node], often.most_tension[node], 0.05 * often.most_last) << node;
-    EXPECT_NEAR(seldom.least_tension[node], often.least_tension[node], 0.05 * often.most_last) << node;
+  for (std::size_t node = 0; node < often.max_node_tension.size(); ++node) {
+    EXPECT_NEAR(seldom.max_node_tension[node], often.max_node_tension[node], 0.05 * often.max_last_tension) << node;
+    EXPECT_NEAR(seldom.min_tension[node], often.min_tension[node], 0.05 * often.max_last_tension) << node;
   }
 }
 
@@ -264,8 +264,8 @@ TEST(lines_in_time, that_are_pushed_along_the_bed_have_a_negative_tension_at_the
   }
   const LineHistory line = testing::run_lines(d, options_for(60.0, 60.0)).front();
   const double rub = 0.5 * 100.0 * d.lines[0].segments[0].type.weight_submerged;
-  EXPECT_LT(line.least_first, -0.5 * rub);
-  EXPECT_NEAR(line.least_first, line.least_tension.front(), 0.05 * rub);
+  EXPECT_LT(line.min_first_tension, -0.5 * rub);
+  EXPECT_NEAR(line.min_first_tension, line.min_tension.front(), 0.05 * rub);
   for (std::size_t i = 0; i < line.first.size(); ++i) {
     EXPECT_NEAR(std::abs(line.last[i] - line.first[i]), rub, 0.05 * rub) << line.time[i];
     if (line.time[i] > 25.0) break;  // it turns at 30 s
@@ -273,7 +273,7 @@ TEST(lines_in_time, that_are_pushed_along_the_bed_have_a_negative_tension_at_the
 }
 
 /// A hose clamped level at both ends, which bear its weight across it, while it is now pulled, now pushed a little.
-TEST(lines_in_time, that_hang_from_level_clamps_do_not_leap_from_a_pull_to_a_push) {
+TEST(lines_in_time, that_are_suspended_from_level_clamps_do_not_leap_from_a_pull_to_a_push) {
   Description d = testing::water_alone(1025.0, 100.0);
   d.lines = {testing::free_line(testing::cable_type(165.0, 0.3, 500e6, 300e3, 1025.0), 36.0, Vec3(0.0, 0.0, -30.0),
                                 Vec3(30.0, 0.0, -30.0))};
@@ -284,8 +284,8 @@ TEST(lines_in_time, that_hang_from_level_clamps_do_not_leap_from_a_pull_to_a_pus
   d.lines[0].second.amplitude = Vec3(1.5, 0.0, 0.0);
   d.lines[0].second.period = 8.0;
   const LineHistory line = testing::run_lines(d, options_for(16.0, 16.0)).front();
-  EXPECT_NEAR(line.most_first, line.most_tension.front(), 300.0);
-  EXPECT_NEAR(line.least_first, line.least_tension.front(), 300.0);
+  EXPECT_NEAR(line.max_first_tension, line.max_node_tension.front(), 300.0);
+  EXPECT_NEAR(line.min_first_tension, line.min_tension.front(), 300.0);
   for (std::size_t i = 1; i < line.first.size(); ++i) {
     EXPECT_NEAR(line.first[i], line.first[i - 1], 2e3) << line.time[i];  // of 16 kN across
   }
@@ -308,9 +308,9 @@ TEST(lines_in_time, in_waves_swing_as_with_a_fine_mesh) {
   const LineHistory usual = testing::run_lines(d, options_for(28.0, 28.0)).front();
   d.lines[0].element = 1.0;
   const LineHistory fine = testing::run_lines(d, options_for(28.0, 28.0)).front();
-  const double swing = fine.most_last - fine.least_last;
-  EXPECT_NEAR(swing, 2.8e3, 0.3e3);                                      // 2.9 kN by a chain of point masses
-  EXPECT_NEAR(usual.most_last - usual.least_last, swing, 0.15 * swing);  // 5.8 kN with elements of 30 m
+  const double swing = fine.max_last_tension - fine.min_last_tension;
+  EXPECT_NEAR(swing, 2.8e3, 0.3e3);  // 2.9 kN by a chain of point masses
+  EXPECT_NEAR(usual.max_last_tension - usual.min_last_tension, swing, 0.15 * swing);  // 5.8 kN with elements of 30 m
 }
 
 /// A lazy wave: its buoyancy lifts the middle to the surface, from where the catenary of its mean weight is far.
@@ -327,8 +327,8 @@ TEST(lines_in_time, whose_buoyancy_lifts_them_into_the_waves_swing_as_with_a_fin
   const LineHistory usual = testing::run_lines(d, options_for(32.0, 32.0)).front();
   d.lines[0].element = 1.0;
   const LineHistory fine = testing::run_lines(d, options_for(32.0, 32.0)).front();
-  const double swing = fine.most_first - fine.least_first;
-  EXPECT_NEAR(usual.most_first - usual.least_first, swing, 0.2 * swing);
+  const double swing = fine.max_first_tension - fine.min_first_tension;
+  EXPECT_NEAR(usual.max_first_tension - usual.min_first_tension, swing, 0.2 * swing);
 }
 
 TEST(lines_in_time, allocate_nothing_in_a_step) {

@@ -21,25 +21,25 @@ class Decay {
 
   /// Time between the first two passages of the rest in one direction [s]; half of it where there was but one.
   double period(int freedom, double kick) {
-    SystemState now = state_at_rest(system_, {}, 0.0), next;
-    trim(now);
-    const double rest = now.bodies[0].h(freedom);
-    now.bodies[0].h(freedom) += kick;
-    now.bodies[0].slow = slow_rest(now.bodies[0].h);
-    assembly_.set_time(0.0, now);
-    assembly_.impose_ends(now);
-    EXPECT_TRUE(assembly_.find_accelerations(now));
-    now.bodies[0].alg = now.bodies[0].acc;
-    next = now;
+    SystemState state = state_at_rest(system_, {}, 0.0), next;
+    trim(state);
+    const double rest = state.bodies[0].h(freedom);
+    state.bodies[0].h(freedom) += kick;
+    state.bodies[0].slow = slow_motion_at_rest(state.bodies[0].h);
+    assembly_.set_time(0.0, state);
+    assembly_.impose_ends(state);
+    EXPECT_TRUE(assembly_.find_accelerations(state));
+    state.bodies[0].algorithmic_acceleration = state.bodies[0].acc;
+    next = state;
     double first = 0.0;
     int passages = 0;
-    while (now.time < 200.0) {
-      const double before = now.bodies[0].h(freedom) - rest;
-      EXPECT_TRUE(stepper_.step(now, kStep, next).converged()) << now.time;
-      std::swap(now, next);
-      const double after = now.bodies[0].h(freedom) - rest;
+    while (state.time < 200.0) {
+      const double before = state.bodies[0].h(freedom) - rest;
+      EXPECT_TRUE(stepper_.step(state, kStep, next).converged()) << state.time;
+      std::swap(state, next);
+      const double after = state.bodies[0].h(freedom) - rest;
       if (before * after > 0.0) continue;
-      const double passed = now.time - kStep * after / (after - before);
+      const double passed = state.time - kStep * after / (after - before);
       if (++passages == 1) first = passed;
       if (passages == 3) return passed - first;
     }
@@ -53,15 +53,15 @@ class Decay {
     system_.bodies.resize(1);
     FreeBody& body = system_.bodies[0].free.emplace(free_hull(hull_, force_scale(lines_.spread, std::nullopt), 120.0));
     body.springs = quasi_static_lines(lines_.spread, {});
-    system_.surroundings = still(system_);
+    system_.surroundings = surroundings_at_rest(system_);
     return system_;
   }
   /// Heave, roll and pitch as drawn.
   void trim(SystemState& state) {
     assembly_.set_time(0.0, state);
     assembly_.impose_ends(state);
-    SystemState at = state;
-    assembly_.evaluate(at, state, {}, false);
+    SystemState system_state = state;
+    assembly_.evaluate(system_state, state, {}, false);
     for (Eigen::Index i = 2; i < 5; ++i) hull_.ballast(i) += assembly_.body_residual()[static_cast<std::size_t>(i)];
   }
 

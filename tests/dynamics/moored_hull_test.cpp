@@ -5,7 +5,7 @@
 
 #include "dynamics/machines/mooring_tension.h"
 #include "dynamics/run/simulation.h"
-#include "recording/vessel_watch.h"
+#include "recording/vessel_recorder.h"
 #include "support/allocation_count.h"
 #include "support/moored_lay.h"
 
@@ -24,7 +24,7 @@ Description calm(MooringModel lines) {
   return d;
 }
 
-/// Time between the first two passages of its mean place in one direction, after it was let go [s].
+/// Time between the first two passages of its mean place in one direction, after it was released [s].
 double period(const SolvedHull& moored, Eigen::Index freedom, double release) {
   DynamicOptions options = dynamic_options(moored.model);
   options.fixed_step = 0.25;
@@ -33,7 +33,7 @@ double period(const SolvedHull& moored, Eigen::Index freedom, double release) {
   EXPECT_FALSE(simulation.failure());
   // The hull is drawn where it lies.
   const auto off = [&] {
-    const HullState& hull = simulation.now().state->bodies.front();
+    const HullState& hull = simulation.present().state->bodies.front();
     return hull.h(freedom) - simulation.system().bodies.front().free->origin(freedom);
   };
   double before = off(), first = 0.0;
@@ -70,12 +70,12 @@ TEST(moored_hull, is_damped_by_the_share_of_critical_that_is_asked_for) {
   Simulation simulation(moored.model, moored.start(), 0.0, options);
   ASSERT_FALSE(simulation.failure());
   const double rest = simulation.system().bodies.front().free->origin(0);
-  double largest = 0.0;  // of the second swing to the same side, around 67 s
+  double max_value = 0.0;  // of the second swing to the same side, around 67 s
   while (simulation.step()) {
-    const double off = simulation.now().state->bodies.front().h(0) - rest;
-    if (simulation.time() > 45.0) largest = std::max(largest, off);
+    const double off = simulation.present().state->bodies.front().h(0) - rest;
+    if (simulation.time() > 45.0) max_value = std::max(max_value, off);
   }
-  EXPECT_NEAR(largest, 0.1 * 0.532, 0.1 * 0.02);
+  EXPECT_NEAR(max_value, 0.1 * 0.532, 0.1 * 0.02);
 }
 
 TEST(moored_hull, stays_where_statics_put_it_in_calm_water) {
@@ -84,14 +84,15 @@ TEST(moored_hull, stays_where_statics_put_it_in_calm_water) {
   const SolvedHull moored(d);
   Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  const Vec6 first = simulation.now().state->bodies.front().h;
+  const Vec6 first = simulation.present().state->bodies.front().h;
   EXPECT_TRUE(simulation.advance(simulation.end()));
-  EXPECT_LT((simulation.now().state->bodies.front().h - first).norm(), 1e-5);
+  EXPECT_LT((simulation.present().state->bodies.front().h - first).norm(), 1e-5);
   // Catenaries of statics, elements here.
   for (std::size_t i = 0; i < 8; ++i) {
     const double tension = moored.rest.moorings->rest.moorings[i].fairlead_tension;
-    const double now = mooring_tension(*simulation.now().assembly, *simulation.now().state, i, LineEnd::last);
-    EXPECT_NEAR(now, tension, 2e-3 * tension) << i;
+    const double current =
+        mooring_tension(*simulation.present().assembly, *simulation.present().state, i, LineEnd::last);
+    EXPECT_NEAR(current, tension, 2e-3 * tension) << i;
   }
 }
 
@@ -108,14 +109,15 @@ TEST(moored_hull, sinks_under_its_lines_as_in_statics_where_it_is_not_ballasted)
   Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
   EXPECT_TRUE(simulation.advance(2.0));
-  const auto shift = shift_between(moored.model.drawn_pose, simulation.now().assembly->surroundings().bodies[0].pose);
+  const auto shift =
+      shift_between(moored.model.nominal_pose, simulation.present().assembly->surroundings().bodies[0].pose);
   EXPECT_NEAR(shift[2], statics.heave, 1e-3 * std::abs(statics.heave));
   EXPECT_NEAR(shift[3], statics.roll, 1e-3 * std::abs(statics.roll));
   EXPECT_NEAR(shift[1], statics.sway, 1e-3 * std::abs(statics.sway) + 1e-5);
 }
 
-/// The vessel's motion told, lines know nothing of a pipe: there they move as in the system of a lay.
-TEST(moored_hull, has_lines_that_move_as_those_beside_a_pipe) {
+/// With prescribed motion of the vessel, lines are independent of a pipe: there they move as in the system of a lay.
+TEST(moored_hull, has_lines_that_move_as_those_next_to_a_pipe) {
   Description d = coarse_example("bgl1-moored", 6.0, 2.0);
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.coupled.reset();
@@ -124,27 +126,28 @@ TEST(moored_hull, has_lines_that_move_as_those_beside_a_pipe) {
   ASSERT_FALSE(lay.lay.failure) << lay.lay.failure->why;
   DynamicOptions options = dynamic_options(lay.model);
   options.fixed_step = 0.02;
-  Simulation beside(lay.model, *lay.lay.solution, lay.tension(), options);
+  Simulation neighbour(lay.model, *lay.lay.solution, lay.tension(), options);
   d.environment.seabed.stiffness =
-      beside.system().lines[1].environment.bed_stick;  // of the soil; under the pipe it is more
+      neighbour.system().lines[1].environment.bed_stick;  // of the soil; under the pipe it is more
   d.has_pipe = false;
   const SolvedHull moored(d);
   Simulation alone(moored.model, moored.start(), 0.0, options);
-  ASSERT_FALSE(alone.failure() || beside.failure());
-  double least = 1e300, most = 0.0;
-  while (!beside.finished()) {  // rows are met by both; the pipe on its rollers may need shorter steps between
-    const double row = beside.next_row();
-    ASSERT_TRUE(alone.advance(row) && beside.advance(row));
-    ASSERT_NEAR(alone.time(), beside.time(), 1e-9);
+  ASSERT_FALSE(alone.failure() || neighbour.failure());
+  double min_value = 1e300, max_magnitude = 0.0;
+  while (!neighbour.finished()) {  // rows are met by both; the pipe on its rollers may need shorter steps between
+    const double row = neighbour.next_row();
+    ASSERT_TRUE(alone.advance(row) && neighbour.advance(row));
+    ASSERT_NEAR(alone.time(), neighbour.time(), 1e-9);
     for (std::size_t i = 0; i < 8; ++i) {
-      const double one = mooring_tension(*alone.now().assembly, *alone.now().state, i, LineEnd::last);
-      const double other = mooring_tension(*beside.now().assembly, *beside.now().state, i, LineEnd::last);
-      EXPECT_NEAR(one, other, 5e-4 * other) << i << " at " << beside.time();
-      least = std::min(least, one);
-      most = std::max(most, one);
+      const double single = mooring_tension(*alone.present().assembly, *alone.present().state, i, LineEnd::last);
+      const double second =
+          mooring_tension(*neighbour.present().assembly, *neighbour.present().state, i, LineEnd::last);
+      EXPECT_NEAR(single, second, 5e-4 * second) << i << " at " << neighbour.time();
+      min_value = std::min(min_value, single);
+      max_magnitude = std::max(max_magnitude, single);
     }
   }
-  EXPECT_GT(most, 1.1 * least);  // they do move
+  EXPECT_GT(max_magnitude, 1.1 * min_value);  // they do move
 }
 
 TEST(moored_hull, in_a_sea_keeps_its_energy_and_allocates_nothing_in_a_step) {
@@ -169,12 +172,12 @@ TEST(moored_hull, goes_on_after_a_line_has_parted) {
   ASSERT_FALSE(simulation.failure());
   Simulation& run = simulation;
   EXPECT_TRUE(run.advance(1.0));
-  const double before = run.now().state->bodies.front().h(0);
+  const double before = run.present().state->bodies.front().h(0);
   EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
-  EXPECT_LT(mooring_tension(*run.now().assembly, *run.now().state, 0, LineEnd::last), 1.0);
+  EXPECT_LT(mooring_tension(*run.present().assembly, *run.present().state, 0, LineEnd::last), 1.0);
   // Without its port bow line the barge, heading east, is pulled astern by the others: some 285 kN cos 25 deg on 21,000
   // t.
-  EXPECT_LT(run.now().state->bodies.front().h(0), before - 0.3);
+  EXPECT_LT(run.present().state->bodies.front().h(0), before - 0.3);
 }
 
 /// The winches take it along the plan of statics; what is left swings with the surge period of 67 s.
@@ -191,12 +194,12 @@ TEST(moored_hull, is_pulled_ahead_by_its_winches) {
   Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
   Simulation& run = simulation;
-  const double from = run.now().state->bodies.front().h(0);
+  const double from = run.present().state->bodies.front().h(0);
   double sum = 0.0, time = 0.0;
   while (run.step()) {
     if (run.time() < run.end() - 2.0 * 66.96) continue;
-    sum += (run.now().state->bodies.front().h(0) - from) * run.now().state->last_step;
-    time += run.now().state->last_step;
+    sum += (run.present().state->bodies.front().h(0) - from) * run.present().state->last_step;
+    time += run.present().state->last_step;
   }
   ASSERT_FALSE(run.failure());
   EXPECT_NEAR(sum / time, 3.0, 0.03);

@@ -53,14 +53,14 @@ void add_chain_end(Description& d, double length, double diameter, double fricti
 }
 
 void expect_statics_at_start(const Description& d, double share) {
-  const testing::SolvedHull at(d);
-  Simulation simulation(at.model, at.start(), 0.0, dynamic_options(at.model));
+  const testing::SolvedHull solved_hull(d);
+  Simulation simulation(solved_hull.model, solved_hull.start(), 0.0, dynamic_options(solved_hull.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
   Simulation& run = simulation;
   for (std::size_t i = 0; i < d.moorings->lines.size(); ++i) {
-    const MooringLineResult& rest = at.rest.moorings->rest.moorings[i];
-    const double tension = mooring_tension(*run.now().assembly, *run.now().state, i, LineEnd::last);
-    const double anchor = mooring_tension(*run.now().assembly, *run.now().state, i, LineEnd::first);
+    const MooringLineResult& rest = solved_hull.rest.moorings->rest.moorings[i];
+    const double tension = mooring_tension(*run.present().assembly, *run.present().state, i, LineEnd::last);
+    const double anchor = mooring_tension(*run.present().assembly, *run.present().state, i, LineEnd::first);
     EXPECT_NEAR(tension, rest.fairlead_tension, share * rest.fairlead_tension) << rest.name;
     EXPECT_NEAR(anchor, rest.anchor_tension, 2.0 * share * rest.fairlead_tension) << rest.name;
   }
@@ -73,7 +73,7 @@ TEST(mooring_start, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_ho
   expect_statics_at_start(d, 0.01);
   d.environment.current = {{0.0, 0.1, 0.5}, {d.environment.water_depth, 0.1, 0.5}};
   d.vessel.coupled->current = {};
-  d.vessel.coupled->current.form = HullCurrentForm::none;
+  d.vessel.coupled->current.form = HullCurrentModel::none;
   expect_statics_at_start(d, 0.02);
 }
 
@@ -93,17 +93,17 @@ TEST(mooring_start, come_to_rest_in_a_current_whatever_the_friction_of_the_bed) 
       Description d = barge_on(in_water(wire_rope(0.064, RopeCore::wire)), friction);
       d.environment.current = {{0.0, speed, 0.5}, {d.environment.water_depth, speed, 0.5}};
       d.vessel.coupled->current = {};
-      d.vessel.coupled->current.form = HullCurrentForm::none;
-      const testing::SolvedHull at(d);
-      Simulation simulation(at.model, at.start(), 0.0, dynamic_options(at.model));
+      d.vessel.coupled->current.form = HullCurrentModel::none;
+      const testing::SolvedHull solved_hull(d);
+      Simulation simulation(solved_hull.model, solved_hull.start(), 0.0, dynamic_options(solved_hull.model));
       ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
-      EXPECT_LT(simulation.now().state->bodies.at(0).acc.head<3>().norm(), 1e-6 * kGravity);
+      EXPECT_LT(simulation.present().state->bodies.at(0).acc.head<3>().norm(), 1e-6 * kGravity);
       if (speed < 0.5) expect_statics_at_start(d, 0.02);  // of less than a metre's bow
     }
   }
 }
 
-/// Lines of little tension, of which much lies: all at once they would be thrown about on the bed and come to rest
+/// Lines of little tension, of which much lies: all at once they would be thrown about on the bed and reach equilibrium
 /// elsewhere, from where the barge would have to go tens of metres.
 TEST(mooring_start, of_little_tension_come_to_rest_in_a_current_where_statics_have_them) {
   for (const double tension : {100e3, 140e3}) {
@@ -125,7 +125,7 @@ TEST(mooring_start, rub_on_the_bed_by_the_friction_of_what_lies_there) {
   expect_statics_at_start(d, 0.01);
 }
 
-/// A rope that gives way by a hundredth, and chain from where it comes near the bed.
+/// A rope that stretches by a hundredth, and chain from where it comes near the bed.
 TEST(mooring_start, of_rope_and_chain_start_with_the_tensions_of_statics) {
   Description d = barge_on(in_water(chain(0.06, ChainLink::studless)), 1.0);
   LineTypeDescription rope = soft_rope();
@@ -147,8 +147,8 @@ TEST(mooring_start, of_thin_rope_and_thick_chain_on_the_bed_start_with_the_tensi
   expect_statics_at_start(d, 0.02);
 }
 
-/// Where rope and chain meet their stretch differs thirtyfold, and a buoy turns the line by its pull: neither may reach
-/// into the long elements beside.
+/// At the joint of rope and chain their stretch differs thirtyfold, and a buoy turns the line by its pull: neither may
+/// reach into the neighbouring long elements.
 TEST(mooring_start, of_taut_rope_between_chains_start_with_the_tensions_of_statics) {
   Description d = barge_on(in_water(chain(0.06, ChainLink::studlink)), 0.0);
   const LineTypeDescription rope = soft_rope();

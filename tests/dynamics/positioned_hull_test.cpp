@@ -7,7 +7,7 @@
 
 #include "dynamics/run/simulation.h"
 #include "recording/run_dynamics.h"
-#include "recording/vessel_watch.h"
+#include "recording/vessel_recorder.h"
 #include "statics/recovery/recovery.h"
 #include "support/memory_sink.h"
 #include "support/moored_lay.h"
@@ -67,14 +67,14 @@ TEST(positioned_hull, swings_with_the_period_of_its_mass_on_that_stiffness) {
   EXPECT_NEAR(found, expected, 0.01 * expected);
 }
 
-TEST(positioned_hull, is_refused_where_its_thrusters_cannot_hold_it) {
+TEST(positioned_hull, is_rejected_where_its_thrusters_cannot_hold_it) {
   Description d = without_pipe(1.0);
   d.station_keeping->limit = Vec3(100e3, 1e300, 1e300);
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(101e3, 0.0, 0.0), Vec3::Zero()}};
   Model model = build_model(d);
   const ModelEquilibrium outcome = solve_moored_hull(model);
   ASSERT_TRUE(outcome.failure);
-  EXPECT_NE(outcome.failure->why.find("all the thrust"), std::string::npos) << outcome.failure->why;
+  EXPECT_NE(outcome.failure->why.find("thrust limit"), std::string::npos) << outcome.failure->why;
   StationKeepingDescription& law = *d.station_keeping;
   const double surge = std::exchange(law.stiffness.x(), 0.0);
   Model unheld = build_model(d);
@@ -105,19 +105,19 @@ TEST(positioned_hull, stays_in_calm_water_where_statics_put_it_with_its_pipe) {
   const SolvedLay lay(positioned(20.0));
   ASSERT_FALSE(lay.lay.failure) << lay.lay.failure->why;
   const MooredState& rest = lay.lay.moorings->rest;
-  // What pulls it astern is the pipe: the tension at touchdown, for no water flows.
+  // The pipe pulls it astern: the tension at touchdown, for no water flows.
   const double pull = recover_statics(lay.model, *lay.lay.solution).bottom_tension;
   EXPECT_NEAR(rest.thrust[0], pull, 2e-3 * pull);  // the pipe is not quite level where it touches the bed
   Simulation run(lay.model, *lay.lay.solution, lay.tension(), dynamic_options(lay.model));
   ASSERT_FALSE(run.failure());
   while (!run.finished()) ASSERT_TRUE(run.step());
-  const auto shift = shift_between(lay.model.drawn_pose, run.now().vessel().pose);
+  const auto shift = shift_between(lay.model.nominal_pose, run.present().vessel().pose);
   EXPECT_NEAR(shift[0], rest.vessel.surge, 1e-3);
   EXPECT_NEAR(shift[1], rest.vessel.sway, 1e-3);
 }
 
-/// Against a steady pull, the thrust of a run is what statics tell, in statistics and in every row.
-TEST(positioned_hull, tells_its_thrust_in_time) {
+/// Against a steady pull, the thrust of a run is that of statics, in statistics and in every row.
+TEST(positioned_hull, reports_its_thrust_in_time) {
   Description d = without_pipe(10.0);
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(240e3, -45e3, 0.0), Vec3::Zero()}};
   d.station_keeping->limit = Vec3(400e3, 1e300, 1e300);
@@ -129,7 +129,7 @@ TEST(positioned_hull, tells_its_thrust_in_time) {
       run_dynamics(hull.model, hull.start(), {}, dynamic_options(hull.model), sink, nullptr, go_on).results.value();
   ASSERT_EQ(run.thrust.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Spread& given = run.thrust[i].given;
+    const SummaryStatistics& given = run.thrust[i].given;
     EXPECT_NEAR(given.mean, rest[i], 1.0) << i;
     EXPECT_NEAR(given.min, rest[i], 2.0) << i;
     EXPECT_NEAR(given.max, rest[i], 2.0) << i;
@@ -150,7 +150,7 @@ TEST(positioned_hull, at_rest_does_not_drift_by_its_rounding) {
 TEST(positioned_hull, is_pulled_ahead_by_its_wanted_place) {
   Description d = without_pipe(400.0);
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(-60e3, 0.0, 0.0), Vec3::Zero()}};
-  d.vessel.coupled->slow_period = 5.0;  // thrust that hardly lags
+  d.vessel.coupled->low_frequency_period = 5.0;  // thrust that hardly lags
   d.operation.type = OperationType::pull_ahead;
   d.operation.distance = 12.0;
   d.operation.start = 10.0;
@@ -162,7 +162,7 @@ TEST(positioned_hull, is_pulled_ahead_by_its_wanted_place) {
   Simulation run(hull.model, hull.start(), 0.0, dynamic_options(hull.model));
   ASSERT_FALSE(run.failure());
   EXPECT_TRUE(run.advance(run.end()));
-  const auto shift = shift_between(hull.model.drawn_pose, run.now().assembly->surroundings().bodies[0].pose);
+  const auto shift = shift_between(hull.model.nominal_pose, run.present().assembly->surroundings().bodies[0].pose);
   EXPECT_NEAR(shift[0], results.stages[1].vessel.surge, 0.05);  // what is left of the swing
 }
 

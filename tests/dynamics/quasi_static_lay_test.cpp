@@ -3,7 +3,7 @@
 
 #include "dynamics/machines/mooring_tension.h"
 #include "dynamics/run/simulation.h"
-#include "dynamics/setup/dynamic_obstacle.h"
+#include "dynamics/setup/unsupported_in_dynamics.h"
 #include "support/moored_lay.h"
 
 namespace overbend {
@@ -15,64 +15,69 @@ Description quasi_static() {
   return d;
 }
 
-double tension_of(const Simulation& simulation, std::size_t mooring, LineEnd end) {
-  const Instant now = simulation.now();
-  return mooring_tension(*now.assembly, *now.state, mooring, end);
+double compute_end_tension(const Simulation& simulation, std::size_t mooring, LineEnd end) {
+  const Instant instant = simulation.present();
+  return mooring_tension(*instant.assembly, *instant.state, mooring, end);
 }
 
 TEST(quasi_static_lay, begins_with_the_tensions_of_statics_and_stays_there_in_calm_water) {
   Description d = quasi_static();
   d.environment.waves.type = WaveType::none;
   d.environment.current.clear();
-  const testing::SolvedLay at(d);
-  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
-  ASSERT_FALSE(dynamic_obstacle(at.model));
-  Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  const testing::SolvedLay solved_lay(d);
+  ASSERT_FALSE(solved_lay.lay.failure) << solved_lay.lay.failure->why;
+  ASSERT_FALSE(unsupported_in_dynamics(solved_lay.model));
+  Simulation simulation(solved_lay.model, *solved_lay.lay.solution, solved_lay.tension(),
+                        dynamic_options(solved_lay.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
   ASSERT_EQ(simulation.moorings().size(), 8U);
-  EXPECT_EQ(simulation.now().state->lines.size(), 1U);  // the pipe
-  const HullState first = simulation.now().state->bodies.at(0);
+  EXPECT_EQ(simulation.present().state->lines.size(), 1U);  // the pipe
+  const HullState first = simulation.present().state->bodies.at(0);
   EXPECT_LT(first.acc.head<3>().norm(), 1e-6 * kGravity);
   for (std::size_t i = 0; i < 8; ++i) {
-    const MooringLineResult& line = at.lay.moorings->rest.moorings[i];
+    const MooringLineResult& line = solved_lay.lay.moorings->rest.moorings[i];
     // The hull lies where statics put it but for the mesh of the pipe and its friction on the bed, to some millimetres.
-    EXPECT_NEAR(tension_of(simulation, i, LineEnd::last), line.fairlead_tension, 1e-3 * line.fairlead_tension) << i;
-    EXPECT_NEAR(tension_of(simulation, i, LineEnd::first), line.anchor_tension, 1e-3 * line.fairlead_tension) << i;
+    EXPECT_NEAR(compute_end_tension(simulation, i, LineEnd::last), line.fairlead_tension, 1e-3 * line.fairlead_tension)
+        << i;
+    EXPECT_NEAR(compute_end_tension(simulation, i, LineEnd::first), line.anchor_tension, 1e-3 * line.fairlead_tension)
+        << i;
   }
   while (simulation.step()) {
   }
   ASSERT_FALSE(simulation.failure());
-  EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
+  EXPECT_LT((simulation.present().state->bodies[0].h - first.h).norm(), 1e-5);
 }
 
 TEST(quasi_static_lay, goes_through_waves_and_resumes_bit_for_bit) {
-  const testing::SolvedLay at(quasi_static());
-  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
-  Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  const testing::SolvedLay solved_lay(quasi_static());
+  ASSERT_FALSE(solved_lay.lay.failure) << solved_lay.lay.failure->why;
+  Simulation simulation(solved_lay.model, *solved_lay.lay.solution, solved_lay.tension(),
+                        dynamic_options(solved_lay.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
   simulation.advance(0.5);
   const DynamicCheckpoint checkpoint = simulation.checkpoint();
   simulation.advance(1.0);
   ASSERT_FALSE(simulation.failure());
   EXPECT_LT(std::abs(simulation.energy().drift()), 5e-3);  // of little that has passed so soon
-  Simulation resumed(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  Simulation resumed(solved_lay.model, *solved_lay.lay.solution, solved_lay.tension(),
+                     dynamic_options(solved_lay.model));
   resumed.restore(checkpoint);
   resumed.advance(1.0);
-  EXPECT_EQ(simulation.now().state->bodies[0].h, resumed.now().state->bodies[0].h);
-  EXPECT_EQ(tension_of(simulation, 0, LineEnd::last), tension_of(resumed, 0, LineEnd::last));
+  EXPECT_EQ(simulation.present().state->bodies[0].h, resumed.present().state->bodies[0].h);
+  EXPECT_EQ(compute_end_tension(simulation, 0, LineEnd::last), compute_end_tension(resumed, 0, LineEnd::last));
 }
 
-TEST(quasi_static_lay, is_refused_where_its_lines_should_do_more_than_pull) {
-  const auto refused = [](const std::function<void(Description&)>& change) {
+TEST(quasi_static_lay, is_rejected_where_its_lines_should_do_more_than_pull) {
+  const auto rejected = [](const std::function<void(Description&)>& change) {
     Description d = quasi_static();
     change(d);
-    return dynamic_obstacle(build_model(d)).has_value();
+    return unsupported_in_dynamics(build_model(d)).has_value();
   };
-  EXPECT_FALSE(refused([](Description&) {}));
-  EXPECT_TRUE(refused([](Description& d) { d.moorings->winches.front().mode = WinchMode::tension; }));
-  EXPECT_TRUE(refused([](Description& d) { d.moorings->lines.front().fails_at = 100.0; }));
-  EXPECT_TRUE(refused([](Description& d) { d.moorings->lines.front().anchor_holding.slides = true; }));
-  EXPECT_TRUE(refused([](Description& d) { d.vessel.motion = VesselMotion::fixed; }));
+  EXPECT_FALSE(rejected([](Description&) {}));
+  EXPECT_TRUE(rejected([](Description& d) { d.moorings->winches.front().mode = WinchMode::tension; }));
+  EXPECT_TRUE(rejected([](Description& d) { d.moorings->lines.front().fails_at = 100.0; }));
+  EXPECT_TRUE(rejected([](Description& d) { d.moorings->lines.front().anchor_holding.slides = true; }));
+  EXPECT_TRUE(rejected([](Description& d) { d.vessel.motion = VesselMotion::fixed; }));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(roller_friction_start, a_run_in_calm_water_stays_at_the_equilibrium_of_stat
   }
 }
 
-// The hull comes to rest with the pipe before the run starts: with its friction too.
+// The hull reaches equilibrium with the pipe before the run starts: with its friction too.
 TEST(roller_friction_start, a_floating_hull_comes_to_rest_with_the_friction_of_statics) {
   const Description d = rubbing(testing::coarse_example("bgl1-moored", 1.0, 2.0), RollerFriction::lay);
   const testing::SolvedLay lay(d);

@@ -20,7 +20,7 @@ Description over_sleeper() {
   for (RollerKindDescription& kind : d.rollers) kind.stiffness = 2e7;
   d.tensioner.mode = TensionerMode::locked;
   d.mesh.overbend_element = 2.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->build_up = 1.0;
   return d;
@@ -44,7 +44,7 @@ TEST(uneven_bed_in_time, pipe_at_rest_stays_at_rest) {
   while (run.simulation->step()) {
   }
   EXPECT_FALSE(run.simulation->failure());
-  const std::vector<double>& after = run.simulation->now().pipe().q;
+  const std::vector<double>& after = run.simulation->present().pipe().q;
   ASSERT_EQ(after.size(), before.size());
   for (std::size_t i = 0; i < after.size(); ++i) ASSERT_NEAR(after[i], before[i], 1e-5) << i;
 }
@@ -59,7 +59,7 @@ TEST(uneven_bed_in_time, energy_of_a_pipe_that_rocks_on_the_sleeper_is_accounted
   while (run.simulation->step()) {
   }
   EXPECT_FALSE(run.simulation->failure());
-  EXPECT_NE(run.simulation->now().pipe().q, before);
+  EXPECT_NE(run.simulation->present().pipe().q, before);
   EXPECT_LT(std::abs(run.simulation->energy().drift()), 5e-3);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 HullCurrent strips(double towards, double speed) {
   HullCurrent c;
-  c.form = HullCurrentForm::strips;
+  c.form = HullCurrentModel::strips;
   c.velocity = speed * Eigen::Vector2d(std::cos(towards), std::sin(towards));
   c.length = 120.0;
   c.beam = 30.0;
@@ -27,7 +27,7 @@ HullCurrent strips(double towards, double speed) {
 /// The same hull by UFC 4-159-03.
 HullCurrent ufc(double towards, double speed) {
   HullCurrent c = strips(towards, speed);
-  c.form = HullCurrentForm::ufc;
+  c.form = HullCurrentModel::ufc;
   c.transverse = 0.45;
   c.longitudinal = kUfcFormDrag;
   c.wetted_surface = 4656.0;
@@ -37,7 +37,7 @@ HullCurrent ufc(double towards, double speed) {
 /// A lopsided table.
 HullCurrent table() {
   HullCurrent c = strips(50.0 * kDegree, 1.3);
-  c.form = HullCurrentForm::table;
+  c.form = HullCurrentModel::table;
   c.table = {155.0, 620.0, 120.0, {}};
   for (int i = 0; i < 12; ++i) {
     const double a = 30.0 * i * kDegree;

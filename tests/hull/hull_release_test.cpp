@@ -21,7 +21,7 @@ struct Extremum {
 /// Turning points of a freedom after a release, by parabolas.
 std::vector<Extremum> decay(Vec6 offset, int mode, double step, double end, std::vector<Extremum>* values = nullptr) {
   const Hull& hull = testing::made_bgl1_hull().hull;
-  HullState state = hull_at_rest(hull, hull.drawn + offset);
+  HullState state = make_static_hull(hull, hull.drawn + offset);
   find_hull_acceleration(hull, {}, 0.0, state);
   std::vector<Extremum> found;
   Extremum last[2] = {{0.0, offset(mode)}, {0.0, offset(mode)}};
@@ -83,7 +83,7 @@ TEST(hull_release, moored_hull_swings_with_its_natural_periods) {
   const std::pair<int, double> expected[] = {{0, 66.96}, {1, 77.15}, {5, 44.64}};
   for (const auto& [mode, period] : expected) {
     const double kick = mode == 5 ? 1.0 * kDegree : 1.0;
-    HullState state = hull_at_rest(hull, hull.drawn + kick * Vec6::Unit(mode));
+    HullState state = make_static_hull(hull, hull.drawn + kick * Vec6::Unit(mode));
     find_hull_acceleration(hull, springs, 0.0, state);
     std::vector<double> crossings;
     double before = kick, peak = 0.0;
@@ -103,28 +103,29 @@ TEST(hull_release, moored_hull_swings_with_its_natural_periods) {
 TEST(hull_release, energy_of_the_moored_hull_in_calm_water_never_grows) {
   const Hull& hull = testing::made_bgl1_hull().hull;
   const HullSprings springs = testing::on_eight_lines(hull.drawn);
-  HullState state = hull_at_rest(hull, hull.drawn + Vec6((Vec6() << 1, 1, 1, kDegree, kDegree, kDegree).finished()));
+  HullState state =
+      make_static_hull(hull, hull.drawn + Vec6((Vec6() << 1, 1, 1, kDegree, kDegree, kDegree).finished()));
   find_hull_acceleration(hull, springs, 0.0, state);
   const auto held = [&](const HullState& s) {
     const HullEnergy e = hull_energy(hull, s, 0.0);
     const Vec6 off = s.h - springs.rest;
     return e.kinetic + e.hydrostatic + 0.5 * off.dot(springs.stiffness * off);
   };
-  // What the water around the hull holds comes and goes, but never more than was put in; and the slow swings, after
+  // The energy of the water around the hull comes and goes, but never more than was put in; and the slow swings, after
   // heave, roll and pitch have died out, shrink from each 400 s to the next.
-  const double most = held(state);
-  std::vector<Vec6> largest;
+  const double max_value = held(state);
+  std::vector<Vec6> max_magnitude;
   ASSERT_TRUE(run_hull(hull, springs, kRadius, 0.0, 0.5, 21600, state, [&](double t, const HullState& s) {
-    EXPECT_LE(held(s), most) << t;
-    if (t > 400.0 * static_cast<double>(largest.size())) largest.push_back(Vec6::Zero());
-    largest.back() = largest.back().cwiseMax((s.h - springs.rest).cwiseAbs());
+    EXPECT_LE(held(s), max_value) << t;
+    if (t > 400.0 * static_cast<double>(max_magnitude.size())) max_magnitude.push_back(Vec6::Zero());
+    max_magnitude.back() = max_magnitude.back().cwiseMax((s.h - springs.rest).cwiseAbs());
   }));
-  ASSERT_EQ(largest.size(), 27U);
-  for (std::size_t i = 2; i < largest.size(); ++i) {
+  ASSERT_EQ(max_magnitude.size(), 27U);
+  for (std::size_t i = 2; i < max_magnitude.size(); ++i) {
     // The largest of ten swings or so, seen every half second.
-    for (const int k : {0, 1, 5}) EXPECT_LT(largest[i](k), largest[i - 1](k) * 1.0005) << i << ' ' << k;
+    for (const int k : {0, 1, 5}) EXPECT_LT(max_magnitude[i](k), max_magnitude[i - 1](k) * 1.0005) << i << ' ' << k;
   }
-  for (const int k : {0, 1, 5}) EXPECT_LT(largest.back()(k), 0.97 * largest[1](k));
+  for (const int k : {0, 1, 5}) EXPECT_LT(max_magnitude.back()(k), 0.97 * max_magnitude[1](k));
 }
 
 TEST(hull_release, energy_balance_closes_with_the_square_of_the_step) {
@@ -132,7 +133,7 @@ TEST(hull_release, energy_balance_closes_with_the_square_of_the_step) {
   hull.damping.quadratic(3) = 1e9;
   const HullSprings springs = testing::on_eight_lines(hull.drawn);
   const auto drift = [&](double step) {
-    HullState state = hull_at_rest(hull, hull.drawn);
+    HullState state = make_static_hull(hull, hull.drawn);
     find_hull_acceleration(hull, springs, 0.0, state);
     double work = 0.0, last = hull_energy(hull, state, 0.0).power(), size = 0.0, error = 0.0;
     EXPECT_TRUE(run_hull(hull, springs, 1.0, 0.0, step, static_cast<int>(100.0 / step), state,

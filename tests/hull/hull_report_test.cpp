@@ -19,15 +19,15 @@ TEST(hull_report, gives_the_range_of_the_current_force) {
   Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();
   HullCurrent& c = made.hull.current;
-  c.form = HullCurrentForm::strips;
+  c.form = HullCurrentModel::strips;
   c.velocity = {0.0, 1.02};
   c.length = 120.0;
   c.draught = 5.182;
   c.transverse = 0.8;
   const HullReport report = hull_report(made, model, Sea{}, moored());
-  EXPECT_NEAR(report.current_now / 1e3, 265.3, 0.2);
-  EXPECT_NEAR(report.current_least / 1e3, 149.0, 0.2);  // C_yc 0.449 in 89 m; 146 kN by the 0.44 of deep water
-  EXPECT_NEAR(report.current_most / 1e3, 397.9, 0.3);
+  EXPECT_NEAR(report.model_current_force / 1e3, 265.3, 0.2);
+  EXPECT_NEAR(report.min_current_force / 1e3, 149.0, 0.2);  // C_yc 0.449 in 89 m; 146 kN by the 0.44 of deep water
+  EXPECT_NEAR(report.max_current_force / 1e3, 397.9, 0.3);
   EXPECT_FALSE(report.radiation.entries.empty());
 }
 
@@ -46,7 +46,7 @@ TEST(hull_report, warns_of_a_table_by_which_wind_from_ahead_pulls_the_hull_ahead
   EXPECT_EQ(warnings_with(-1.0), warnings_with(1.0) + 1);
 }
 
-TEST(hull_report, tells_what_acts_steadily) {
+TEST(hull_report, reports_what_acts_steadily) {
   Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();
   const Sea sea = testing::long_crested(4.0, 12.9, 0.5 * std::numbers::pi, 1);
@@ -74,24 +74,24 @@ TEST(hull_report, warns_of_positioning_that_lags_too_far_to_be_stable) {
   loop.slow_stiffness = 2e8;
   loop.mass = loop.slow_stiffness / (w * w);
   loop.slow_damping = 8e9;
-  loop.slow_period = 40.0;
-  const LeastDamped found = least_damped(loop);
+  loop.low_frequency_period = 40.0;
+  const DampedOscillation found = find_least_damped(loop);
   EXPECT_NEAR(found.damping, -0.067, 0.001);
   EXPECT_NEAR(found.period, 41.2, 0.1);
-  loop.slow_period = 15.0;
+  loop.low_frequency_period = 15.0;
   loop.slow_damping = 4e9;
-  EXPECT_NEAR(least_damped(loop).damping, 0.419, 0.001);
+  EXPECT_NEAR(find_least_damped(loop).damping, 0.419, 0.001);
   loop.slow_damping = loop.slow_stiffness = 0.0;  // nothing lags: the oscillator itself
   loop.stiffness = 2e8;
   loop.damping = 0.1 * 2.0 * loop.stiffness / w;
-  EXPECT_NEAR(least_damped(loop).damping, 0.1, 1e-9);
+  EXPECT_NEAR(find_least_damped(loop).damping, 0.1, 1e-9);
   const Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();
   made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 2e8), Vec3(4e6, 4e6, 8e9)}};
   const HullReport report = hull_report(made, model, Sea{}, Mat6::Zero());
   EXPECT_GT(report.damping[2].total(), 0.0);
   EXPECT_TRUE(std::ranges::any_of(messages(report.findings), [](const std::string& warning) {
-    return warning.find("makes the slow yaw swing up") != std::string::npos;
+    return warning.find("is unstable in slow yaw") != std::string::npos;
   }));
 }
 
@@ -124,11 +124,11 @@ TEST(hull_report, warns_of_drift_that_ends_below_the_waves) {
   };
   const HullReport whole = report_with(10.0), cut = report_with(0.8);
   ASSERT_EQ(cut.findings.size(), whole.findings.size() + 1);
-  const auto told = [](const std::string& words) {
-    return words.find("of the mean drift, which end") != std::string::npos;
+  const auto prescribed = [](const std::string& message) {
+    return message.find("of the mean drift, which end") != std::string::npos;
   };
-  EXPECT_TRUE(std::ranges::any_of(messages(cut.findings), told));
-  EXPECT_FALSE(std::ranges::any_of(messages(whole.findings), told));
+  EXPECT_TRUE(std::ranges::any_of(messages(cut.findings), prescribed));
+  EXPECT_FALSE(std::ranges::any_of(messages(whole.findings), prescribed));
 }
 
 TEST(hull_report, warns_of_files_without_drift_in_a_sea_that_would_make_the_hull_drift) {

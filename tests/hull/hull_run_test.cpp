@@ -33,7 +33,7 @@ HullSprings soft_springs(const Vec6& rest) {
   return springs;
 }
 
-Mat6 inertia_of(const Hull& hull) {
+Mat6 hull_inertia(const Hull& hull) {
   Mat6 M = Mat6::Zero();
   M.topLeftCorner<3, 3>().diagonal().setConstant(hull.body.mass);
   M.bottomRightCorner<3, 3>() = hull.body.inertia;
@@ -44,7 +44,7 @@ Mat6 inertia_of(const Hull& hull) {
 CVec6 linear_answer(const Hull& hull, const HullSprings& springs, std::size_t i, std::size_t heading) {
   const RadiationPoint& point = data().radiation[i];
   const double w = point.omega;
-  const CMat6 Z = (hull.hydrostatics + springs.stiffness - w * w * (inertia_of(hull) + point.added_mass))
+  const CMat6 Z = (hull.hydrostatics + springs.stiffness - w * w * (hull_inertia(hull) + point.added_mass))
                       .cast<std::complex<double>>() +
                   std::complex<double>(0.0, w) *
                       (point.damping + hull.damping.linear + springs.damping).cast<std::complex<double>>();
@@ -52,7 +52,7 @@ CVec6 linear_answer(const Hull& hull, const HullSprings& springs, std::size_t i,
 }
 
 /// Amplitude of exp(i w t) in a record of equal steps over whole periods, least squares with a mean and a trend.
-CVec6 harmonic_of(const std::vector<std::pair<double, Vec6>>& record, double w) {
+CVec6 fit_harmonic(const std::vector<std::pair<double, Vec6>>& record, double w) {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Matrix<double, 4, 6> right = Eigen::Matrix<double, 4, 6>::Zero();
   const double middle = 0.5 * (record.front().first + record.back().first);
@@ -82,7 +82,7 @@ CVec6 answer_in_waves(double w, double heading, double step, double psi) {
   hull.drawn(5) = psi;
   hull.waves = make_hull_waves(data(), testing::regular_sea(amplitude, w, heading + psi), WaveDrift::none, 5.182, psi);
   hull.build_up = 100.0;
-  HullState state = hull_at_rest(hull, hull.drawn);
+  HullState state = make_static_hull(hull, hull.drawn);
   HullSprings springs = soft_springs(hull.drawn);
   find_hull_acceleration(hull, springs, -hull.build_up, state);
   const double start = -hull.build_up, settled = 100.0, end = settled + 4.0 * 2.0 * kPi / w;
@@ -91,11 +91,11 @@ CVec6 answer_in_waves(double w, double heading, double step, double psi) {
   EXPECT_TRUE(run_hull(hull, springs, kRadius, start, step, steps, state, [&](double t, const HullState& s) {
     if (t > settled) record.emplace_back(t, freedoms_from(s.h, hull.drawn) / amplitude);
   }));
-  return harmonic_of(record, w);
+  return fit_harmonic(record, w);
 }
 
 TEST(hull_run, regular_waves_give_the_linear_answer_of_the_files_coefficients) {
-  Vec6 largest = Vec6::Zero();  // of each freedom over the cases
+  Vec6 max_value = Vec6::Zero();  // of each freedom over the cases
   std::vector<std::pair<CVec6, CVec6>> pairs;
   for (const double omega : {0.5, 0.725, 0.825, 1.0}) {
     const std::size_t i = frequency(omega);
@@ -104,12 +104,12 @@ TEST(hull_run, regular_waves_give_the_linear_answer_of_the_files_coefficients) {
       const Hull& hull = testing::made_bgl1_hull().hull;
       const CVec6 exact = linear_answer(hull, soft_springs(hull.drawn), i, static_cast<std::size_t>(heading));
       pairs.emplace_back(answer_in_waves(w, heading * 15.0 * kDegree, 0.1, 0.0), exact);
-      largest = largest.cwiseMax(exact.cwiseAbs());
+      max_value = max_value.cwiseMax(exact.cwiseAbs());
     }
   }
   for (const auto& [found, exact] : pairs) {
     for (int k = 0; k < 6; ++k) {
-      EXPECT_LT(std::abs(found(k) - exact(k)), 0.01 * largest(k)) << k << ' ' << exact.transpose();
+      EXPECT_LT(std::abs(found(k) - exact(k)), 0.01 * max_value(k)) << k << ' ' << exact.transpose();
     }
   }
 }
@@ -135,7 +135,7 @@ TEST(hull_run, irregular_sea_gives_the_motion_of_the_raos) {
   description.vessel.motion = VesselMotion::raos;
   description.vessel.raos = testing::bgl1_raos();
   const VesselMotionModel by_raos = make_vessel_motion(build_model(description), sea);
-  HullState state = hull_at_rest(hull, hull.drawn);
+  HullState state = make_static_hull(hull, hull.drawn);
   const HullSprings springs = soft_springs(hull.drawn);
   find_hull_acceleration(hull, springs, -100.0, state);
   Vec6 aa = Vec6::Zero(), bb = aa, ab = aa;
@@ -159,7 +159,7 @@ TEST(hull_run, hull_turns_all_the_way_round_and_its_forces_with_it) {
   Hull hull = testing::bgl1_in(sea, WaveDrift::newman);
   HullSprings springs = testing::on_eight_lines(hull.drawn);
   springs.damping.diagonal() << 8e5, 1e6, 0.0, 0.0, 0.0, 2e9;
-  HullState state = hull_at_rest(hull, hull.drawn), scratch = state;
+  HullState state = make_static_hull(hull, hull.drawn), scratch = state;
   find_hull_acceleration(hull, springs, 0.0, state);
   const GeneralizedAlpha scheme(kRadius);
   double before = 0.0;
@@ -171,9 +171,9 @@ TEST(hull_run, hull_turns_all_the_way_round_and_its_forces_with_it) {
     before = state.h(5);
   }
   EXPECT_NEAR(state.h(5) / kDegree, 400.0, 8.0);
-  const Vec6 here = wave_force(hull.waves, 1000.0, state.slow.value).drift;
+  const Vec6 local = wave_force(hull.waves, 1000.0, state.slow.value).drift;
   const Vec6 wrapped = wave_force(hull.waves, 1000.0, state.slow.value - Vec3(0.0, 0.0, 2.0 * kPi)).drift;
-  EXPECT_LT((here - wrapped).norm(), 1e-9 * here.norm());
+  EXPECT_LT((local - wrapped).norm(), 1e-9 * local.norm());
 }
 
 TEST(hull_run, parts_of_the_damping_are_those_of_an_independent_program) {
@@ -181,7 +181,7 @@ TEST(hull_run, parts_of_the_damping_are_those_of_an_independent_program) {
   Hull hull = testing::made_bgl1_hull().hull;
   hull.drift_damping = wave_drift_damping(data(), sea, 0.0);
   HullCurrent& current = hull.current;
-  current.form = HullCurrentForm::strips;
+  current.form = HullCurrentModel::strips;
   current.velocity = {0.0, 1.02};
   current.length = 120.0;
   current.beam = 30.0;

@@ -15,7 +15,7 @@ namespace {
 Hull burdened() {
   Hull hull = testing::bgl1_in(testing::long_crested(3.0, 9.0, 1.2, 5), WaveDrift::newman);
   hull.drift_damping = wave_drift_damping(testing::bgl1_hydrodynamics(), testing::long_crested(3.0, 9.0, 1.2, 5), 0.0);
-  hull.current.form = HullCurrentForm::strips;
+  hull.current.form = HullCurrentModel::strips;
   hull.current.velocity = {0.5, 0.8};
   hull.current.length = 120.0;
   hull.current.beam = 30.0;
@@ -36,7 +36,7 @@ Hull burdened() {
 }
 
 HullState moving() {
-  HullState s = hull_at_rest(burdened(), (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
+  HullState s = make_static_hull(burdened(), (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
   s.v << 0.4, -0.5, 0.3, 0.03, 0.02, 0.012;
   s.acc << 0.1, 0.2, -0.3, 0.01, -0.02, 0.005;
   s.slow.value += Vec3(0.5, -0.4, 0.02);
@@ -47,17 +47,17 @@ HullState moving() {
 TEST(hull, tangent_agrees_with_differences) {
   const Hull hull = burdened();
   const HullState before = moving();
-  HullState at = before;
+  HullState hull_state = before;
   const double step = 0.02;
-  at.h += step * before.v;
+  hull_state.h += step * before.v;
   const HullWeights weights{1.0, 150.0, 2.4e4};
   HullBalance exact, a, b;
-  balance_hull(hull, at, before, step, weights, 30.0, exact);
+  balance_hull(hull, hull_state, before, step, weights, 30.0, exact);
   const Vec6 scale = (Vec6() << 1.0, 1.0, 1.0, 1.0, 1.0, 1.0).finished() * 1e-6;
-  double largest = exact.tangent.cwiseAbs().maxCoeff();
+  double max_value = exact.tangent.cwiseAbs().maxCoeff();
   for (int k = 0; k < 6; ++k) {
     const Vec6 e = scale(k) * Vec6::Unit(k);
-    HullState ahead = at, behind = at;
+    HullState ahead = hull_state, behind = hull_state;
     ahead.h += e;
     ahead.v += weights.damping * e;
     ahead.acc += weights.mass * e;
@@ -67,37 +67,37 @@ TEST(hull, tangent_agrees_with_differences) {
     balance_hull(hull, ahead, before, step, weights, 30.0, a);
     balance_hull(hull, behind, before, step, weights, 30.0, b);
     const Vec6 slope = (a.residual - b.residual) / (2.0 * scale(k));
-    EXPECT_LT((exact.tangent.col(k) - slope).cwiseAbs().maxCoeff(), 1e-10 * largest) << k;
+    EXPECT_LT((exact.tangent.col(k) - slope).cwiseAbs().maxCoeff(), 1e-10 * max_value) << k;
   }
 }
 
 /// Coefficients of a table are of steady flow: a hull that follows the waves is not damped by them.
 TEST(hull, current_by_a_table_flows_past_the_slow_hull) {
   Hull by_table = burdened(), without = by_table;
-  by_table.current.form = HullCurrentForm::table;
+  by_table.current.form = HullCurrentModel::table;
   by_table.current.table = {155.0, 620.0, 120.0, {}};
   for (int i = 0; i < 12; ++i) {
     const double a = 30.0 * i * kDegree;
     by_table.current.table.rows.push_back({a, 0.7 * std::cos(a), 0.9 * std::sin(a), 0.1 * std::sin(2.0 * a)});
   }
-  without.current.form = HullCurrentForm::none;
+  without.current.form = HullCurrentModel::none;
   const HullState before = moving();
-  HullState at = before;
-  at.h += 0.1 * before.v;
-  const auto current = [&](const HullState& now, const HullState& from) {
+  HullState hull_state = before;
+  hull_state.h += 0.1 * before.v;
+  const auto current = [&](const HullState& to, const HullState& from) {
     HullBalance a, b;
-    balance_hull(by_table, now, from, 0.1, {1.0, 20.0, 400.0}, 30.0, a);
-    balance_hull(without, now, from, 0.1, {1.0, 20.0, 400.0}, 30.0, b);
+    balance_hull(by_table, to, from, 0.1, {1.0, 20.0, 400.0}, 30.0, a);
+    balance_hull(without, to, from, 0.1, {1.0, 20.0, 400.0}, 30.0, b);
     return Vec6(a.residual - b.residual);
   };
-  HullState faster = at;
+  HullState faster = hull_state;
   faster.v *= 3.0;
-  const Vec6 slow = current(at, before);
+  const Vec6 slow = current(hull_state, before);
   EXPECT_GT(slow.norm(), 1e4);
   EXPECT_LT((current(faster, before) - slow).norm(), 1e-6 * slow.norm());
   HullState drifting = before;
   drifting.slow.rate *= 3.0;
-  EXPECT_GT((current(at, drifting) - slow).norm(), 1e-2 * slow.norm());
+  EXPECT_GT((current(hull_state, drifting) - slow).norm(), 1e-2 * slow.norm());
 }
 
 TEST(hull, what_surrounds_it_is_found_once_in_a_step) {
@@ -124,7 +124,7 @@ TEST(hull, what_surrounds_it_is_found_once_in_a_step) {
 TEST(hull, tangent_at_rest_includes_what_follows_its_heading) {
   Hull hull = burdened();
   hull.mean_drift_from_start = true;
-  const HullState start = hull_at_rest(hull, (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
+  const HullState start = make_static_hull(hull, (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
   HullBalance exact, a, b;
   balance_hull(hull, start, start, 0.0, {}, kBeforeWaves, exact);
   for (int k = 0; k < 6; ++k) {
@@ -141,7 +141,7 @@ TEST(hull, tangent_at_rest_includes_what_follows_its_heading) {
 TEST(hull, mean_drift_acts_before_the_waves_only_where_it_is_asked_for) {
   Hull hull = testing::bgl1_in(testing::long_crested(4.0, 12.9, 0.5 * kPi, 1), WaveDrift::newman);
   hull.build_up = 100.0;
-  const HullState rest = hull_at_rest(hull, hull.drawn);
+  const HullState rest = make_static_hull(hull, hull.drawn);
   HullBalance out;
   balance_hull(hull, rest, rest, 0.0, {}, kBeforeWaves, out);
   EXPECT_EQ(out.residual.norm(), 0.0);
@@ -158,22 +158,22 @@ TEST(hull, mean_drift_acts_before_the_waves_only_where_it_is_asked_for) {
 
 TEST(hull, steady_forces_are_current_with_munks_moment_and_the_drift_that_is_asked_for) {
   Hull hull = testing::bgl1_in(testing::long_crested(4.0, 12.9, 0.5 * kPi, 1), WaveDrift::newman);
-  hull.current.form = HullCurrentForm::strips;
+  hull.current.form = HullCurrentModel::strips;
   hull.current.velocity = {0.7, 0.7};  // towards the port bow of a hull that heads east
   hull.current.length = 120.0;
   hull.current.draught = 5.182;
   hull.current.transverse = 0.8;
-  const SteadyForces still = steady_forces(hull, 0.0);
-  EXPECT_EQ(still.drift.norm(), 0.0);
-  EXPECT_EQ(still.wind.norm(), 0.0);
+  const SteadyForces at_rest = steady_forces(hull, 0.0);
+  EXPECT_EQ(at_rest.drift.norm(), 0.0);
+  EXPECT_EQ(at_rest.wind.norm(), 0.0);
   hull.munk = 6.9e6;
   hull.mean_drift_from_start = true;
   const SteadyForces forces = steady_forces(hull, 0.0);
   EXPECT_EQ(forces.drift, mean_drift(hull.waves, 0.0));
   // The flow turns the hull across itself: bow to starboard.
-  EXPECT_NEAR(forces.current(5) - still.current(5), -6.9e6 * 0.49, 1.0);
+  EXPECT_NEAR(forces.current(5) - at_rest.current(5), -6.9e6 * 0.49, 1.0);
   HullBalance out;
-  const HullState rest = hull_at_rest(hull, hull.drawn);
+  const HullState rest = make_static_hull(hull, hull.drawn);
   balance_hull(hull, rest, rest, 0.0, {}, kBeforeWaves, out);
   EXPECT_LT((forces.sum() + out.residual).norm(), 1e-6 * forces.sum().norm());
 }
@@ -199,16 +199,16 @@ TEST(hull, answer_turns_with_the_world) {
   turned.loads[0].moment_W = R * hull.loads[0].moment_W;
   turned.station_keeping->wanted = R * Vec3(3.0, -4.0, 0.0) + Vec3(0.0, 0.0, 0.1 + angle);
   const HullState state = moving();
-  HullState other = state;
-  other.h = turn(state.h) + angle * Vec6::Unit(5);
-  other.v = turn(state.v);
-  other.acc = turn(state.acc);
-  other.slow.value =
+  HullState second_hull_state = state;
+  second_hull_state.h = turn(state.h) + angle * Vec6::Unit(5);
+  second_hull_state.v = turn(state.v);
+  second_hull_state.acc = turn(state.acc);
+  second_hull_state.slow.value =
       R * Vec3(state.slow.value.x(), state.slow.value.y(), 0.0) + Vec3(0, 0, state.slow.value.z() + angle);
-  other.slow.rate = R * state.slow.rate;
+  second_hull_state.slow.rate = R * state.slow.rate;
   HullBalance a, b;
   balance_hull(hull, state, state, 0.0, {1.0, 50.0, 2500.0}, 12.0, a);
-  balance_hull(turned, other, other, 0.0, {1.0, 50.0, 2500.0}, 12.0, b);
+  balance_hull(turned, second_hull_state, second_hull_state, 0.0, {1.0, 50.0, 2500.0}, 12.0, b);
   EXPECT_LT((turn(a.residual) - b.residual).norm(), 1e-9 * a.residual.norm());
 }
 
@@ -217,15 +217,15 @@ TEST(hull, steps_do_not_allocate_and_resume_bit_for_bit) {
   const GeneralizedAlpha scheme(0.8);
   HullSprings springs;
   springs.stiffness.diagonal() << 2e5, 2e5, 0.0, 0.0, 0.0, 5e8;
-  HullState state = hull_at_rest(hull, hull.drawn), scratch = state;
+  HullState state = make_static_hull(hull, hull.drawn), scratch = state;
   find_hull_acceleration(hull, springs, 0.0, state);
   for (int i = 1; i <= 20; ++i) ASSERT_TRUE(hull_step(hull, springs, scheme, 0.1 * i, 0.1, state, scratch).converged);
   HullState copy = state;
   const long before = testing::allocation_count();
   for (int i = 21; i <= 40; ++i) hull_step(hull, springs, scheme, 0.1 * i, 0.1, state, scratch);
   EXPECT_EQ(testing::allocation_count(), before);
-  HullState other = hull_at_rest(hull, Vec6::Zero());
-  for (int i = 21; i <= 40; ++i) hull_step(hull, springs, scheme, 0.1 * i, 0.1, copy, other);
+  HullState second_hull_state = make_static_hull(hull, Vec6::Zero());
+  for (int i = 21; i <= 40; ++i) hull_step(hull, springs, scheme, 0.1 * i, 0.1, copy, second_hull_state);
   EXPECT_EQ(copy.h, state.h);
   EXPECT_EQ(copy.v, state.v);
   EXPECT_EQ(copy.radiation.values, state.radiation.values);

@@ -45,8 +45,8 @@ TEST(hull_waves, force_of_many_components_is_the_plain_sum) {
   const double t = 123.4;
   Vec6 expected = Vec6::Zero();
   for (const WaveComponent& c : sea.components) {
-    const HullWaves one = make_hull_waves(data(), make_sea({c}, 89.0), WaveDrift::newman, 5.182, 0.3);
-    expected += wave_force(one, t, slow).first_order;
+    const HullWaves hull_waves = make_hull_waves(data(), make_sea({c}, 89.0), WaveDrift::newman, 5.182, 0.3);
+    expected += wave_force(hull_waves, t, slow).first_order;
   }
   EXPECT_LT((wave_force(waves, t, slow).first_order - expected).norm(), 1e-9 * expected.norm());
 }
@@ -83,7 +83,7 @@ struct Drift {
 };
 
 /// In a sea of 800 components at equal distances over the file's frequencies.
-Drift mean_of(double hs, double tp, double heading) {
+Drift find_mean_drift(double hs, double tp, double heading) {
   WavesDescription description;
   description.type = WaveType::jonswap;
   description.hs = hs;
@@ -105,17 +105,17 @@ Drift mean_of(double hs, double tp, double heading) {
 }
 
 TEST(hull_waves, mean_drift_in_seas_is_that_of_an_independent_integration) {
-  // kN and kN m by an independent program's integral of 2 S D; 0.7 % for its and our rules of integration. Yaw hangs on
-  // whether the value at 0.5 rad/s, where the file's noise begins, is taken: 1,235 without it, 1,264 with it.
-  EXPECT_NEAR(mean_of(4.0, 12.9, 90.0).sway, 217.8, 0.005 * 217.8);
-  EXPECT_NEAR(mean_of(4.0, 12.9, 135.0).surge, -30.9, 0.15);
-  EXPECT_NEAR(mean_of(4.0, 12.9, 135.0).sway, 76.6, 0.4);
-  EXPECT_NEAR(mean_of(4.0, 12.9, 135.0).yaw, 1237.0, 35.0);
-  EXPECT_NEAR(mean_of(4.0, 12.9, 180.0).surge, -45.4, 0.32);
-  EXPECT_NEAR(mean_of(2.5, 10.0, 90.0).sway, 192.2, 1.0);
-  EXPECT_NEAR(mean_of(2.5, 10.0, 180.0).surge, -39.8, 0.2);
-  EXPECT_NEAR(mean_of(1.5, 8.0, 90.0).sway, 115.9, 0.6);
-  EXPECT_NEAR(mean_of(1.5, 8.0, 180.0).surge, -23.9, 0.12);
+  // kN and kN m by an independent program's integral of 2 S D; 0.7 % for its and our rules of integration. Yaw depends
+  // on whether the value at 0.5 rad/s, where the file's noise begins, is taken: 1,235 without it, 1,264 with it.
+  EXPECT_NEAR(find_mean_drift(4.0, 12.9, 90.0).sway, 217.8, 0.005 * 217.8);
+  EXPECT_NEAR(find_mean_drift(4.0, 12.9, 135.0).surge, -30.9, 0.15);
+  EXPECT_NEAR(find_mean_drift(4.0, 12.9, 135.0).sway, 76.6, 0.4);
+  EXPECT_NEAR(find_mean_drift(4.0, 12.9, 135.0).yaw, 1237.0, 35.0);
+  EXPECT_NEAR(find_mean_drift(4.0, 12.9, 180.0).surge, -45.4, 0.32);
+  EXPECT_NEAR(find_mean_drift(2.5, 10.0, 90.0).sway, 192.2, 1.0);
+  EXPECT_NEAR(find_mean_drift(2.5, 10.0, 180.0).surge, -39.8, 0.2);
+  EXPECT_NEAR(find_mean_drift(1.5, 8.0, 90.0).sway, 115.9, 0.6);
+  EXPECT_NEAR(find_mean_drift(1.5, 8.0, 180.0).surge, -23.9, 0.12);
 }
 
 TEST(hull_waves, slow_drift_has_the_exponential_distributions_standard_deviation) {
@@ -162,7 +162,7 @@ TEST(hull_waves, spectrum_of_the_slow_drift_is_newmans) {
   EXPECT_NEAR(density / 1e6, 146995.0, 0.2 * 146995.0);
 }
 
-TEST(hull_waves, headings_the_file_lacks_are_refused) {
+TEST(hull_waves, headings_the_file_lacks_are_rejected) {
   HydrodynamicData half = data();
   const std::size_t all = half.excitation.heading.size(), some = 13;  // 0 to 180 deg
   half.excitation.heading.resize(some);

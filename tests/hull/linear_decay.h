@@ -9,9 +9,9 @@
 namespace overbend::testing {
 
 struct LinearHull {
-  Mat6 mass = Mat6::Zero();  ///< Of the body alone.
+  Mat6 mass = Mat6::Zero();  ///< Mass of the body alone.
   Mat6 stiffness = Mat6::Zero();
-  Mat6 damping = Mat6::Zero();  ///< Besides radiation.
+  Mat6 damping = Mat6::Zero();  ///< Damping in addition to radiation.
 };
 
 /// Mass and radii of gyration of data/bgl1, and the stiffness of its file.
@@ -24,12 +24,12 @@ inline LinearHull bgl1_hull(const HydrodynamicData& data) {
 }
 
 /// Motions at the ends of the steps, the start first; trapezoidal rule, velocities linear in the step. `force(t)` acts
-/// besides.
+/// in addition.
 template <typename Force>
 std::vector<Vec6> simulate(const LinearHull& hull, const RadiationModel& radiation, const Vec6& start,
                            const std::vector<double>& steps, Force force) {
   std::vector<Vec6> motion = {start};
-  RadiationMemory memory = fresh_memory(radiation);
+  RadiationMemory memory = make_bending_memory(radiation);
   Vec6 x = start, v = Vec6::Zero();
   const Mat6 mass = hull.mass + radiation.added_mass;
   double time = 0.0;

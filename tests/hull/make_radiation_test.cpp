@@ -26,7 +26,7 @@ TEST(make_radiation, memory_of_bgl1_represents_its_damping_and_added_mass) {
     EXPECT_NEAR(entry.added_mass_used / entry.added_mass_file, 1.0, entry.i == entry.j ? 0.012 : 0.06);
   }
   for (const RadiationGroupReport& group : made.report.groups) {
-    EXPECT_GT(group.least_damping, -1e-5);
+    EXPECT_GT(group.min_fitted_damping, -1e-5);
     EXPECT_GT(group.order, 0);
   }
 }
@@ -61,10 +61,11 @@ TEST(make_radiation, memory_of_the_fit_is_that_of_the_convolution) {
   const RadiationModel& fitted = testing::bgl1_radiation(Radiation::state_space).model;
   const RadiationModel& direct = testing::bgl1_radiation(Radiation::convolution).model;
   for (const RadiationPoint& point : testing::bgl1_data().radiation) {
-    const RadiationPoint one = radiation_at(fitted, point.omega), other = radiation_at(direct, point.omega);
+    const RadiationPoint radiation_point = radiation_at(fitted, point.omega),
+                         second = radiation_at(direct, point.omega);
     for (int i = 0; i < 6; ++i) {
       const double scale = testing::bgl1_data().added_mass_infinite(i, i);
-      EXPECT_NEAR(one.added_mass(i, i), other.added_mass(i, i), 0.02 * scale) << point.omega << " " << i;
+      EXPECT_NEAR(radiation_point.added_mass(i, i), second.added_mass(i, i), 0.02 * scale) << point.omega << " " << i;
     }
   }
 }
@@ -84,7 +85,7 @@ TEST(make_radiation, responses_with_the_memory_are_those_with_the_files_coeffici
   const RadiationModel& model = testing::bgl1_radiation(Radiation::state_space).model;
   testing::LinearHull hull = testing::bgl1_hull(data);
   hull.damping(3, 3) = 2.6871e8;
-  Vec6 largest = Vec6::Zero(), error = Vec6::Zero();
+  Vec6 max_value = Vec6::Zero(), error = Vec6::Zero();
   for (std::size_t i = 0; i < data.radiation.size(); ++i) {
     const RadiationPoint& file = data.radiation[i];
     if (file.omega < 0.249) {
@@ -94,14 +95,14 @@ TEST(make_radiation, responses_with_the_memory_are_those_with_the_files_coeffici
     for (std::size_t j = 0; j < data.excitation.heading.size(); ++j) {
       const CVec6& force = data.force[data.excitation.index(i, j)];
       const CVec6 right = response(hull, file.added_mass, file.damping, file.omega, force);
-      largest = largest.cwiseMax(right.cwiseAbs());
+      max_value = max_value.cwiseMax(right.cwiseAbs());
       error = error.cwiseMax((response(hull, made.added_mass, made.damping, file.omega, force) - right).cwiseAbs());
     }
   }
   const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   for (int k = 0; k < 6; ++k) {
-    RecordProperty(names[k], std::to_string(error(k) / largest(k)));
-    EXPECT_LT(error(k) / largest(k), 0.01) << names[k];
+    RecordProperty(names[k], std::to_string(error(k) / max_value(k)));
+    EXPECT_LT(error(k) / max_value(k), 0.01) << names[k];
   }
 }
 
@@ -120,7 +121,7 @@ TEST(make_radiation, without_the_infinite_block_added_mass_follows_from_ogilvie)
   }
 }
 
-TEST(make_radiation, what_no_exponentials_represent_is_convolved_and_told) {
+TEST(make_radiation, what_no_exponentials_represent_is_convolved_and_reported) {
   HydrodynamicData data = testing::bgl1_data();
   for (std::size_t k = 0; k < data.radiation.size(); ++k) {
     data.radiation[k].damping *= k % 2 == 0 ? 0.6 : 1.4;  // a saw, as of a tank's walls
@@ -131,10 +132,10 @@ TEST(make_radiation, what_no_exponentials_represent_is_convolved_and_told) {
   ASSERT_FALSE(made.report.findings.empty());
   EXPECT_NE(messages(made.report.findings)[0].find("direct convolution is used instead"), std::string::npos);
   EXPECT_EQ(made.report.groups[0].order, 0);
-  EXPECT_EQ(static_cast<std::size_t>(made.report.states), fresh_memory(made.model).values.size());
+  EXPECT_EQ(static_cast<std::size_t>(made.report.states), make_bending_memory(made.model).values.size());
 }
 
-TEST(make_radiation, a_file_that_contradicts_itself_is_told) {
+TEST(make_radiation, a_file_that_contradicts_itself_is_reported) {
   HydrodynamicData data = testing::bgl1_data();
   data.added_mass_infinite(2, 2) *= 1.1;
   data.radiation[30].damping(5, 5) *= -1.0;
@@ -165,8 +166,8 @@ HydrodynamicData in_units(HydrodynamicData data, double mass, double length, dou
 // only rounding is left, which the fit magnifies ten-thousandfold.
 TEST(make_radiation, memory_is_the_same_in_any_units_and_at_any_scale) {
   const HydrodynamicData& data = testing::bgl1_data();
-  const Radiated& own = testing::bgl1_radiation(Radiation::state_space);
-  const Vec6 damping = largest_diagonal(data, &RadiationPoint::damping);
+  const Radiated& radiated = testing::bgl1_radiation(Radiation::state_space);
+  const Vec6 damping = max_diagonals(data, &RadiationPoint::damping);
   struct Units {
     double mass, length, time;
   };
@@ -175,8 +176,8 @@ TEST(make_radiation, memory_is_the_same_in_any_units_and_at_any_scale) {
                          {125e3, 50.0, std::sqrt(50.0)},
                          {std::pow(40.0, -3.0), 1.0 / 40.0, std::sqrt(1.0 / 40.0)}}) {
     const Radiated made = make_radiation(in_units(data, u.mass, u.length, u.time), Radiation::state_space);
-    for (std::size_t i = 0; i < own.report.groups.size(); ++i) {
-      EXPECT_EQ(made.report.groups[i].order, own.report.groups[i].order) << u.mass << " " << i;
+    for (std::size_t i = 0; i < radiated.report.groups.size(); ++i) {
+      EXPECT_EQ(made.report.groups[i].order, radiated.report.groups[i].order) << u.mass << " " << i;
     }
     HydrodynamicData memory;
     for (const RadiationPoint& point : data.radiation) {
@@ -184,7 +185,7 @@ TEST(make_radiation, memory_is_the_same_in_any_units_and_at_any_scale) {
     }
     memory = in_units(memory, 1.0 / u.mass, 1.0 / u.length, 1.0 / u.time);
     for (const RadiationPoint& point : memory.radiation) {
-      const RadiationPoint same = radiation_at(own.model, point.omega);
+      const RadiationPoint same = radiation_at(radiated.model, point.omega);
       for (int i = 0; i < 6; ++i) {
         EXPECT_NEAR(point.added_mass(i, i), same.added_mass(i, i), 1e-6 * same.added_mass(i, i)) << u.mass << " " << i;
         EXPECT_NEAR(point.damping(i, i), same.damping(i, i), 1e-6 * damping(i)) << u.mass << " " << i;

@@ -43,7 +43,7 @@ TEST(radiation, a_step_of_any_length_is_exact_for_velocities_linear_in_it) {
   const Vec6 v0 = velocity(1.0), v1 = velocity(2.0);
   for (const double h : {1e-6, 1e-3, 0.05, 5.0, 100.0}) {
     // Halving the step changes nothing.
-    RadiationMemory once = fresh_memory(model), twice = once;
+    RadiationMemory once = make_bending_memory(model), twice = once;
     advance(model, once, v1, v0, 1.3);  // some past
     twice = once;
     advance(model, once, v0, v1, h);
@@ -57,7 +57,7 @@ TEST(radiation, a_step_of_any_length_is_exact_for_velocities_linear_in_it) {
 
 TEST(radiation, force_of_a_constant_velocity_is_the_integral_of_its_kernel) {
   const RadiationModel model = small_model();
-  RadiationMemory memory = fresh_memory(model);
+  RadiationMemory memory = make_bending_memory(model);
   const Vec6 v = Vec6::Unit(2);
   const double t = 3.0;
   advance(model, memory, v, v, t);
@@ -67,7 +67,7 @@ TEST(radiation, force_of_a_constant_velocity_is_the_integral_of_its_kernel) {
 TEST(radiation, the_step_foretells_what_advancing_finds) {
   for (const Radiation kind : {Radiation::state_space, Radiation::convolution}) {
     const RadiationModel& model = testing::bgl1_radiation(kind).model;
-    RadiationMemory memory = fresh_memory(model);
+    RadiationMemory memory = make_bending_memory(model);
     double t = 0.0;
     for (const double h : {0.03, 0.07, 0.1, 0.001, 0.25, 0.05, 0.1}) {
       const RadiationStep step = radiation_step(model, memory, velocity(t), h);
@@ -100,11 +100,11 @@ TEST(radiation, hull_with_exponentials_moves_as_with_direct_convolution_at_rando
   const auto run = [&](Radiation kind) {
     return testing::simulate(hull, testing::bgl1_radiation(kind).model, Vec6::Zero(), steps, force);
   };
-  const auto one = run(Radiation::state_space), other = run(Radiation::convolution);
+  const auto single = run(Radiation::state_space), second = run(Radiation::convolution);
   Vec6 difference = Vec6::Zero(), power = Vec6::Zero();
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    difference += (one[i] - other[i]).cwiseAbs2();
-    power += other[i].cwiseAbs2();
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    difference += (single[i] - second[i]).cwiseAbs2();
+    power += second[i].cwiseAbs2();
   }
   for (int i = 0; i < 6; ++i) {
     RecordProperty("mode_" + std::to_string(i), std::to_string(std::sqrt(difference(i) / power(i))));
@@ -115,7 +115,7 @@ TEST(radiation, hull_with_exponentials_moves_as_with_direct_convolution_at_rando
 TEST(radiation, a_copied_memory_resumes_bit_for_bit) {
   for (const Radiation kind : {Radiation::state_space, Radiation::convolution}) {
     const RadiationModel& model = testing::bgl1_radiation(kind).model;
-    RadiationMemory memory = fresh_memory(model);
+    RadiationMemory memory = make_bending_memory(model);
     advance(model, memory, velocity(0.0), velocity(0.17), 0.17);
     RadiationMemory resumed{memory.values};
     for (int k = 0; k < 20; ++k) {
@@ -130,7 +130,7 @@ TEST(radiation, a_copied_memory_resumes_bit_for_bit) {
 TEST(radiation, a_step_asks_the_heap_for_nothing) {
   for (const Radiation kind : {Radiation::state_space, Radiation::convolution}) {
     const RadiationModel& model = testing::bgl1_radiation(kind).model;
-    RadiationMemory memory = fresh_memory(model);
+    RadiationMemory memory = make_bending_memory(model);
     const Vec6 v0 = velocity(0.5), v1 = velocity(0.6);
     const long before = testing::allocation_count();
     const RadiationStep step = radiation_step(model, memory, v0, 0.1);
@@ -143,7 +143,7 @@ TEST(radiation, a_step_asks_the_heap_for_nothing) {
 
 TEST(radiation, without_poles_there_is_no_memory) {
   const RadiationModel model;
-  RadiationMemory memory = fresh_memory(model);
+  RadiationMemory memory = make_bending_memory(model);
   advance(model, memory, velocity(0.0), velocity(1.0), 1.0);
   EXPECT_EQ(radiation_force(model, memory, velocity(1.0)).norm(), 0.0);
 }

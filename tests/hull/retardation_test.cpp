@@ -18,9 +18,9 @@ const DampingSpectrum& bgl1_spectrum() {
 TEST(retardation, kernel_of_bgl1_gives_back_its_added_mass) {
   const double interval = 0.1;
   const std::vector<Mat6> kernel = retardation_samples(bgl1_spectrum(), interval, 801);
-  Mat6 largest = Mat6::Zero();
+  Mat6 max_value = Mat6::Zero();
   for (const RadiationPoint& point : testing::bgl1_data().radiation) {
-    largest = largest.cwiseMax(point.added_mass.cwiseAbs());
+    max_value = max_value.cwiseMax(point.added_mass.cwiseAbs());
   }
   for (const RadiationPoint& point : testing::bgl1_data().radiation) {
     if (point.omega < 0.19 || point.omega > 2.01) {
@@ -36,7 +36,7 @@ TEST(retardation, kernel_of_bgl1_gives_back_its_added_mass) {
     const Mat6 made = bgl1_spectrum().added_mass - sine / point.omega;
     for (const auto& [i, j] :
          {std::pair{0, 0}, {0, 4}, {1, 1}, {1, 3}, {2, 2}, {3, 3}, {3, 1}, {4, 4}, {4, 0}, {5, 5}}) {
-      EXPECT_NEAR(made(i, j), point.added_mass(i, j), 0.01 * largest(i, j)) << point.omega << " " << i << j;
+      EXPECT_NEAR(made(i, j), point.added_mass(i, j), 0.01 * max_value(i, j)) << point.omega << " " << i << j;
     }
   }
 }

@@ -22,8 +22,8 @@ const Vec6 kAccelerations = (Vec6() << -0.2, 0.5, 0.9, 0.12, 0.27, -0.4).finishe
 TEST(rigid_body, force_is_the_rate_of_momentum) {
   const RigidBody body = lopsided();
   const auto spin = [&](double t) -> Vec3 {
-    const BodyMotion m =
-        motion_of(kPlace + kRates * t + 0.5 * kAccelerations * t * t, kRates + kAccelerations * t, kAccelerations);
+    const BodyMotion m = make_body_motion(kPlace + kRates * t + 0.5 * kAccelerations * t * t,
+                                          kRates + kAccelerations * t, kAccelerations);
     return m.pose.R * body.inertia * m.pose.R.transpose() * m.omega;
   };
   const double d = 1e-4;
@@ -31,7 +31,7 @@ TEST(rigid_body, force_is_the_rate_of_momentum) {
   const Vec6 force = rigid_body_force(body, kPlace, kRates, kAccelerations).force;
   EXPECT_LT((force.head<3>() - body.mass * kAccelerations.head<3>()).norm(), 1e-12);
   EXPECT_LT((force - body.mass * (Vec6() << kAccelerations.head<3>(), Vec3::Zero()).finished() -
-             generalised_moment(pose_of(kPlace), moment))
+             generalised_moment(make_pose(kPlace), moment))
                 .norm(),
             1e-5);  // central differences
 }
@@ -72,7 +72,7 @@ TEST(rigid_body, free_tumbling_keeps_energy_and_momentum) {
   const RigidBody body = lopsided();
   Vec6 h = kPlace, v = kRates;
   const auto spin = [&]() -> Vec3 {
-    const BodyMotion m = motion_of(h, v, Vec6::Zero());
+    const BodyMotion m = make_body_motion(h, v, Vec6::Zero());
     return m.pose.R * body.inertia * m.pose.R.transpose() * m.omega;
   };
   const double energy = kinetic_energy(body, h, v);

@@ -37,7 +37,7 @@ Sway slow_sway(double damping) {
     const Hull hull = driven_by_drift(static_cast<std::uint64_t>(seed));
     HullSprings springs = testing::on_eight_lines(hull.drawn);
     springs.damping(1, 1) = damping;
-    HullState state = hull_at_rest(hull, hull.drawn);
+    HullState state = make_static_hull(hull, hull.drawn);
     find_hull_acceleration(hull, springs, 0.0, state);
     const int steps = static_cast<int>((kStart + 3600.0 * kHours) / kStep);
     EXPECT_TRUE(run_hull(hull, springs, 0.8, 0.0, kStep, steps, state, [&](double t, const HullState& s) {

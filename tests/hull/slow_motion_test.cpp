@@ -28,7 +28,7 @@ TEST(slow_motion, steps_of_any_length_give_the_same_for_a_linear_path) {
 
 TEST(slow_motion, of_a_step_is_the_critically_damped_answer) {
   // u = x (1 - (1 + w t) exp(-w t)) from rest.
-  const SlowMotion start = slow_rest(at(0.0, 0.0, 0.0));
+  const SlowMotion start = slow_motion_at_rest(at(0.0, 0.0, 0.0));
   const SlowMotion after = slow_motion_after(start, at(1.0, 1.0, 1.0), at(1.0, 1.0, 1.0), 15.0, 40.0);
   const double wt = 2.0 * std::numbers::pi / 40.0 * 15.0;
   EXPECT_NEAR(after.value(0), 1.0 - (1.0 + wt) * std::exp(-wt), 1e-14);
@@ -48,14 +48,14 @@ TEST(slow_motion, hardly_sees_what_is_added_to_the_way_of_one_step) {
 
 TEST(slow_motion, a_tenth_is_left_of_a_wave_of_13_seconds) {
   const double w = 2.0 * std::numbers::pi / 13.0, h = 0.1;
-  SlowMotion u = slow_rest(at(0.0, 0.0, 0.0));
-  double largest = 0.0;
+  SlowMotion u = slow_motion_at_rest(at(0.0, 0.0, 0.0));
+  double max_value = 0.0;
   for (int i = 0; i < 4000; ++i) {
     u = slow_motion_after(u, at(std::sin(w * h * i), 0.0, 0.0), at(std::sin(w * h * (i + 1)), 0.0, 0.0), h, 40.0);
-    if (i > 3000) largest = std::max(largest, std::abs(u.value(0)));
+    if (i > 3000) max_value = std::max(max_value, std::abs(u.value(0)));
   }
   const double ratio = 40.0 / 13.0;
-  EXPECT_NEAR(largest, 1.0 / (1.0 + ratio * ratio), 1e-3);
+  EXPECT_NEAR(max_value, 1.0 / (1.0 + ratio * ratio), 1e-3);
 }
 
 }  // namespace

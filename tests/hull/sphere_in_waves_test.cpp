@@ -47,7 +47,7 @@ TEST(sphere_in_waves, heaves_as_by_the_frequency_domain_and_another_program) {
     HullSprings springs;
     springs.stiffness.diagonal() << 1e4, 1e4, 0.0, 0.0, 0.0, 1e4;
     springs.damping.diagonal() << 5e4, 5e4, c.damper, 1e5, 1e5, 1e5;
-    HullState state = hull_at_rest(hull, Vec6::Zero());
+    HullState state = make_static_hull(hull, Vec6::Zero());
     const double step = c.period / 40.0, start = -hull.build_up;
     find_hull_acceleration(hull, springs, start, state);
     double cosine = 0.0, sine = 0.0;

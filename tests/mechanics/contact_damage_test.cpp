@@ -45,9 +45,9 @@ TEST(dent, a_five_percent_deep_dent_takes_the_energy_worked_out_by_hand) {
 }
 
 TEST(dent, grows_with_the_square_of_the_force_and_has_no_threshold) {
-  const double one = dent_depth(100e3, kDiameter, kWall, kYield);
-  EXPECT_GT(one, 0.0);
-  EXPECT_NEAR(dent_depth(300e3, kDiameter, kWall, kYield), 9.0 * one, 1e-12 * one);
+  const double single = dent_depth(100e3, kDiameter, kWall, kYield);
+  EXPECT_GT(single, 0.0);
+  EXPECT_NEAR(dent_depth(300e3, kDiameter, kWall, kYield), 9.0 * single, 1e-12 * single);
   EXPECT_EQ(dent_depth(0.0, kDiameter, kWall, kYield), 0.0);
   EXPECT_EQ(dent_depth(-5.0, kDiameter, kWall, kYield), 0.0);
 }

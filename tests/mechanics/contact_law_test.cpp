@@ -36,7 +36,7 @@ TEST(contact_law, never_pulls) {
 TEST(contact_law, pushes_with_spring_and_dashpot_while_both_together_push) {
   EXPECT_DOUBLE_EQ(normal_force(law(), 0.01, 0.5).force, 1e4 + 2.5e3);
   EXPECT_DOUBLE_EQ(normal_force(law(), 0.01, -0.5).force, 1e4 - 2.5e3);
-  EXPECT_EQ(normal_force(law(), 0.01, -2.1).force, 0.0);  // let go while the spring is still compressed
+  EXPECT_EQ(normal_force(law(), 0.01, -2.1).force, 0.0);  // released while the spring is still compressed
   EXPECT_EQ(normal_force(law(), -1e-9, 3.0).force, 0.0);  // a dashpot does not act at a distance
 }
 
@@ -101,7 +101,7 @@ TEST(contact_law, derivatives_of_friction_are_exact_where_the_slip_turns_within_
     const FrictionForce f = friction_in_state(law(), mu, step, Slip::stick);
     const ElasticSlip elastic = elastic_slip(step, mu * normal / law().tangential_stiffness);
     turned += start * rate < 0.0;
-    clipped += elastic.by_most != 0.0;
+    clipped += elastic.by_max_slip != 0.0;
     EXPECT_NEAR(f.by_rate, (force(rate + kSmall, normal) - force(rate - kSmall, normal)) / (2.0 * kSmall),
                 1e-4 * std::abs(f.by_rate) + 1e-2);
     EXPECT_NEAR(f.by_normal, (force(rate, normal + 1e-3) - force(rate, normal - 1e-3)) / 2e-3, 1e-5);
@@ -110,7 +110,7 @@ TEST(contact_law, derivatives_of_friction_are_exact_where_the_slip_turns_within_
   EXPECT_GT(clipped, 50);
 }
 
-/// Work of friction on a slip that swings to and fro for two periods, by steps that know the rates at both their ends.
+/// Work of friction on a slip that oscillates for two periods, by steps that know the rates at both their ends.
 double work_of_friction(int steps_per_period) {
   const double mu = 0.4, normal = 1e4, stretch = mu * normal / law().tangential_stiffness;
   ContactLaw dry = law();
@@ -119,9 +119,9 @@ double work_of_friction(int steps_per_period) {
   const auto rate = [&](double t) { return 3.0 * stretch * omega * std::cos(omega * t); };  // three times the limit
   double slip = 0.0, work = 0.0, force = 0.0;
   for (int i = 1; i <= 2 * steps_per_period; ++i) {
-    const double before = rate((i - 1) * h), now = rate(i * h);
-    const FrictionForce f = friction_force(dry, mu, {slip, now, h, normal, before});
-    work -= 0.5 * h * (force * before + f.force * now);
+    const double before = rate((i - 1) * h), present = rate(i * h);
+    const FrictionForce f = friction_force(dry, mu, {slip, present, h, normal, before});
+    work -= 0.5 * h * (force * before + f.force * present);
     force = f.force;
     slip = f.slip;
   }
@@ -163,7 +163,7 @@ TEST(contact_law, sliding_keeps_the_stretch_that_the_limit_allows) {
   const FrictionForce sliding = friction_force(law(), mu, {0.9 * stretch, 1.0, kStep, normal});
   EXPECT_DOUBLE_EQ(sliding.slip, stretch);
   EXPECT_DOUBLE_EQ(sliding.force, -mu * normal);
-  // Turned back, it first gives way elastically from there.
+  // Turned back, it first yields elastically from there.
   const FrictionForce back = friction_force(law(), mu, {sliding.slip, -0.1, kStep, normal});
   EXPECT_DOUBLE_EQ(back.slip, stretch - 0.1 * kStep);
   EXPECT_NEAR(back.force, -mu * normal + 0.1 * (law().tangential_stiffness * kStep + law().tangential_damping), 1e-9);

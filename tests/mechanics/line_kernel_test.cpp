@@ -105,9 +105,9 @@ TEST(line_kernel, agrees_with_the_scalar_rod_element_where_lines_go_slack) {
       tangent *= (1.0 + strain) / tangent.norm();
     }
     expect_rods(s, 1e-16 / kSlackStrain);  // of strains, in the transition
-    const std::vector<double> still(s.q.size(), 0.0);
+    const std::vector<double> at_rest(s.q.size(), 0.0);
     const double energy =
-        line_energy(s.elements, s.env, {s.q.data(), nullptr}, {still.data(), still.data()}, best_isa()).strain;
+        line_energy(s.elements, s.env, {s.q.data(), nullptr}, {at_rest.data(), at_rest.data()}, best_isa()).strain;
     double expected = 0.0;
     for (int e = 0; e + 1 < s.nodes; ++e) {
       const std::size_t i = static_cast<std::size_t>(e);
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, line_kernel_loads,
                                            Place{-90.0, true, SoilModel::hyperbolic},
                                            Place{-90.0, false, SoilModel::bilinear}));
 
-/// Of the route 6 m long arcs, so that its bend matters beside the stiffness of the bed.
+/// Parts of the route are 6 m long arcs, so that its bend matters relative to the stiffness of the bed.
 Setting on_bent_route(const LayRoute& route, double friction) {
   Setting s = setting({-92.5}, true);  // partly in the bed, which slopes
   s.env = line_environment(s.model, route);
@@ -184,10 +184,10 @@ TEST(line_kernel, friction_on_a_bent_route_is_that_of_the_point_load) {
   for (int e = 0; e + 1 < s.nodes; ++e) {
     const double h = s.elements.length[static_cast<std::size_t>(e)];
     for (int i = 0; i < kGaussPoints; ++i) {
-      const CentrelinePoint at = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
+      const CentrelinePoint point = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
       points += kGaussWeight[i] * h *
-                (point_load(s.elements, s.env, e, at.r, at.a).seabed -
-                 point_load(none.elements, none.env, e, at.r, at.a).seabed);
+                (point_load(s.elements, s.env, e, point.r, point.a).seabed -
+                 point_load(none.elements, none.env, e, point.r, point.a).seabed);
     }
   }
   EXPECT_GT(points.norm(), 1e3);
@@ -211,10 +211,10 @@ TEST(line_kernel, friction_of_a_dragged_line_is_its_share_of_the_normal_force_al
     Setting s = dragged(uneven);
     s.env.bed_friction_lateral = 0.0;  // level, so that it has a part along a bed that slopes across
     for (const int e : {2, 8}) {
-      const CentrelinePoint at =
+      const CentrelinePoint point =
           centreline(testing::element_dofs(s.q, e), 0.5, s.elements.length[static_cast<std::size_t>(e)]);
-      const PointLoad load = point_load(s.elements, s.env, e, at.r, at.a);
-      const GroundPoint ground = ground_at(s.env, at.r);
+      const PointLoad load = point_load(s.elements, s.env, e, point.r, point.a);
+      const GroundPoint ground = ground_at(s.env, point.r);
       if (load.seabed_normal == 0.0) continue;
       const double drag = s.elements.drag_on_bed[static_cast<std::size_t>(e)];
       EXPECT_NEAR(load.seabed.dot(ground.along_route), drag * load.seabed_normal, 1e-9 * load.seabed_normal);
@@ -239,10 +239,10 @@ TEST(line_kernel, friction_of_a_dragged_line_in_the_kernel_is_that_of_the_point_
     for (int e = 0; e + 1 < s.nodes; ++e) {
       const double h = s.elements.length[static_cast<std::size_t>(e)];
       for (int i = 0; i < kGaussPoints; ++i) {
-        const CentrelinePoint at = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
+        const CentrelinePoint point = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
         points += kGaussWeight[i] * h *
-                  (point_load(s.elements, s.env, e, at.r, at.a).seabed -
-                   point_load(none.elements, none.env, e, at.r, at.a).seabed);
+                  (point_load(s.elements, s.env, e, point.r, point.a).seabed -
+                   point_load(none.elements, none.env, e, point.r, point.a).seabed);
       }
     }
     EXPECT_GT(points.norm(), 1e3);
@@ -254,7 +254,7 @@ TEST(line_kernel, gives_the_same_on_every_instruction_set) {
   const Setting s = setting({-1.2}, true);
   BlockTridiagonal reference(s.nodes);
   const std::vector<double> expected = residual(s, s.q, &reference, Isa::baseline);
-  const double largest = dense(reference).cwiseAbs().maxCoeff();
+  const double max_value = dense(reference).cwiseAbs().maxCoeff();
   for (const Isa isa : {Isa::avx2, Isa::avx512}) {
     if (isa > best_isa()) {
       continue;
@@ -262,9 +262,9 @@ TEST(line_kernel, gives_the_same_on_every_instruction_set) {
     BlockTridiagonal tangent(s.nodes);
     const std::vector<double> got = residual(s, s.q, &tangent, isa);
     for (std::size_t i = 0; i < got.size(); ++i) {
-      EXPECT_NEAR(got[i], expected[i], 1e-13 * largest);  // rounding of fused multiply-adds
+      EXPECT_NEAR(got[i], expected[i], 1e-13 * max_value);  // rounding of fused multiply-adds
     }
-    EXPECT_LT((dense(tangent) - dense(reference)).cwiseAbs().maxCoeff(), 1e-13 * largest);
+    EXPECT_LT((dense(tangent) - dense(reference)).cwiseAbs().maxCoeff(), 1e-13 * max_value);
   }
 }
 
@@ -278,14 +278,14 @@ TEST(line_kernel, rigid_rotation_of_a_bent_line_makes_no_other_force) {
   }
   const std::vector<double> before = residual(s, s.q, nullptr, best_isa());
   const std::vector<double> after = residual(s, turned, nullptr, best_isa());
-  double largest = 0.0, worst = 0.0;
+  double max_value = 0.0, worst = 0.0;
   for (std::size_t i = 0; i < before.size(); i += 3) {
     const Vec3 f0 = Eigen::Map<const Vec3>(before.data() + i);
     const Vec3 f1 = Eigen::Map<const Vec3>(after.data() + i);
-    largest = std::max(largest, f0.norm());
+    max_value = std::max(max_value, f0.norm());
     worst = std::max(worst, (f1 - turn * f0).norm());
   }
-  EXPECT_LT(worst, 1e-12 * largest);
+  EXPECT_LT(worst, 1e-12 * max_value);
 }
 
 TEST(line_kernel, a_line_described_from_its_other_end_feels_the_same_forces) {
@@ -303,14 +303,14 @@ TEST(line_kernel, a_line_described_from_its_other_end_feels_the_same_forces) {
   reversed.elements = line_elements(reversed.model, lengths, std::vector<int>(lengths.size(), 0));
   const std::vector<double> a = residual(s, s.q, nullptr, best_isa());
   const std::vector<double> b = residual(reversed, reversed.q, nullptr, best_isa());
-  double largest = 0.0;
+  double max_value = 0.0;
   for (const double f : a) {
-    largest = std::max(largest, std::abs(f));
+    max_value = std::max(max_value, std::abs(f));
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_NEAR(b[6 * i + k], a[6 * (n - 1 - i) + k], 1e-12 * largest);
-      EXPECT_NEAR(b[6 * i + 3 + k], -a[6 * (n - 1 - i) + 3 + k], 1e-12 * largest);
+      EXPECT_NEAR(b[6 * i + k], a[6 * (n - 1 - i) + k], 1e-12 * max_value);
+      EXPECT_NEAR(b[6 * i + 3 + k], -a[6 * (n - 1 - i) + 3 + k], 1e-12 * max_value);
     }
   }
 }

@@ -123,10 +123,10 @@ TEST(moving_line_kernel, at_rest_in_calm_water_gives_the_static_forces) {
   s.acc.assign(s.acc.size(), 0.0);
   s.water.assign(s.water.size(), 0.0);
   const std::vector<double> moving = residual(s, s.v, nullptr);
-  std::vector<double> still(s.q.size(), 0.0);
-  add_line_forces(s.elements, s.env, {s.q.data(), nullptr}, {still.data(), nullptr, nullptr, nullptr}, best_isa());
-  for (std::size_t i = 0; i < still.size(); ++i) {
-    EXPECT_NEAR(moving[i], still[i], 1e-9);  // rounding of forces of 1e4 N
+  std::vector<double> at_rest(s.q.size(), 0.0);
+  add_line_forces(s.elements, s.env, {s.q.data(), nullptr}, {at_rest.data(), nullptr, nullptr, nullptr}, best_isa());
+  for (std::size_t i = 0; i < at_rest.size(); ++i) {
+    EXPECT_NEAR(moving[i], at_rest[i], 1e-9);  // rounding of forces of 1e4 N
   }
 }
 
@@ -162,7 +162,7 @@ TEST_P(moving_line, energies_change_at_the_power_of_the_forces) {
   };
   const auto stored = [](const LineEnergy& e) { return e.kinetic + e.strain + e.gravity + e.seabed; };
   const double rate = (stored(energy_at(dt)) - stored(energy_at(-dt))) / (2.0 * dt);
-  const LineEnergy now = energy_at(0.0);
+  const LineEnergy present = energy_at(0.0);
 
   // Residual = inertia + internal - external; its power is what is stored and lost minus what the water does. The
   // stretch that the energy sees is the one after the step's return mapping, so the step is 0 here.
@@ -177,7 +177,7 @@ TEST_P(moving_line, energies_change_at_the_power_of_the_forces) {
     power += r[i] * s.v[i];
     size += std::abs(r[i] * s.v[i]);
   }
-  EXPECT_NEAR(power, rate + mapped.seabed_loss - now.fluid_power, 1e-7 * size);  // difference over 1e-5 s
+  EXPECT_NEAR(power, rate + mapped.seabed_loss - present.fluid_power, 1e-7 * size);  // difference over 1e-5 s
 }
 
 }  // namespace

@@ -94,15 +94,15 @@ TEST(random_sea, frequencies_crowd_at_the_peak) {
   const double peak = 2.0 * kPi / 10.0;
   std::vector<int> seen(100, 0);  // in classes of 5 % of the peak frequency
   for (const WaveComponent& c : sea.components) ++seen.at(static_cast<std::size_t>(c.omega / peak / 0.05));
-  const auto most = std::max_element(seen.begin(), seen.end()) - seen.begin();
-  EXPECT_NEAR(0.05 * (static_cast<double>(most) + 0.5), 1.0, 0.03);
+  const auto max_value = std::max_element(seen.begin(), seen.end()) - seen.begin();
+  EXPECT_NEAR(0.05 * (static_cast<double>(max_value) + 0.5), 1.0, 0.03);
 }
 
 struct Record {
   double mean = 0.0, variance = 0.0, zero_crossing_period = 0.0;
 };
 
-Record record_of(const Sea& sea, double duration, double step) {
+Record make_record(const Sea& sea, double duration, double step) {
   Record record;
   const int count = static_cast<int>(duration / step);
   double before = 0.0;
@@ -128,7 +128,7 @@ TEST(random_sea, records_have_the_statistics_of_the_spectrum) {
   Record mean;
   for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {
     const Sea sea = make_sea(jonswap(), 89.0, seed);
-    const Record record = record_of(sea, kDuration, 0.5);
+    const Record record = make_record(sea, kDuration, 0.5);
     mean.mean += record.mean / kRecords;
     mean.variance += record.variance / kRecords;
     mean.zero_crossing_period +=
@@ -157,7 +157,7 @@ TEST(random_sea, the_record_does_not_repeat_itself) {
 
 TEST(random_sea, recurrence_is_the_largest_envelope_of_the_autocorrelation) {
   const Sea sea = make_sea(jonswap(), 89.0, 5);
-  double energy = 0.0, moment = 0.0, largest = 0.0;
+  double energy = 0.0, moment = 0.0, max_magnitude = 0.0;
   for (const WaveComponent& c : sea.components) {
     energy += c.amplitude * c.amplitude;
     moment += c.amplitude * c.amplitude * c.omega;
@@ -168,22 +168,22 @@ TEST(random_sea, recurrence_is_the_largest_envelope_of_the_autocorrelation) {
     for (const WaveComponent& c : sea.components) {
       sum += c.amplitude * c.amplitude * std::polar(1.0, c.omega * 0.25 * period * quarter);
     }
-    largest = std::max(largest, std::abs(sum) / energy);
+    max_magnitude = std::max(max_magnitude, std::abs(sum) / energy);
   }
-  EXPECT_NEAR(recurrence(sea, kHours), largest, 1e-12);  // rounding of 512 turns
-  EXPECT_EQ(recurrence(sea, 20.0 * period), 0.0);        // shorter than the lags that are looked at
+  EXPECT_NEAR(recurrence(sea, kHours), max_magnitude, 1e-12);  // rounding of 512 turns
+  EXPECT_EQ(recurrence(sea, 20.0 * period), 0.0);              // shorter than the lags that are looked at
 }
 
 TEST(random_sea, the_same_seed_is_the_same_sea) {
   WavesDescription waves = jonswap();
   waves.spreading = 5.0;
   const Sea a = make_sea(waves, 89.0, 77), b = make_sea(waves, 89.0, 77);
-  const Sea other = make_sea(waves, 89.0, 78);
+  const Sea second_sea = make_sea(waves, 89.0, 78);
   for (std::size_t i = 0; i < a.components.size(); ++i) {
     EXPECT_EQ(a.components[i].omega, b.components[i].omega);
     EXPECT_EQ(a.components[i].phase, b.components[i].phase);
     EXPECT_EQ(a.components[i].kx, b.components[i].kx);
-    EXPECT_NE(a.components[i].phase, other.components[i].phase);
+    EXPECT_NE(a.components[i].phase, second_sea.components[i].phase);
   }
   // The first phase is the generator's second number, as computed once outside this program for seed 42.
   EXPECT_EQ(make_sea(waves, 89.0, 42).components[0].phase,

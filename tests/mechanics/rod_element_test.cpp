@@ -12,28 +12,29 @@ constexpr RodProperties kRod{1.3, 2.86e9, 5.59e7};
 
 TEST(rod_element, force_is_the_derivative_of_the_energy) {
   const ElementVector q = testing::element_dofs(testing::wavy_line(2, 1.3, Vec3::Zero(), 2), 0);
-  const RodForce at = rod_force(kRod, q);
+  const RodForce rod_result = rod_force(kRod, q);
   for (int i = 0; i < 12; ++i) {
     ElementVector up = q, down = q;
     up(i) += 1e-6;
     down(i) -= 1e-6;
     const double slope = (rod_force(kRod, up).energy - rod_force(kRod, down).energy) / 2e-6;
-    EXPECT_NEAR(slope, at.force(i), 1e-7 * at.force.cwiseAbs().maxCoeff());  // central difference, step 1e-6
+    EXPECT_NEAR(slope, rod_result.force(i),
+                1e-7 * rod_result.force.cwiseAbs().maxCoeff());  // central difference, step 1e-6
   }
 }
 
 TEST(rod_element, stiffness_is_the_derivative_of_the_force_and_symmetric) {
   const ElementVector q = testing::element_dofs(testing::wavy_line(2, 1.3, Vec3::Zero(), 4), 0);
-  const RodForce at = rod_force(kRod, q);
-  const double largest = at.stiffness.cwiseAbs().maxCoeff();
+  const RodForce rod_result = rod_force(kRod, q);
+  const double max_value = rod_result.stiffness.cwiseAbs().maxCoeff();
   for (int i = 0; i < 12; ++i) {
     ElementVector up = q, down = q;
     up(i) += 1e-6;
     down(i) -= 1e-6;
     const ElementVector slope = (rod_force(kRod, up).force - rod_force(kRod, down).force) / 2e-6;
-    EXPECT_LT((slope - at.stiffness.col(i)).cwiseAbs().maxCoeff(), 1e-8 * largest);
+    EXPECT_LT((slope - rod_result.stiffness.col(i)).cwiseAbs().maxCoeff(), 1e-8 * max_value);
   }
-  EXPECT_LT((at.stiffness - at.stiffness.transpose()).cwiseAbs().maxCoeff(), 1e-14 * largest);
+  EXPECT_LT((rod_result.stiffness - rod_result.stiffness.transpose()).cwiseAbs().maxCoeff(), 1e-14 * max_value);
 }
 
 // Stretched, slack and in the transition at its three points, with steps that stay within each.
@@ -44,16 +45,18 @@ TEST(rod_element, derivatives_of_what_only_pulls_are_exact) {
     q.segment<3>(3) = (1.0 + strain) * first;
     q.segment<3>(9) = (1.0 - strain) * last;
     const RodProperties rod{1.3, 5e8, 50.0, kSlackShare};
-    const RodForce at = rod_force(rod, q);
+    const RodForce rod_result = rod_force(rod, q);
     constexpr double kStep = 1e-8;
     for (int i = 0; i < 12; ++i) {
       ElementVector up = q, down = q;
       up(i) += kStep;
       down(i) -= kStep;
       const RodForce above = rod_force(rod, up), below = rod_force(rod, down);
-      EXPECT_NEAR((above.energy - below.energy) / (2.0 * kStep), at.force(i), 1e-5 * at.force.cwiseAbs().maxCoeff());
+      EXPECT_NEAR((above.energy - below.energy) / (2.0 * kStep), rod_result.force(i),
+                  1e-5 * rod_result.force.cwiseAbs().maxCoeff());
       const ElementVector slope = (above.force - below.force) / (2.0 * kStep);
-      EXPECT_LT((slope - at.stiffness.col(i)).cwiseAbs().maxCoeff(), 1e-5 * at.stiffness.cwiseAbs().maxCoeff());
+      EXPECT_LT((slope - rod_result.stiffness.col(i)).cwiseAbs().maxCoeff(),
+                1e-5 * rod_result.stiffness.cwiseAbs().maxCoeff());
     }
   }
 }

@@ -28,61 +28,62 @@ TEST(roller_contact, distance_of_a_straight_pipe_is_its_height_over_the_axis) {
   const std::vector<double> q = straight(5, 1.0, 0.1, 0.5);
   const std::vector<double> h(4, 1.0);
   const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
-  const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 4);
-  ASSERT_TRUE(at.found);
-  EXPECT_EQ(at.element, 2);
-  EXPECT_NEAR(at.xi, 0.3, 1e-14);
-  EXPECT_NEAR(roller_distance(roller, at).value, 0.4, 1e-14);
+  const ClosestPoint closest = closest_point(roller, q.data(), h.data(), 0, 4);
+  ASSERT_TRUE(closest.found);
+  EXPECT_EQ(closest.element, 2);
+  EXPECT_NEAR(closest.xi, 0.3, 1e-14);
+  EXPECT_NEAR(roller_distance(roller, closest).value, 0.4, 1e-14);
 }
 
 TEST(roller_contact, a_pipe_below_the_roller_is_on_the_wrong_side_and_pushed_up) {
   const std::vector<double> q = straight(5, 1.0, 0.0, -0.7);
   const std::vector<double> h(4, 1.0);
   const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
-  const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 4);
-  const RollerDistance d = roller_distance(roller, at);
+  const ClosestPoint closest = closest_point(roller, q.data(), h.data(), 0, 4);
+  const RollerDistance d = roller_distance(roller, closest);
   EXPECT_NEAR(d.value, -0.8, 1e-14);
   EXPECT_NEAR(d.direction.z(), 1.0, 1e-14);
 }
 
-TEST(roller_contact, beyond_the_face_the_end_of_the_axis_counts_and_the_overrun_is_told) {
+TEST(roller_contact, beyond_the_face_the_end_of_the_axis_counts_and_the_overrun_is_reported) {
   const std::vector<double> q = straight(5, 1.0, 0.7, 0.4);
   const std::vector<double> h(4, 1.0);
   const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
-  const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 4);
-  ASSERT_TRUE(at.beyond_face);
-  EXPECT_NEAR(at.off_end, 0.4, 1e-14);
-  const RollerDistance d = roller_distance(roller, at);
+  const ClosestPoint closest = closest_point(roller, q.data(), h.data(), 0, 4);
+  ASSERT_TRUE(closest.beyond_face);
+  EXPECT_NEAR(closest.off_end, 0.4, 1e-14);
+  const RollerDistance d = roller_distance(roller, closest);
   EXPECT_NEAR(d.value, 0.5, 1e-14);  // 0.4 aside, 0.3 up
   EXPECT_NEAR(d.direction.y(), 0.8, 1e-14);
 }
 
 // Above the end of the roller it can still rest on that; below the roller it can only be when it went over the end.
-TEST(roller_contact, a_pipe_that_lies_beside_a_bottom_roller_or_under_it_has_left_the_box) {
+TEST(roller_contact, a_pipe_that_lies_next_to_a_bottom_roller_or_under_it_has_left_the_box) {
   const std::vector<double> h(4, 1.0);
   const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
-  const auto beside = [&](RollerPosition position, double y, double z) {
+  const auto neighbour = [&](RollerPosition position, double y, double z) {
     const std::vector<double> q = straight(5, 1.0, y, z);
-    return lies_beside(position, roller, closest_point(roller, q.data(), h.data(), 0, 4), 0.2);
+    return has_left_box_sideways(position, roller, closest_point(roller, q.data(), h.data(), 0, 4), 0.2);
   };
   const RollerPosition bottom = RollerPosition::bottom;
-  EXPECT_FALSE(beside(bottom, 0.29, 0.45));
-  EXPECT_FALSE(beside(bottom, 0.45, 0.45));  // 0.15 beyond the end
-  EXPECT_TRUE(beside(bottom, 0.55, 0.45));
-  EXPECT_TRUE(beside(bottom, -0.55, 0.45));
-  EXPECT_TRUE(beside(bottom, 0.32, -0.5));
-  EXPECT_TRUE(beside(bottom, 0.0, -0.5));
-  EXPECT_FALSE(beside(RollerPosition::port, 0.55, -0.5));
+  EXPECT_FALSE(neighbour(bottom, 0.29, 0.45));
+  EXPECT_FALSE(neighbour(bottom, 0.45, 0.45));  // 0.15 beyond the end
+  EXPECT_TRUE(neighbour(bottom, 0.55, 0.45));
+  EXPECT_TRUE(neighbour(bottom, -0.55, 0.45));
+  EXPECT_TRUE(neighbour(bottom, 0.32, -0.5));
+  EXPECT_TRUE(neighbour(bottom, 0.0, -0.5));
+  EXPECT_FALSE(neighbour(RollerPosition::port, 0.55, -0.5));
 }
 
-TEST(roller_contact, height_over_a_roller_is_negative_beside_and_below_it) {
+TEST(roller_contact, height_over_a_roller_is_negative_next_to_and_below_it) {
   const std::vector<double> h(4, 1.0);
   const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
   for (const double y : {0.0, 0.32, 5.0}) {
     for (const double z : {-0.6, 0.3, 0.9}) {
       const std::vector<double> q = straight(5, 1.0, y, z);
-      const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 4);
-      EXPECT_NEAR(height_over(roller, at, 0.2), z - 0.2 - 0.25, 1e-14);  // underside, and top of the roller
+      const ClosestPoint closest = closest_point(roller, q.data(), h.data(), 0, 4);
+      EXPECT_NEAR(height_above_roller(roller, closest, 0.2), z - 0.2 - 0.25,
+                  1e-14);  // underside, and top of the roller
     }
   }
 }
@@ -96,19 +97,19 @@ TEST_P(roller_contact_derivatives, gradient_and_hessian_are_the_derivatives_with
   PlacedRoller roller = level_roller(Vec3(1.6, 0.2, 0.0));
   roller.axis = Vec3(0.1, 0.9, 0.3).normalized();
   roller.normal = Vec3(0.0, -0.3, 0.9).normalized();
-  const ClosestPoint at = closest_point(roller, q.data(), lengths.data(), 0, 2);
-  ASSERT_TRUE(at.found);
+  const ClosestPoint closest = closest_point(roller, q.data(), lengths.data(), 0, 2);
+  ASSERT_TRUE(closest.found);
   const auto distance = [&](const std::vector<double>& line) {
     const ClosestPoint p = closest_point(roller, line.data(), lengths.data(), 0, 2);
     return roller_distance(roller, p).value;
   };
-  const ElementVector dofs = testing::element_dofs(q, at.element);
-  const RollerDistance d = roller_distance(roller, at);
-  const RollerDistanceDerivatives exact = roller_distance_derivatives(roller, at, d, dofs, h);
+  const ElementVector dofs = testing::element_dofs(q, closest.element);
+  const RollerDistance d = roller_distance(roller, closest);
+  const RollerDistanceDerivatives exact = roller_distance_derivatives(roller, closest, d, dofs, h);
   const auto moved = [&](int i, double di, int j, double dj) {
     std::vector<double> line = q;
-    line[static_cast<std::size_t>(6 * at.element + i)] += di;
-    line[static_cast<std::size_t>(6 * at.element + j)] += dj;
+    line[static_cast<std::size_t>(6 * closest.element + i)] += di;
+    line[static_cast<std::size_t>(6 * closest.element + j)] += dj;
     return distance(line);
   };
   const double e = 1e-4;
@@ -133,8 +134,8 @@ TEST(roller_contact, sliding_from_one_element_to_the_next_does_not_change_the_di
   roller.half_face = 10.0;
   const auto at_offset = [&](double along) {
     roller.center = node - 0.4 * Vec3::UnitZ() + along * t;
-    const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 2);
-    return roller_distance(roller, at).value;
+    const ClosestPoint closest = closest_point(roller, q.data(), h.data(), 0, 2);
+    return roller_distance(roller, closest).value;
   };
   const double jump = at_offset(1e-9) - at_offset(-1e-9);
   const double slope = (at_offset(1e-3) - at_offset(-1e-3)) / 2e-3;

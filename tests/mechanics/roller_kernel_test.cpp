@@ -15,7 +15,7 @@ namespace {
 
 using Map = Eigen::Map<const Vec3>;
 
-/// A line that winds, of elements of different length, and rollers beside, under and through it.
+/// A line that winds, of elements of different length, and rollers next to, under and through it.
 struct Passage {
   std::vector<double> q, v, length;
   std::vector<PlacedRoller> rollers;
@@ -48,9 +48,9 @@ struct Passage {
   int elements() const { return static_cast<int>(length.size()); }
 };
 
-Vec3 velocity_at(const Passage& passage, const ClosestPoint& at) {
-  const HermiteValues n = hermite(at.xi, passage.length[static_cast<std::size_t>(at.element)]);
-  return Eigen::Map<const Eigen::Matrix<double, 3, 4>>(passage.v.data() + 6 * at.element) * n.value;
+Vec3 velocity_at(const Passage& passage, const ClosestPoint& closest) {
+  const HermiteValues n = hermite(closest.xi, passage.length[static_cast<std::size_t>(closest.element)]);
+  return Eigen::Map<const Eigen::Matrix<double, 3, 4>>(passage.v.data() + 6 * closest.element) * n.value;
 }
 
 class roller_kernel : public ::testing::TestWithParam<Isa> {};
@@ -58,7 +58,7 @@ class roller_kernel : public ::testing::TestWithParam<Isa> {};
 TEST_P(roller_kernel, sees_every_roller_where_the_search_one_by_one_finds_it) {
   if (GetParam() > best_isa()) GTEST_SKIP() << "this machine has no such registers";
   const Passage passage;
-  std::vector<RollerLook> looks;
+  std::vector<RollerSearch> looks;
   std::vector<ClosestPoint> found;
   for (const PlacedRoller& roller : passage.rollers) {
     found.push_back(closest_point(roller, passage.q.data(), passage.length.data(), 0, passage.elements()));
@@ -66,27 +66,27 @@ TEST_P(roller_kernel, sees_every_roller_where_the_search_one_by_one_finds_it) {
     looks.push_back({roller.center.data(), roller.axis.data(), roller.normal.data(), roller.half_face,
                      std::clamp(found.back().xi + 0.1, 0.0, 1.0), found.back().element, found.back().passing});
   }
-  std::vector<RollerMeeting> meetings(looks.size());
-  meet_rollers(passage.line(), looks, meetings, GetParam());
+  std::vector<RollerClosestPoint> meetings(looks.size());
+  find_closest_points(passage.line(), looks, meetings, GetParam());
   int beyond = 0, within = 0;
   for (std::size_t i = 0; i < looks.size(); ++i) {
-    const ClosestPoint& at = found[i];
-    const RollerMeeting& seen = meetings[i];
+    const ClosestPoint& closest = found[i];
+    const RollerClosestPoint& seen = meetings[i];
     ASSERT_TRUE(seen.found);
-    const RollerDistance distance = roller_distance(passage.rollers[i], at);
-    ++(at.beyond_face ? beyond : within);
-    ASSERT_EQ(seen.element, at.element);
-    EXPECT_EQ(seen.passing, at.passing);
-    EXPECT_EQ(seen.beyond_face, at.beyond_face);
-    EXPECT_NEAR(seen.xi, at.xi, 1e-8);
-    EXPECT_NEAR(seen.off_end, at.off_end, 1e-8);
+    const RollerDistance distance = roller_distance(passage.rollers[i], closest);
+    ++(closest.beyond_face ? beyond : within);
+    ASSERT_EQ(seen.element, closest.element);
+    EXPECT_EQ(seen.passing, closest.passing);
+    EXPECT_EQ(seen.beyond_face, closest.beyond_face);
+    EXPECT_NEAR(seen.xi, closest.xi, 1e-8);
+    EXPECT_NEAR(seen.off_end, closest.off_end, 1e-8);
     EXPECT_NEAR(seen.distance, distance.value, 1e-10);
-    EXPECT_LT((Map(seen.place) - at.place).norm(), 1e-7);
-    EXPECT_LT((Map(seen.tangent) - at.tangent).norm(), 1e-7);
-    EXPECT_LT((Map(seen.reference) - at.reference).norm(), 1e-13);
+    EXPECT_LT((Map(seen.place) - closest.place).norm(), 1e-7);
+    EXPECT_LT((Map(seen.tangent) - closest.tangent).norm(), 1e-7);
+    EXPECT_LT((Map(seen.reference) - closest.reference).norm(), 1e-13);
     EXPECT_LT((Map(seen.direction) - distance.direction).norm(), 1e-6);
-    EXPECT_LT((Map(seen.velocity) - velocity_at(passage, at)).norm(), 1e-7);
-    const HermiteValues n = hermite(at.xi, passage.length[static_cast<std::size_t>(at.element)]);
+    EXPECT_LT((Map(seen.velocity) - velocity_at(passage, closest)).norm(), 1e-7);
+    const HermiteValues n = hermite(closest.xi, passage.length[static_cast<std::size_t>(closest.element)]);
     for (int j = 0; j < 4; ++j) EXPECT_NEAR(seen.shape[j], n.value(j), 1e-7);
   }
   EXPECT_GT(within, 100);
@@ -102,13 +102,13 @@ TEST_P(roller_kernel, finds_the_end_of_an_oblique_roller_in_another_element_than
   const Vec3 end = center + face * axis;
   // The line crosses the axis at x = 4.75 + tan 20 deg, 5.114; the end, 1 / cos 20 deg - 0.3 before it, is at 4.853.
   const PlacedRoller roller{center, axis, Vec3::UnitZ(), face, 0.15, 1e8};
-  const RollerLook look{center.data(), axis.data(), roller.normal.data(), face, 0.5, 4, 5};
-  std::vector<RollerMeeting> meetings(1);
-  meet_rollers({q.data(), q.data(), length.data()}, {&look, 1}, meetings, GetParam());
+  const RollerSearch look{center.data(), axis.data(), roller.normal.data(), face, 0.5, 4, 5};
+  std::vector<RollerClosestPoint> meetings(1);
+  find_closest_points({q.data(), q.data(), length.data()}, {&look, 1}, meetings, GetParam());
   const ClosestPoint found = closest_point(roller, q.data(), length.data(), 0, 9);
   EXPECT_EQ(found.passing, 5);
   EXPECT_EQ(found.element, 4);
-  const RollerMeeting& seen = meetings.front();
+  const RollerClosestPoint& seen = meetings.front();
   ASSERT_TRUE(seen.found);
   EXPECT_TRUE(seen.beyond_face);
   EXPECT_EQ(seen.passing, 5);
@@ -121,16 +121,16 @@ TEST_P(roller_kernel, finds_the_end_of_an_oblique_roller_in_another_element_than
 TEST_P(roller_kernel, finds_nothing_in_an_element_that_does_not_pass_the_roller) {
   if (GetParam() > best_isa()) GTEST_SKIP() << "this machine has no such registers";
   const Passage passage;
-  std::vector<RollerLook> looks;
+  std::vector<RollerSearch> looks;
   for (const PlacedRoller& roller : passage.rollers) {
-    const ClosestPoint at = closest_point(roller, passage.q.data(), passage.length.data(), 0, passage.elements());
-    const int wrong = at.element >= 5 ? at.element - 5 : at.element + 5;
+    const ClosestPoint closest = closest_point(roller, passage.q.data(), passage.length.data(), 0, passage.elements());
+    const int wrong = closest.element >= 5 ? closest.element - 5 : closest.element + 5;
     looks.push_back(
         {roller.center.data(), roller.axis.data(), roller.normal.data(), roller.half_face, 0.5, wrong, wrong});
   }
-  std::vector<RollerMeeting> meetings(looks.size());
-  meet_rollers(passage.line(), looks, meetings, GetParam());
-  for (const RollerMeeting& seen : meetings) EXPECT_FALSE(seen.found);
+  std::vector<RollerClosestPoint> meetings(looks.size());
+  find_closest_points(passage.line(), looks, meetings, GetParam());
+  for (const RollerClosestPoint& seen : meetings) EXPECT_FALSE(seen.found);
 }
 
 INSTANTIATE_TEST_SUITE_P(every_instruction_set, roller_kernel,

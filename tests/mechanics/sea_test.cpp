@@ -106,15 +106,15 @@ TEST_P(LinearWave, keeps_the_volume_of_the_water) {
   const double h = 1e-3;
   for (const double z : {-0.05 * depth, -0.3 * depth}) {
     const Vec3 point(10.0, 20.0, z);
-    double divergence = 0.0, largest = 0.0;
+    double divergence = 0.0, max_value = 0.0;
     for (int i = 0; i < 3; ++i) {
       const Vec3 step = h * Vec3::Unit(i);
       const double term =
           (state(sea, 0.9, point + step).velocity[i] - state(sea, 0.9, point - step).velocity[i]) / (2 * h);
       divergence += term;
-      largest = std::max(largest, std::abs(term));
+      max_value = std::max(max_value, std::abs(term));
     }
-    EXPECT_GT(largest, 0.0);
+    EXPECT_GT(max_value, 0.0);
     EXPECT_NEAR(divergence, 0.0, 1e-6 * kAmplitude * wave.omega * wave.wave_number);
   }
 }
@@ -269,7 +269,7 @@ TEST(sea, given_waves_are_sorted_and_get_their_wave_numbers) {
   EXPECT_EQ(highest_frequency(sea), 1.2);
 }
 
-TEST(sea, a_wave_without_size_is_refused) {
+TEST(sea, a_wave_without_size_is_rejected) {
   WavesDescription user;
   user.type = WaveType::user;
   EXPECT_THROW(make_sea(user, 50.0, 1), std::invalid_argument);

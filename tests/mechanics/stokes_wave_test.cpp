@@ -13,7 +13,7 @@ namespace overbend {
 namespace {
 
 /// Period of the Stokes wave of a given steepness e = k H/2 and k d in a depth of 1 m, and the wave itself.
-StokesWave wave_of(double steepness, double kd) {
+StokesWave make_wave(double steepness, double kd) {
   const StokesCoefficients c = stokes_coefficients(kd);
   const double e2 = steepness * steepness;
   const double omega = std::sqrt(kGravity * kd) * (c.c0 + e2 * (c.c2 + e2 * c.c4));
@@ -24,7 +24,7 @@ struct SurfaceErrors {
   double kinematic = 0.0, dynamic = 0.0;  // over c and over g/k
 };
 
-/// How far the surface is from a streamline of constant pressure, in the frame that travels with the wave.
+/// Distance of the surface from a streamline of constant pressure, in the frame that travels with the wave.
 SurfaceErrors surface_errors(const StokesWave& wave) {
   const double k = wave.wave_number, speed = wave.omega / k;
   constexpr int kPlaces = 64;
@@ -45,17 +45,17 @@ SurfaceErrors surface_errors(const StokesWave& wave) {
 }
 
 TEST(stokes_wave, the_surface_conditions_are_met_to_fifth_order) {
-  // What is left over falls with the sixth power of the steepness: halving it divides the error by 64.
+  // The remainder falls with the sixth power of the steepness: halving it divides the error by 64.
   for (const double kd : {1.0, 1.5, 3.0, 30.0}) {
     const double e = kd < 1.2 ? 0.02 : 0.05;  // the coefficients grow towards shallow water
-    const SurfaceErrors high = surface_errors(wave_of(e, kd)), low = surface_errors(wave_of(0.5 * e, kd));
+    const SurfaceErrors high = surface_errors(make_wave(e, kd)), low = surface_errors(make_wave(0.5 * e, kd));
     EXPECT_GT(std::log2(high.kinematic / low.kinematic), 5.8) << kd;
     EXPECT_GT(std::log2(high.dynamic / low.dynamic), 5.8) << kd;
   }
 }
 
 TEST(stokes_wave, a_steep_wave_of_deep_water_still_meets_the_surface_conditions) {
-  const SurfaceErrors errors = surface_errors(wave_of(0.25, 20.0));  // H/L = 0.08
+  const SurfaceErrors errors = surface_errors(make_wave(0.25, 20.0));  // H/L = 0.08
   EXPECT_LT(errors.kinematic, 3e-3);
   EXPECT_LT(errors.dynamic, 3e-3);
 }
@@ -94,13 +94,14 @@ TEST_F(PrintedWave, has_the_printed_velocities_and_accelerations) {
 
 TEST_F(PrintedWave, keeps_volume_has_no_spin_and_accelerates_as_it_should) {
   const double h = 1e-4, x = 13.0, z = -7.0, t = 0.8;
-  const auto at = [&](double dt, double dx, double dz) {
+  const auto sample = [&](double dt, double dx, double dz) {
     return kinematics(wave, t + dt, x + dx, 0.0, z + dz).velocity;
   };
-  const Vec3 by_x = (at(0, h, 0) - at(0, -h, 0)) / (2 * h), by_z = (at(0, 0, h) - at(0, 0, -h)) / (2 * h);
+  const Vec3 by_x = (sample(0, h, 0) - sample(0, -h, 0)) / (2 * h),
+             by_z = (sample(0, 0, h) - sample(0, 0, -h)) / (2 * h);
   EXPECT_NEAR(by_x.x() + by_z.z(), 0.0, 1e-9);
   EXPECT_NEAR(by_x.z() - by_z.x(), 0.0, 1e-9);
-  const Vec3 by_t = (at(h, 0, 0) - at(-h, 0, 0)) / (2 * h);
+  const Vec3 by_t = (sample(h, 0, 0) - sample(-h, 0, 0)) / (2 * h);
   EXPECT_LT((kinematics(wave, t, x, 0.0, z).acceleration - by_t).norm(), 1e-8);
 }
 

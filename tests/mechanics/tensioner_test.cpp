@@ -17,7 +17,7 @@ namespace {
 constexpr double kStiffness = 40e3;  ///< [N/m]
 
 /// 250 kN, 240 to 260 kN, as quick as the test asks for.
-TensionerLaw law_of(double delay, double velocity, double acceleration = 1e6) {
+TensionerLaw make_law(double delay, double velocity, double acceleration = 1e6) {
   TensionerLaw law;
   law.mode = TensionerMode::controlled;
   law.wanted = 250e3;
@@ -44,12 +44,12 @@ struct Spring {
   std::function<double(double)> authority = [](double) { return 1.0; };
   TensionerMachine machine{};
   MotionValues travel{0.0, 0.0, 0.0, 0.0};
-  double time = 0.0, least = 1e300, largest = -1e300, out = 0.0, waited = 0.0, jump = 0.0;
+  double time = 0.0, min_value = 1e300, max_value = -1e300, out = 0.0, waited = 0.0, jump = 0.0;
   std::vector<Change> changes{};
 
   double tension(double t, const MotionValues& u) const { return law.wanted + kStiffness * (pull(t) - u.q); }
 
-  /// Where the governor and the spring agree: both are straight in the acceleration at the end of the step.
+  /// State in which the governor and the spring agree: both are straight in the acceleration at the end of the step.
   MotionValues governed(double step) const {
     const GeneralizedAlpha scheme(0.6);
     const auto surplus = [&](const MotionValues& u) { return tension(time + step, u) - governed_tension(law, u.v); };
@@ -69,7 +69,8 @@ struct Spring {
     if (drive == TensionerDrive::brake) return {travel.q, 0.0, 0.0, 0.0};
     const double speed = drive == TensionerDrive::fastest ? bounds.fastest : bounds.slowest;
     const Travel from{travel.q, travel.v, travel.acc};
-    const Travel to = machine.commanded ? led(law, from, speed, step) : driven(law, from, speed, step);
+    const Travel to =
+        machine.commanded ? advance_commanded(law, from, speed, step) : advance_governed(law, from, speed, step);
     return {to.length, to.speed, to.acceleration, to.acceleration};
   }
 
@@ -81,7 +82,7 @@ struct Spring {
     MotionValues u{};
     for (int i = 0; i < 4; ++i) {
       u = moved(next.drive, bounds, step);
-      const TensionerDrive fitting = fitting_drive(law, bounds, next.drive, u.v, tension(time + step, u));
+      const TensionerDrive fitting = matching_drive(law, bounds, next.drive, u.v, tension(time + step, u));
       if (fitting == next.drive) break;
       next.drive = fitting;
     }
@@ -89,16 +90,16 @@ struct Spring {
   }
 
   void take(double step) {
-    constexpr double kShortest = 1e-9;
+    constexpr double kMinTimeStep = 1e-9;
     const double before = excess(law, machine, machine.tension, travel.v);
     TensionerMachine next;
     MotionValues u = attempt(step, next);
     EventTry tried{0.0, before};
     for (double shorter = 0.0;; step = shorter) {
       u = attempt(step, next);
-      const EventTry now{step, excess(law, next, tension(time + step, u), u.v)};
-      shorter = step_to_event(law, tried, now, kShortest);
-      tried = now;
+      const EventTry event_try{step, excess(law, next, tension(time + step, u), u.v)};
+      shorter = step_to_event(law, tried, event_try, kMinTimeStep);
+      tried = event_try;
       if (shorter == step) break;
     }
     time += step;
@@ -106,12 +107,12 @@ struct Spring {
     if (out_of_range(law, 0.5 * (machine.tension + t))) out += step;
     if (machine.state == TensionerState::delay) waited += step;
     const TensionerState was = machine.state;
-    const Travel now = observe(law, t, step, {u.q, u.v, u.acc}, next);
-    jump = std::max(jump, std::abs(now.speed - travel.v) - law.acceleration * step);
-    travel = now.speed == u.v && now.length == u.q ? u : MotionValues{now.length, now.speed, 0.0, 0.0};
+    const Travel present = observe(law, t, step, {u.q, u.v, u.acc}, next);
+    jump = std::max(jump, std::abs(present.speed - travel.v) - law.acceleration * step);
+    travel = present.speed == u.v && present.length == u.q ? u : MotionValues{present.length, present.speed, 0.0, 0.0};
     machine = next;
-    least = std::min(least, t);
-    largest = std::max(largest, t);
+    min_value = std::min(min_value, t);
+    max_value = std::max(max_value, t);
     if (machine.state != was) changes.push_back({time, machine.state, t, travel.q});
   }
 
@@ -122,7 +123,7 @@ struct Spring {
     }
   }
 
-  /// Of the n-th change into a state, from 0.
+  /// Time of the n-th change into a state, from 0.
   Change change(TensionerState state, int n = 0) const {
     for (const Change& c : changes) {
       if (c.state == state && n-- == 0) return c;
@@ -144,7 +145,7 @@ std::function<double(double)> sine(double amplitude, double period) {
 }
 
 TEST(tensioner, holds_while_the_tension_is_in_its_range) {
-  Spring s{law_of(0.0, 0.25), sine(0.24, 12.0)};  // 9.6 kN either way
+  Spring s{make_law(0.0, 0.25), sine(0.24, 12.0)};  // 9.6 kN either way
   s.run(60.0);
   EXPECT_EQ(s.travel.q, 0.0);
   EXPECT_TRUE(s.changes.empty());
@@ -155,7 +156,7 @@ TEST(tensioner, holds_while_the_tension_is_in_its_range) {
 // m, where the governor begins, 1.25 s; from there e' = 0.1 - e (40 kN/m * 0.25 m/s / 10 kN = 1/s), which tends to 0.1
 // m, 254 kN: a pull that never ends is followed, 4 kN above the tension wanted.
 TEST(tensioner, follows_a_steady_pull_after_its_delay) {
-  Spring s{law_of(2.0, 0.25, 0.5), ramp(0.1)};
+  Spring s{make_law(2.0, 0.25, 0.5), ramp(0.1)};
   s.run(4.5);
   EXPECT_NEAR(s.change(TensionerState::delay).time, 2.5, 1e-6);
   EXPECT_NEAR(s.change(TensionerState::delay).tension, 260e3, 1e-2);
@@ -170,12 +171,12 @@ TEST(tensioner, follows_a_steady_pull_after_its_delay) {
   EXPECT_NEAR(0.1 * s.time - s.travel.q, 0.1 + 0.15 * std::exp(-2.0), 1e-6);
   s.run(30.0);
   EXPECT_NEAR(s.machine.tension, 254e3, 1e-2);
-  EXPECT_NEAR(s.largest, 250e3 + kStiffness * (0.45 + 0.01), 0.1);  // 0.2 s after it starts, where 0.1 = 0.5 t
+  EXPECT_NEAR(s.max_value, 250e3 + kStiffness * (0.45 + 0.01), 0.1);  // 0.2 s after it starts, where 0.1 = 0.5 t
 }
 
 TEST(tensioner, error_of_the_governed_travel_falls_with_the_square_of_the_step) {
   for (const double h : {0.1, 0.05, 0.02, 0.01, 0.005}) {
-    Spring s{law_of(2.0, 0.25, 0.5), ramp(0.1), h};
+    Spring s{make_law(2.0, 0.25, 0.5), ramp(0.1), h};
     s.run(8.25);
     EXPECT_NEAR(0.1 * s.time - s.travel.q, 0.1 + 0.15 * std::exp(-2.0), 0.02 * h * h) << h;
   }
@@ -183,7 +184,7 @@ TEST(tensioner, error_of_the_governed_travel_falls_with_the_square_of_the_step) 
 
 // The same pull that ends at 10 s: from there e' = -e until 1 % of the 10 kN is left, 2.5 mm, and the machine holds.
 TEST(tensioner, holds_again_when_the_tension_is_restored) {
-  Spring s{law_of(2.0, 0.25, 0.5), [](double t) { return 0.1 * std::min(t, 10.0); }};
+  Spring s{make_law(2.0, 0.25, 0.5), [](double t) { return 0.1 * std::min(t, 10.0); }};
   s.run(20.0);
   const double at_ten = 0.1 + 0.15 * std::exp(-(10.0 - 6.25));
   EXPECT_NEAR(s.change(TensionerState::hold).time, 10.0 + std::log(at_ten / 0.0025), 1e-6);
@@ -196,7 +197,7 @@ TEST(tensioner, holds_again_when_the_tension_is_restored) {
 TEST(tensioner, stops_slowly_also_where_its_range_ends_at_the_wanted_tension) {
   // From full speed it would send the pipe an impact of the speed times sqrt(EA m), 200 kN for 0.25 m/s.
   for (const double band : {0.0, 5.0, 50.0, 500.0}) {
-    Spring s{law_of(0.0, 0.25, 0.5), sine(0.3, 8.0)};
+    Spring s{make_law(0.0, 0.25, 0.5), sine(0.3, 8.0)};
     s.law.high = s.law.wanted + band;
     s.law.resolution = 1e-5 * s.law.wanted;
     s.run(24.0);
@@ -206,7 +207,7 @@ TEST(tensioner, stops_slowly_also_where_its_range_ends_at_the_wanted_tension) {
 }
 
 TEST(tensioner, never_moves_when_the_delay_outlasts_every_excursion) {
-  Spring s{law_of(4.5, 0.25), sine(0.5, 12.0), 0.02};
+  Spring s{make_law(4.5, 0.25), sine(0.5, 12.0), 0.02};
   s.run(120.0);
   EXPECT_EQ(s.travel.q, 0.0);
   EXPECT_EQ(s.count(TensionerState::delay), 20);
@@ -215,20 +216,20 @@ TEST(tensioner, never_moves_when_the_delay_outlasts_every_excursion) {
   EXPECT_NEAR(s.change(TensionerState::hold).time, 5.0, 1e-6);
 }
 
-/// How many tries meet the event of a tension `after(h)` beyond its bound, `before` at the start of the step.
+/// Number of tries that meet the event of a tension `after(h)` beyond its bound, `before` at the start of the step.
 int tries_to_meet(double before, const std::function<double(double)>& after, double& met) {
-  TensionerLaw law = law_of(2.0, 0.25);
+  TensionerLaw law = make_law(2.0, 0.25);
   law.resolution = 2.5;
   EventTry last{0.0, before};
   double h = 0.1;
   for (int tries = 1;; ++tries) {
-    const EventTry now{h, after(h)};
-    const double next = step_to_event(law, last, now, 1e-3);
+    const EventTry event_try{h, after(h)};
+    const double next = step_to_event(law, last, event_try, 1e-3);
     if (next == h || tries == 50) {
       met = h;
       return tries;
     }
-    last = now;
+    last = event_try;
     h = next;
   }
 }
@@ -291,7 +292,7 @@ struct PlainMachine {
 // too late every time.
 TEST(tensioner, hunts_when_the_delay_is_near_half_a_period) {
   const double first = std::asin(0.25) * 12.0 / (2.0 * kPi);
-  Spring s{law_of(4.9, 0.25, 0.5), sine(1.0, 12.0)};
+  Spring s{make_law(4.9, 0.25, 0.5), sine(1.0, 12.0)};
   s.run(30.0);
   const Change start = s.change(TensionerState::pay_out);
   EXPECT_NEAR(start.time, first + 4.9, 1e-6);
@@ -304,7 +305,7 @@ TEST(tensioner, hunts_when_the_delay_is_near_half_a_period) {
   }
   EXPECT_NEAR(plain.first_start, start.time, 1e-5);
   EXPECT_NEAR(s.travel.q, plain.travel, 1e-4);
-  EXPECT_GT(s.largest, 285e3);  // no better than a brake: 290 kN
+  EXPECT_GT(s.max_value, 285e3);  // no better than a brake: 290 kN
 }
 
 // 2 m in 12 s pulls at up to 1.05 m/s; 0.05 m/s cannot follow. Full speed is reached in 0.1 s, 2.5 mm behind, and kept
@@ -312,24 +313,24 @@ TEST(tensioner, hunts_when_the_delay_is_near_half_a_period) {
 TEST(tensioner, lags_behind_when_it_is_too_slow) {
   const double w = 2.0 * kPi / 12.0;
   const double t0 = std::asin(0.125) / w;
-  Spring s{law_of(0.0, 0.05, 0.5), sine(2.0, 12.0)};
+  Spring s{make_law(0.0, 0.05, 0.5), sine(2.0, 12.0)};
   s.run(5.5);
   EXPECT_NEAR(s.change(TensionerState::pay_out).time, t0, 1e-6);
   EXPECT_NEAR(s.travel.q, 0.05 * (5.5 - t0) - 0.0025, 1e-6);
   const double peak = std::acos(0.05 / (2.0 * w)) / w;
-  EXPECT_NEAR(s.largest, 250e3 + kStiffness * (2.0 * std::sin(w * peak) - 0.05 * (peak - t0) + 0.0025), 0.1);
+  EXPECT_NEAR(s.max_value, 250e3 + kStiffness * (2.0 * std::sin(w * peak) - 0.05 * (peak - t0) + 0.0025), 0.1);
 }
 
 // Pull to 1 m and back at 0.1 m/s, no delay. From 2.5 s it pays out towards its limit of 0.2 m, then the tension goes
 // on with the pull: 250 kN + k (x - 0.2). On the way back 250 kN is passed at x = 0.2 m, 18 s: the limit is left; 240
 // kN at x = -0.05 m, 20.5 s: it hauls in.
 TEST(tensioner, stands_at_its_limit_and_leaves_it_again) {
-  TensionerLaw law = law_of(0.0, 0.25, 0.5);
+  TensionerLaw law = make_law(0.0, 0.25, 0.5);
   law.limit = 0.2;
   Spring s{law, [](double t) { return t < 10.0 ? 0.1 * t : 2.0 - 0.1 * t; }};
   s.run(20.6);
   EXPECT_NEAR(s.change(TensionerState::at_limit).travel, 0.2, 1e-12);
-  EXPECT_NEAR(s.largest, 250e3 + 0.8 * kStiffness, 1.0);
+  EXPECT_NEAR(s.max_value, 250e3 + 0.8 * kStiffness, 1.0);
   EXPECT_NEAR(s.change(TensionerState::hold).time, 18.0, 1e-6);
   EXPECT_NEAR(s.change(TensionerState::hold).travel, 0.2, 1e-12);
   EXPECT_NEAR(s.change(TensionerState::haul_in).time, 20.5, 1e-6);
@@ -339,7 +340,7 @@ TEST(tensioner, stands_at_its_limit_and_leaves_it_again) {
 // A pull of 1 m at once, 0.05 m/s2: the limit of 0.2 m is met at rest, half the way gathering speed, half braking,
 // sqrt(0.2 / 0.05) = 2 s each. It is there from a micrometre on, sqrt(2e-6 / 0.05) = 6 ms before.
 TEST(tensioner, brakes_so_as_to_stand_where_its_travel_ends) {
-  TensionerLaw law = law_of(0.0, 0.25, 0.05);
+  TensionerLaw law = make_law(0.0, 0.25, 0.05);
   law.limit = 0.2;
   Spring s{law, [](double) { return 1.0; }};
   s.run(2.0);
@@ -353,7 +354,7 @@ TEST(tensioner, brakes_so_as_to_stand_where_its_travel_ends) {
 }
 
 TEST(tensioner, stays_at_its_limit_while_the_tension_is_never_reached) {
-  TensionerLaw law = law_of(1.0, 0.25, 0.5);
+  TensionerLaw law = make_law(1.0, 0.25, 0.5);
   law.limit = 2.5;
   Spring s{law, [](double) { return -10.0; }};  // 400 kN too low: hauls in all it has
   s.run(100.0);
@@ -365,9 +366,9 @@ TEST(tensioner, stays_at_its_limit_while_the_tension_is_never_reached) {
 }
 
 // A range of 2 N about 250 kN and a ripple of 200 N every 0.2 s: the tension is out of range all the time, but never
-// for half a second on one side. A machine with that delay stands still; the ripple does not count as the sea.
+// for half a second on one side. A machine with that delay is at rest; the ripple does not count as the sea.
 TEST(tensioner, does_not_chase_noise_wider_than_its_range) {
-  TensionerLaw law = law_of(0.5, 0.25);
+  TensionerLaw law = make_law(0.5, 0.25);
   law.low = law.wanted - 1.0;
   law.high = law.wanted + 1.0;
   Spring s{law, sine(0.005, 0.2), 0.01};
@@ -379,7 +380,7 @@ TEST(tensioner, does_not_chase_noise_wider_than_its_range) {
 // Without delay it answers the ripple of 5 mm, and overshoots it while it brakes at 10 m/s2 from at most 0.16 m/s:
 // by 1.2 mm. It does not wander off.
 TEST(tensioner, without_delay_moves_no_further_than_the_noise) {
-  TensionerLaw law = law_of(0.0, 0.25, 10.0);
+  TensionerLaw law = make_law(0.0, 0.25, 10.0);
   law.low = law.wanted - 1.0;
   law.high = law.wanted + 1.0;
   Spring s{law, sine(0.005, 0.2), 0.002};
@@ -390,24 +391,25 @@ TEST(tensioner, without_delay_moves_no_further_than_the_noise) {
 
 // Authority t / 10 s: the speed is 0.025 t m/s, the travel 0.0125 t^2, as long as the tension is out of range.
 TEST(tensioner, is_brought_in_with_its_authority) {
-  Spring s{law_of(0.0, 0.25, 0.5), [](double) { return 5.0; }, 1e-3, [](double t) { return std::min(1.0, t / 10.0); }};
+  Spring s{make_law(0.0, 0.25, 0.5), [](double) { return 5.0; }, 1e-3,
+           [](double t) { return std::min(1.0, t / 10.0); }};
   s.run(8.0);
   EXPECT_NEAR(s.travel.q, 0.0125 * 64.0, 2e-6 * 64.0);
   EXPECT_NEAR(s.travel.v, 0.025 * 8.0, 1e-4);
 }
 
 TEST(tensioner, a_constant_one_yields_to_every_pull) {
-  TensionerLaw law = law_of(0.0, 0.25);
+  TensionerLaw law = make_law(0.0, 0.25);
   law.mode = TensionerMode::constant;
   Spring s{law, [](double t) { return 0.05 * t * t; }};
   s.run(5.0);
   EXPECT_NEAR(s.travel.q, 1.25, 1e-6);
-  EXPECT_NEAR(s.largest, 250e3, 1e-3);
-  EXPECT_NEAR(s.least, 250e3, 1e-3);
+  EXPECT_NEAR(s.max_value, 250e3, 1e-3);
+  EXPECT_NEAR(s.min_value, 250e3, 1e-3);
 }
 
 TEST(tensioner, a_locked_one_never_changes_state) {
-  TensionerLaw law = law_of(0.0, 0.25);
+  TensionerLaw law = make_law(0.0, 0.25);
   law.mode = TensionerMode::locked;
   Spring s{law, sine(5.0, 12.0)};
   s.run(12.0);
@@ -415,11 +417,11 @@ TEST(tensioner, a_locked_one_never_changes_state) {
   EXPECT_EQ(s.travel.q, 0.0);
 }
 
-// 0.1 m/s at 0.4 m/s2 takes a quarter of a second and half of that time at full speed, whatever the steps.
+// 0.1 m/s at 0.4 m/s2 takes a quarter of a second and half of that time at full speed, for any steps.
 TEST(commanded_tensioner, pays_out_what_its_speed_and_its_ramps_make) {
   for (const TensionerMode mode : {TensionerMode::locked, TensionerMode::constant, TensionerMode::controlled}) {
     for (const double h : {0.37, 0.1, 0.01}) {
-      TensionerLaw law = law_of(0.0, 0.25, 0.4);
+      TensionerLaw law = make_law(0.0, 0.25, 0.4);
       law.mode = mode;
       Spring s{law, ramp(0.0), h};
       command_speed(s.machine, 0.1);
@@ -436,7 +438,7 @@ TEST(commanded_tensioner, pays_out_what_its_speed_and_its_ramps_make) {
 }
 
 TEST(commanded_tensioner, is_no_faster_than_its_velocity_and_what_of_it_the_build_up_lets_it_use) {
-  Spring s{law_of(0.0, 0.25, 0.5), ramp(0.0), 0.05};
+  Spring s{make_law(0.0, 0.25, 0.5), ramp(0.0), 0.05};
   s.authority = [](double t) { return t < 2.0 ? 0.4 : 1.0; };
   command_speed(s.machine, 3.0);
   s.run(2.0);
@@ -445,8 +447,8 @@ TEST(commanded_tensioner, is_no_faster_than_its_velocity_and_what_of_it_the_buil
   EXPECT_NEAR(s.travel.v, 0.25, 1e-15);
 }
 
-TEST(commanded_tensioner, stands_at_the_end_of_its_travel_and_leaves_it_when_told_to) {
-  TensionerLaw law = law_of(0.0, 0.25, 0.5);
+TEST(commanded_tensioner, stands_at_the_end_of_its_travel_and_leaves_it_when_commanded) {
+  TensionerLaw law = make_law(0.0, 0.25, 0.5);
   law.mode = TensionerMode::locked;
   law.limit = 0.2;
   Spring s{law, ramp(0.0), 0.05};
@@ -463,10 +465,10 @@ TEST(commanded_tensioner, stands_at_the_end_of_its_travel_and_leaves_it_when_tol
 
 // The governor takes over at 0.1 m/s with the tension wanted: it brakes at 0.5 m/s2 and settles where it began to.
 TEST(commanded_tensioner, goes_on_by_its_own_law_from_the_speed_that_it_has) {
-  Spring s{law_of(1.0, 0.25, 0.5), ramp(0.1), 0.01};
+  Spring s{make_law(1.0, 0.25, 0.5), ramp(0.1), 0.01};
   command_speed(s.machine, 0.1);
   s.run(2.0);
-  leave_to_law(s.law, s.travel.v, s.machine);
+  return_to_law(s.law, s.travel.v, s.machine);
   EXPECT_FALSE(s.machine.commanded);
   EXPECT_EQ(s.machine.state, TensionerState::pay_out);
   s.run(30.0);
@@ -474,12 +476,12 @@ TEST(commanded_tensioner, goes_on_by_its_own_law_from_the_speed_that_it_has) {
 }
 
 TEST(commanded_tensioner, that_is_locked_comes_to_rest_as_fast_as_it_can_when_it_is_left) {
-  TensionerLaw law = law_of(0.0, 0.25, 0.5);
+  TensionerLaw law = make_law(0.0, 0.25, 0.5);
   law.mode = TensionerMode::locked;
   Spring s{law, ramp(0.0), 0.03};
   command_speed(s.machine, 0.1);
   s.run(1.0);
-  leave_to_law(law, s.travel.v, s.machine);
+  return_to_law(law, s.travel.v, s.machine);
   s.run(1.1);
   EXPECT_NEAR(s.travel.v, 0.05, 1e-12);
   s.run(2.0);
@@ -489,8 +491,8 @@ TEST(commanded_tensioner, that_is_locked_comes_to_rest_as_fast_as_it_can_when_it
 }
 
 TEST(tensioner, that_is_set_to_another_tension_takes_its_range_along) {
-  TensionerLaw law = law_of(0.0, 0.25);
-  set_wanted_tension(law, 300e3);
+  TensionerLaw law = make_law(0.0, 0.25);
+  set_target_tension(law, 300e3);
   EXPECT_EQ(law.low, 290e3);
   EXPECT_EQ(law.high, 310e3);
 }

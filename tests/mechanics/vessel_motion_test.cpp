@@ -124,9 +124,9 @@ TEST(vessel_motion, a_fixed_vessel_and_one_in_a_calm_sea_rest_in_the_mean_pose) 
   d.vessel.trim = 1.0 * kDegree;
   const Model model = build_model(d);
   for (const bool raos : {true, false}) {
-    Model here = model;
-    if (!raos) here.description.vessel.motion = VesselMotion::fixed;
-    const VesselMotionModel motion = make_vessel_motion(here, Sea{});
+    Model changed_model = model;
+    if (!raos) changed_model.description.vessel.motion = VesselMotion::fixed;
+    const VesselMotionModel motion = make_vessel_motion(changed_model, Sea{});
     EXPECT_FALSE(motion.moving());
     const RigidMotion m = vessel_motion(motion, 12.0, {});
     EXPECT_LT((m.pose.p_WV - model.mean_pose.p_WV).norm(), 1e-14);
@@ -195,10 +195,10 @@ TEST(body_motion, meets_the_wave_where_the_body_lies) {
     return vessel_motion(make_body_motion(model.description.vessel, pose, sea), t, {}).freedoms[2];
   };
   for (const double t : {0.0, 2.0, 5.5}) {
-    const double own = vessel_motion(vessel, t, {}).freedoms[2];
-    EXPECT_NEAR(heave(Vec3(wave, 0.0, 0.0), t), own, 1e-9) << t;
-    EXPECT_NEAR(heave(Vec3(0.5 * wave, 0.0, 0.0), t), -own, 1e-9) << t;
-    EXPECT_NEAR(heave(Vec3(0.0, 170.0, 0.0), t), own, 1e-9) << t;
+    const double original = vessel_motion(vessel, t, {}).freedoms[2];
+    EXPECT_NEAR(heave(Vec3(wave, 0.0, 0.0), t), original, 1e-9) << t;
+    EXPECT_NEAR(heave(Vec3(0.5 * wave, 0.0, 0.0), t), -original, 1e-9) << t;
+    EXPECT_NEAR(heave(Vec3(0.0, 170.0, 0.0), t), original, 1e-9) << t;
   }
 }
 
@@ -323,18 +323,18 @@ TEST(vessel_motion, a_record_sets_in_without_a_jump_and_rests_at_its_end) {
   EXPECT_EQ(vessel_motion(motion, 50.0, {}).velocity.norm(), 0.0);
 }
 
-TEST(vessel_motion, what_can_not_be_followed_is_refused_in_words) {
+TEST(vessel_motion, what_can_not_be_followed_is_rejected_with_a_message) {
   Description d = testing::plain_description();
   d.vessel.motion_file = "nowhere.csv";
-  for (const auto& [kind, words] : {std::pair{VesselMotion::raos, "nowhere.csv"},
-                                    {VesselMotion::history, "nowhere.csv"},
-                                    {VesselMotion::coupled, "not available"}}) {
+  for (const auto& [kind, message] : {std::pair{VesselMotion::raos, "nowhere.csv"},
+                                      {VesselMotion::history, "nowhere.csv"},
+                                      {VesselMotion::coupled, "not available"}}) {
     d.vessel.motion = kind;
     try {
       make_vessel_motion(build_model(d), Sea{});
-      ADD_FAILURE() << words;
-    } catch (const std::invalid_argument& fault) {
-      EXPECT_NE(std::string(fault.what()).find(words), std::string::npos) << fault.what();
+      ADD_FAILURE() << message;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
     }
   }
 }

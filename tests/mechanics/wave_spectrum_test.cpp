@@ -123,7 +123,7 @@ TEST(wave_spectrum, a_users_table_is_linear_between_its_points) {
   EXPECT_NEAR(spectrum.quantile(0.4 / 1.4), 0.8, 1e-6);
 }
 
-TEST(wave_spectrum, a_table_without_energy_is_refused) {
+TEST(wave_spectrum, a_table_without_energy_is_rejected) {
   WavesDescription waves;
   waves.type = WaveType::user;
   EXPECT_THROW(WaveSpectrum{waves}, std::invalid_argument);

@@ -28,26 +28,26 @@ Description moving() {
   return d;
 }
 
-int mentions(const Description& d, const std::string& words) {
+int mentions(const Description& d, const std::string& message) {
   const std::vector<std::string> list = texts(assumptions(build_model(d)));
   return static_cast<int>(std::count_if(list.begin(), list.end(),
-                                        [&](const std::string& s) { return s.find(words) != std::string::npos; }));
+                                        [&](const std::string& s) { return s.find(message) != std::string::npos; }));
 }
 
-TEST(dynamic_assumptions, of_a_stinger_are_told_where_it_turns_by_itself) {
+TEST(dynamic_assumptions, of_a_stinger_are_reported_where_it_turns_by_itself) {
   Description d = moving();
   d.supports.boxes.front().structure = Structure::stinger;
-  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 0);
+  EXPECT_EQ(mentions(d, "The stinger rotates about its hinges during the dynamic analysis"), 0);
   StingerSectionDescription& section = d.supports.sections.emplace_back();
   section.body = StingerBodyDescription{};
   section.limits = StingerLimits{-0.1, 0.1};
-  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 1);
-  EXPECT_EQ(mentions(d, "Stops of the stinger"), 1);
+  EXPECT_EQ(mentions(d, "The stinger rotates about its hinges during the dynamic analysis"), 1);
+  EXPECT_EQ(mentions(d, "stops are springs with"), 1);
   section.angle = 0.02;
-  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 0);
+  EXPECT_EQ(mentions(d, "The stinger rotates about its hinges during the dynamic analysis"), 0);
 }
 
-TEST(dynamic_assumptions, are_told_of_a_model_with_dynamics_alone) {
+TEST(dynamic_assumptions, are_reported_for_a_model_with_dynamics_alone) {
   Description d = moving();
   const std::size_t with = assumptions(build_model(d)).size();
   EXPECT_EQ(mentions(d, "half a cosine over the 60 s before t = 0"), 1);
@@ -57,7 +57,7 @@ TEST(dynamic_assumptions, are_told_of_a_model_with_dynamics_alone) {
   EXPECT_EQ(mentions(d, "DNV-RP-F107"), 0);
 }
 
-TEST(dynamic_assumptions, are_told_once_each_in_whole_sentences) {
+TEST(dynamic_assumptions, are_reported_once_each_in_whole_sentences) {
   std::vector<std::string> list = texts(assumptions(build_model(moving())));
   for (const std::string& sentence : list) EXPECT_EQ(sentence.back(), '.') << sentence;
   std::sort(list.begin(), list.end());
@@ -98,7 +98,7 @@ TEST(dynamic_assumptions, name_the_components_the_seeds_and_the_spreading) {
   EXPECT_EQ(mentions(d, "s = 8"), 1);
 }
 
-TEST(dynamic_assumptions, tell_of_stretching_where_there_is_some) {
+TEST(dynamic_assumptions, report_on_stretching_where_there_is_some) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "Wheeler"), 1);
   d.environment.waves.type = WaveType::airy;
@@ -112,7 +112,7 @@ TEST(dynamic_assumptions, tell_of_stretching_where_there_is_some) {
   EXPECT_EQ(mentions(d, "that at the stern shoe"), 0);
 }
 
-TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
+TEST(dynamic_assumptions, report_what_the_tensioner_does) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "is a locked brake"), 1);
   EXPECT_EQ(mentions(d, "mass and weight of the pipe behind the tensioner are neglected"), 0);
@@ -124,9 +124,9 @@ TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   EXPECT_EQ(mentions(d, "waits 2 s when the tension has left its range of 240 to 260 kN, then moves at up to 0.25 m/s"),
             1);
   EXPECT_EQ(mentions(d, "no acceleration is given: it reaches that speed in 0.5 s"), 1);
-  EXPECT_EQ(mentions(d, "damps vibrations along the pipe that its steps do not follow"), 1);
+  EXPECT_EQ(mentions(d, "damps axial vibrations of the pipe that its steps do not resolve"), 1);
   d.dynamics->max_step = 0.02;
-  EXPECT_EQ(mentions(d, "damps vibrations along the pipe that its steps do not follow"), 0);
+  EXPECT_EQ(mentions(d, "damps axial vibrations of the pipe that its steps do not resolve"), 0);
   EXPECT_EQ(mentions(d, "its travel is not limited"), 1);
   d.tensioner.acceleration = 0.1;
   d.tensioner.travel = 2.5;
@@ -137,14 +137,14 @@ TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   EXPECT_EQ(mentions(d, "mass and weight of the pipe behind the tensioner are neglected"), 1);
 }
 
-TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
+TEST(dynamic_assumptions, report_how_rollers_damp_and_stick) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "coefficient of restitution"), 1);
   EXPECT_EQ(mentions(d, "0.1 of the normal stiffness"), 1);
   EXPECT_EQ(mentions(d, "not in the static initial state"), 1);
   d.statics.roller_friction = RollerFriction::haul;
   EXPECT_EQ(mentions(d, "not in the static initial state"), 0);
-  EXPECT_EQ(mentions(d, "begins as statics have it"), 1);
+  EXPECT_EQ(mentions(d, "initial state is that of statics"), 1);
   d.statics.roller_friction = RollerFriction::none;
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].damping = RollerDamping::textbook;
@@ -155,7 +155,7 @@ TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
   EXPECT_EQ(mentions(d, "weaker than 0.25 kN"), 1);
 }
 
-TEST(dynamic_assumptions, tell_of_impacts_that_are_captured) {
+TEST(dynamic_assumptions, report_on_impacts_that_are_captured) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "Impacts are captured"), 0);
   d.dynamics->impacts = ImpactTreatment::captured;
@@ -163,20 +163,20 @@ TEST(dynamic_assumptions, tell_of_impacts_that_are_captured) {
   EXPECT_EQ(mentions(d, "neither counted nor recorded"), 1);
 }
 
-TEST(dynamic_assumptions, of_gap_springs_tell_of_no_damping_and_no_friction) {
+TEST(dynamic_assumptions, of_gap_springs_report_no_damping_and_no_friction) {
   Description d = moving();
   d.supports.contact = SupportContact::gap_springs;
   EXPECT_EQ(mentions(d, "one gap spring"), 1);
-  EXPECT_EQ(mentions(d, "To either side a gap spring"), 1);
+  EXPECT_EQ(mentions(d, "On either side a gap spring"), 1);
   EXPECT_EQ(mentions(d, "cylinders of finite length"), 0);
   EXPECT_EQ(mentions(d, "coefficient of restitution"), 0);
   EXPECT_EQ(mentions(d, "Roller friction"), 0);
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].sides.reset();
-  EXPECT_EQ(mentions(d, "To either side a gap spring"), 0);
+  EXPECT_EQ(mentions(d, "On either side a gap spring"), 0);
 }
 
-TEST(dynamic_assumptions, of_j_lay_tell_nothing_of_rollers) {
+TEST(dynamic_assumptions, of_j_lay_report_nothing_of_rollers) {
   Description d = moving();
   d.supports.boxes.clear();
   EXPECT_EQ(mentions(d, "Impacts"), 0);

@@ -17,11 +17,11 @@ TEST(lay_route, a_straight_route_keeps_direction_and_has_no_curvature) {
   EXPECT_EQ(route.curvature(250.0), 0.0);
 }
 
-TEST(lay_route, a_place_on_it_is_found_again_and_one_beside_it_is_as_far_off_as_it_is) {
+TEST(lay_route, a_place_on_it_is_found_again_and_one_next_to_it_is_as_far_off_as_it_is) {
   const LayRoute route(Vec3(1.0, 2.0, 3.0), Vec3(0.6, 0.8, 0.0));
-  const Vec3 beside = route.place(120.0) + 4.0 * route.port(120.0) - Vec3(0.0, 0.0, 60.0);
-  EXPECT_NEAR(route.distance(beside), 120.0, 1e-12);
-  EXPECT_NEAR(route.offset(beside), 4.0, 1e-12);
+  const Vec3 neighbour = route.place(120.0) + 4.0 * route.port(120.0) - Vec3(0.0, 0.0, 60.0);
+  EXPECT_NEAR(route.distance(neighbour), 120.0, 1e-12);
+  EXPECT_NEAR(route.offset(neighbour), 4.0, 1e-12);
 }
 
 TEST(lay_route, starts_at_the_tensioner_and_runs_astern_with_port_as_the_barge_has_it) {
@@ -55,8 +55,8 @@ TEST(lay_route, an_arc_ends_where_geometry_has_it_and_turned_by_its_angle) {
   EXPECT_EQ(route.curvature(end + 31.0), -1.0 / 100.0);
   EXPECT_EQ(route.curvature(10.0), 0.0);
   EXPECT_EQ(route.curvature(1e4), 0.0);
-  EXPECT_EQ(route.sharpest_behind(0.0), 1.0 / 100.0);
-  EXPECT_EQ(route.sharpest_behind(1e4), 0.0);
+  EXPECT_EQ(route.max_curvature_beyond(0.0), 1.0 / 100.0);
+  EXPECT_EQ(route.max_curvature_beyond(1e4), 0.0);
 }
 
 TEST(lay_route, is_one_smooth_line_whose_length_is_s) {
@@ -70,13 +70,13 @@ TEST(lay_route, is_one_smooth_line_whose_length_is_s) {
 }
 
 TEST(lay_route, of_arcs_finds_places_again_and_how_far_off_they_are) {
-  const LayRoute route = bent_route(), beside = route.beside(1.5);
+  const LayRoute route = bent_route(), parallel_route = route.parallel_route(1.5);
   for (double s = 1.0; s < 420.0; s += 7.3) {
     for (const double off : {-6.0, 0.0, 6.0}) {
       const Vec3 p = route.place(s) + off * route.port(s) - Vec3(0.0, 0.0, 60.0);
       EXPECT_NEAR(route.distance(p), s, 1e-9);
       EXPECT_NEAR(route.offset(p), off, 1e-9);
-      EXPECT_NEAR(beside.offset(p), off - 1.5, 1e-9);
+      EXPECT_NEAR(parallel_route.offset(p), off - 1.5, 1e-9);
     }
   }
 }
@@ -99,8 +99,9 @@ TEST(lay_route, corners_without_a_radius_get_the_least_that_friction_holds_and_h
   d.environment.seabed.friction_lateral = 0.5;
   d.route.points = {{2000.0, 0.0}, {6000.0, 1000.0}, {9000.0, 1000.0}};
   const Model model = build_model(d);
-  const double hanging = model.sections[0].weight_submerged * 89.0;
-  EXPECT_NEAR(default_corner_radius(model), 1.5 * (250e3 - hanging) / (0.5 * model.sections[0].weight_submerged), 1.0);
+  const double suspended_weight = model.sections[0].weight_submerged * 89.0;
+  EXPECT_NEAR(default_corner_radius(model),
+              1.5 * (250e3 - suspended_weight) / (0.5 * model.sections[0].weight_submerged), 1.0);
 }
 
 }  // namespace

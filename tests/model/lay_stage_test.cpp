@@ -59,11 +59,11 @@ void expect_segment(const Model& model, double out) {
   EXPECT_EQ(name_at(model, out + 12.1), "pipe");
 }
 
-TEST(lay_stage, segments_and_structures_hang_below_cable_and_head) {
+TEST(lay_stage, segments_and_structures_are_suspended_below_cable_and_head) {
   Description d = lay_with_segment();
   for (const OperationType type : {OperationType::abandonment, OperationType::lay_down, OperationType::recovery}) {
     d.operation.type = type;
-    const Model model = build_model(at_stage(d, with_cable_out(60.0)));
+    const Model model = build_model(make_stage_description(d, with_cable_out(60.0)));
     EXPECT_EQ(model.kind_at(59.9), SectionKind::cable);
     EXPECT_EQ(model.kind_at(64.9), SectionKind::head);
     EXPECT_EQ(name_at(model, 65.1), "thick end");
@@ -75,7 +75,7 @@ TEST(lay_stage, no_structure_takes_the_place_of_the_head) {
   Description d = lay_with_segment();
   d.operation.type = OperationType::abandonment;
   d.pipe.structures[0].at = 0.5;
-  const Model model = build_model(at_stage(d, with_cable_out(60.0)));
+  const Model model = build_model(make_stage_description(d, with_cable_out(60.0)));
   EXPECT_EQ(model.kind_at(64.9), SectionKind::head);
   EXPECT_EQ(name_at(model, 65.1), "arrestor");
   EXPECT_EQ(name_at(model, 66.9), "arrestor");
@@ -88,18 +88,18 @@ TEST(lay_stage, pipe_of_a_start_up_comes_out_of_the_tensioner_as_it_lies_at_the_
   d.operation.type = OperationType::start_up;
   d.pipe.segments.push_back({"first pipe", 20.0, d.pipe.section});
   d.operation.lay.stages = {with_pipe_out(80.0), with_pipe_out(95.0), with_pipe_out(100.0)};
-  const Model last = build_model(at_stage(d, d.operation.lay.stages[2]));
+  const Model last = build_model(make_stage_description(d, d.operation.lay.stages[2]));
   EXPECT_EQ(name_at(last, 3.0), "thick end");
   EXPECT_EQ(name_at(last, 6.0), "arrestor");
   EXPECT_EQ(name_at(last, 31.0), "first pipe");
   EXPECT_EQ(name_at(last, 33.0), "pipe");
-  const Model before = build_model(at_stage(d, d.operation.lay.stages[1]));
+  const Model before = build_model(make_stage_description(d, d.operation.lay.stages[1]));
   EXPECT_EQ(name_at(before, 0.1), "arrestor");  // half of it is out
   EXPECT_EQ(name_at(before, 2.4), "arrestor");
   EXPECT_EQ(name_at(before, 6.9), "thick end");
   EXPECT_EQ(name_at(before, 26.9), "first pipe");
   EXPECT_EQ(name_at(before, 27.1), "pipe");
-  const Model first = build_model(at_stage(d, d.operation.lay.stages[0]));
+  const Model first = build_model(make_stage_description(d, d.operation.lay.stages[0]));
   EXPECT_EQ(name_at(first, 0.1), "first pipe");
   EXPECT_EQ(name_at(first, 12.1), "pipe");
   EXPECT_EQ(first.kind_at(80.1), SectionKind::head);
@@ -111,7 +111,7 @@ TEST(lay_stage, segments_longer_than_the_pipe_of_a_start_up_end_at_its_head) {
   d.pipe.segments[0].length = 150.0;
   d.operation.lay.stages = {with_pipe_out(80.0), with_pipe_out(100.0)};
   for (const LayStageDescription& stage : d.operation.lay.stages) {
-    const Model model = build_model(at_stage(d, stage));
+    const Model model = build_model(make_stage_description(d, stage));
     EXPECT_EQ(name_at(model, *stage.pipe_out - 0.1), "thick end");
     EXPECT_EQ(model.kind_at(*stage.pipe_out + 0.1), SectionKind::head);
     EXPECT_EQ(model.kind_at(*stage.pipe_out + 5.1), SectionKind::cable);
@@ -134,14 +134,14 @@ TEST(lay_stage, field_joints_go_with_the_pipe) {
     EXPECT_EQ(name_at(model, middle + 0.4), coated) << middle;
   };
   d.operation.type = OperationType::abandonment;
-  const Model below = build_model(at_stage(d, with_cable_out(55.0)));
+  const Model below = build_model(make_stage_description(d, with_cable_out(55.0)));
   EXPECT_EQ(name_at(below, 60.1), coated);
   for (const double middle : {62.0, 74.0, 86.0}) expect_joint(below, middle);
   d.operation.type = OperationType::start_up;
   d.operation.lay.stages = {with_pipe_out(93.0), with_pipe_out(100.0)};
-  const Model last = build_model(at_stage(d, d.operation.lay.stages[1]));
+  const Model last = build_model(make_stage_description(d, d.operation.lay.stages[1]));
   for (const double middle : {2.0, 14.0, 26.0}) expect_joint(last, middle);
-  const Model before = build_model(at_stage(d, d.operation.lay.stages[0]));
+  const Model before = build_model(make_stage_description(d, d.operation.lay.stages[0]));
   for (const double middle : {7.0, 19.0}) expect_joint(before, middle);
 }
 

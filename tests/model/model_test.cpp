@@ -139,11 +139,11 @@ TEST(model, stiff_coated_pipe_goes_on_through_segments) {
   const Model whole = build_model(d);
   d.pipe.segments = {{"same", 20.0, d.pipe.section}};
   const Model cut = build_model(d);
-  const auto stiffness = [](const Model& m, double at) {
-    return m.sections[static_cast<std::size_t>(m.section_at(at))].EI;
+  const auto stiffness = [](const Model& m, double position) {
+    return m.sections[static_cast<std::size_t>(m.section_at(position))].EI;
   };
-  for (double at = 0.05; at < 100.0; at += 0.1) {
-    EXPECT_EQ(stiffness(cut, at), stiffness(whole, at)) << at;
+  for (double position = 0.05; position < 100.0; position += 0.1) {
+    EXPECT_EQ(stiffness(cut, position), stiffness(whole, position)) << position;
   }
   ASSERT_GT(cut.coated, 0);  // what a run feeds in is of the main section
   EXPECT_EQ(cut.sections[static_cast<std::size_t>(cut.coated)].EI, whole.sections[1].EI);

@@ -46,11 +46,11 @@ TEST(step_scales, of_lines_by_themselves_follow_their_length) {
   EXPECT_NEAR(step_scales(build_model(d)).length, 2e-5, 1e-6);
 }
 
-TEST(step_scales, follow_the_shortest_period_that_is_told) {
+TEST(step_scales, follow_the_shortest_period_that_is_prescribed) {
   Description d = testing::chain_case(50.0, 2.0);
   d.lines[0].second.period = 2.0;
   EXPECT_DOUBLE_EQ(step_scales(build_model(d)).time, 0.04);
-  d.lines[0].second.amplitude = Vec3::Zero();  // stands still
+  d.lines[0].second.amplitude = Vec3::Zero();  // is at rest
   EXPECT_DOUBLE_EQ(step_scales(build_model(d)).time, 0.125);
   d.vessel.harmonic["heave"] = {1.0, 5.0, 0.0};
   EXPECT_DOUBLE_EQ(step_scales(build_model(d)).time, 0.1);

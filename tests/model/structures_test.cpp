@@ -8,10 +8,10 @@
 namespace overbend {
 namespace {
 
-StructureDescription arrestor(std::optional<double> at) {
+StructureDescription arrestor(std::optional<double> sample) {
   StructureDescription s;
   s.name = "arrestor";
-  s.at = at;
+  s.at = sample;
   s.length = 3.0;
   s.weight_in_air = 30e3;
   s.weight_submerged = 18e3;
@@ -80,7 +80,7 @@ TEST(structures, pass_along_the_line_stage_by_stage) {
   program.steps = 4;
   const auto stages = lay_stages(d);
   ASSERT_EQ(stages.size(), 5U);
-  const Model model = build_model(at_stage(d, stages[1]));
+  const Model model = build_model(make_stage_description(d, stages[1]));
   EXPECT_EQ(model.kind_at(15.0), SectionKind::structure);
   EXPECT_EQ(model.kind_at(12.0), SectionKind::pipe);
 }

@@ -58,7 +58,7 @@ TEST(arrival, of_the_environment) {
   EXPECT_EQ(w.spectrum_file, "s.csv");
 }
 
-/// Of a section, all in SI.
+/// Values of a section, all in SI.
 constexpr const char* kSection = R"({
   steel: {outside_diameter: 1 m, wall_thickness: 0.2 m, youngs_modulus: 3 Pa, poissons_ratio: 0.4, yield_stress: 5 Pa,
     tensile_strength: 6 Pa, weight_density: 7 N/m^3, material: {law: bilinear, moment_coefficient: 1, moment_exponent: 2,
@@ -189,7 +189,7 @@ analysis:
   EXPECT_EQ(
       d.report.client + d.report.project + d.report.document + d.report.revision + d.report.prepared + d.report.checked,
       "abcdef");
-  expect_from(1, {d.mesh.overbend_element.value(), d.mesh.touchdown_element.value(), d.mesh.longest_element.value(),
+  expect_from(1, {d.mesh.overbend_element.value(), d.mesh.touchdown_element.value(), d.mesh.max_element_length.value(),
                   1e4 * d.statics.tolerance, static_cast<double>(d.statics.max_iterations)});
   EXPECT_EQ(d.statics.method, StaticMethod::dynamic_relaxation);
   EXPECT_EQ(d.statics.history, LayHistory::monotonic);

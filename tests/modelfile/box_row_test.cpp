@@ -1,4 +1,4 @@
-// Boxes told as a row, and the settings of a stinger.
+// Boxes given as a row, and the settings of a stinger.
 #include "model/vessel/box_row.h"
 
 #include <gtest/gtest.h>
@@ -36,11 +36,11 @@ std::vector<BoxDescription> stinger_boxes(const std::string& keys) {
   return boxes;
 }
 
-bool complains(const std::string& keys, const std::string& path, const std::string& words) {
+bool complains(const std::string& keys, const std::string& path, const std::string& message) {
   const ModelReading reading = read(with_stinger(keys));
   for (const Diagnostic& d : reading.diagnostics.sorted()) {
     if (d.severity == Severity::error && d.key == path &&
-        (d.found + " " + d.expected + " " + d.hint).find(words) != std::string::npos) {
+        (d.found + " " + d.expected + " " + d.hint).find(message) != std::string::npos) {
       return true;
     }
   }
@@ -134,7 +134,7 @@ TEST(box_row, or_a_list_whose_radius_is_not_used_and_a_finding_says_so) {
   ASSERT_EQ(reading.description->findings.size(), 1U);
   const Finding& finding = reading.description->findings.front();
   EXPECT_EQ(finding.object, "supports.stinger.radius");
-  EXPECT_NE(finding.message.find("'500 m' beside listed boxes is not used"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.find("'500 m' is not used for listed boxes"), std::string::npos) << finding.message;
   EXPECT_NE(finding.message.find("static.stinger_fitted_radius"), std::string::npos) << finding.message;
 }
 
@@ -185,7 +185,7 @@ TEST(stinger_settings, lie_between_the_stops) {
                          "supports.stinger.settings[0].angle", "between the stops"));
 }
 
-TEST(stinger_settings, are_refused_where_nothing_is_chosen_by_them) {
+TEST(stinger_settings, are_rejected_where_nothing_is_chosen_by_them) {
   const std::string hinge = "    hinge: {x: 3 m, z: -4 m}\n";
   EXPECT_TRUE(complains(kRow + hinge + "    settings: [{name: a, angles: [1 deg, 2 deg]}]\n",
                         "supports.stinger.settings[0].angles", "1, one for each section"));

@@ -76,17 +76,17 @@ TEST(check_settings, every_key_arrives) {
   EXPECT_EQ(checks.api.collapse_factor, 0.65);
   EXPECT_EQ(checks.api.bending_factor, 2.0);
   EXPECT_EQ(checks.api.ovality, 0.003);
-  EXPECT_EQ(checks.yield_share.overbend_static, 0.85);
-  EXPECT_EQ(checks.yield_share.overbend_dynamic, 0.96);
-  EXPECT_EQ(checks.yield_share.sagbend_static, 0.72);
-  EXPECT_EQ(checks.yield_share.sagbend_dynamic, 0.87);
+  EXPECT_EQ(checks.allowable_stress.overbend_static, 0.85);
+  EXPECT_EQ(checks.allowable_stress.overbend_dynamic, 0.96);
+  EXPECT_EQ(checks.allowable_stress.sagbend_static, 0.72);
+  EXPECT_EQ(checks.allowable_stress.sagbend_dynamic, 0.87);
   EXPECT_DOUBLE_EQ(checks.limits.roller_load.value(), 120e3);
   EXPECT_DOUBLE_EQ(checks.limits.coating_line_load.value(), 300e3);
   EXPECT_DOUBLE_EQ(checks.limits.tension.value(), 400e3);
   EXPECT_DOUBLE_EQ(checks.limits.tip_clearance.value(), 0.3);
 }
 
-TEST(check_settings, what_can_not_be_is_refused_with_its_key) {
+TEST(check_settings, what_can_not_be_is_rejected_with_its_key) {
   EXPECT_NE(first_error("checks: {wall_tolerance: 12 mm}\n").find("checks.wall_tolerance"), std::string::npos);
   EXPECT_NE(first_error("checks: {ovality: 0.001}\n").find("checks.ovality"), std::string::npos);
   EXPECT_NE(first_error("checks: {manufacture: forged}\n").find("checks.manufacture"), std::string::npos);
@@ -108,7 +108,7 @@ TEST(check_settings, limits_of_stronger_steel_than_the_pipes_are_warned_of) {
     const std::vector<std::string> warnings = reading.diagnostics.lines(Severity::warning);
     return std::ranges::any_of(warnings, [](const std::string& line) {
       return line.find("checks.grade") != std::string::npos &&
-             line.find("does not bear its strains") != std::string::npos;
+             line.find("does not withstand its strains") != std::string::npos;
     });
   };
   EXPECT_FALSE(warned("X60"));  // the pipe's own, 414 MPa
@@ -128,9 +128,9 @@ TEST(check_settings, a_moment_curvature_curve_is_that_of_the_same_pipe_in_other_
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
 }
 
-/// Told where a segment has a yield stress of its own.
+/// Reported if a segment has a yield stress of its own.
 TEST(check_settings, strength_that_a_segment_takes_over_from_another_steel_is_warned_of) {
-  const auto warned = [](const std::string& steel, const std::string& segment, const std::string& words) {
+  const auto warned = [](const std::string& steel, const std::string& segment, const std::string& message) {
     std::string text = testing::kGoodModel;
     const std::string yield = "    yield_stress: 414 MPa\n", wall = "steel: {wall_thickness: 20 mm}";
     text.replace(text.find(yield), yield.size(), yield + steel);
@@ -138,14 +138,14 @@ TEST(check_settings, strength_that_a_segment_takes_over_from_another_steel_is_wa
     const std::vector<std::string> lines = read_model_text(text, "good.yaml").diagnostics.lines(Severity::warning);
     return std::ranges::any_of(lines, [&](const std::string& line) {
       return line.find("pipe.segments[0].steel.yield_stress") != std::string::npos &&
-             line.find(words) != std::string::npos;
+             line.find(message) != std::string::npos;
     });
   };
-  const std::string strength = "    tensile_strength: 517 MPa\n", told = "the tensile strength stays";
-  EXPECT_TRUE(warned(strength, "yield_stress: 358 MPa", told));
-  EXPECT_FALSE(warned(strength, "yield_stress: 358 MPa, tensile_strength: 455 MPa", told));
-  EXPECT_FALSE(warned(strength, "wall_thickness: 20 mm", told));
-  EXPECT_FALSE(warned("", "yield_stress: 358 MPa", told));  // that of its grade
+  const std::string strength = "    tensile_strength: 517 MPa\n", reported = "the tensile strength stays";
+  EXPECT_TRUE(warned(strength, "yield_stress: 358 MPa", reported));
+  EXPECT_FALSE(warned(strength, "yield_stress: 358 MPa, tensile_strength: 455 MPa", reported));
+  EXPECT_FALSE(warned(strength, "wall_thickness: 20 mm", reported));
+  EXPECT_FALSE(warned("", "yield_stress: 358 MPa", reported));  // that of its grade
   EXPECT_TRUE(
       warned("    material: {law: stress_strain, stress_strain: [{strain: 0.2 %, stress: 400 MPa}, "
              "{strain: 0.5 %, stress: 414 MPa}]}\n",

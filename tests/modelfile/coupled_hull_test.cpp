@@ -14,7 +14,7 @@
 namespace overbend {
 namespace {
 
-using testing::expect_told;
+using testing::expect_reported;
 using testing::ModelSlip;
 using testing::read_good;
 using testing::replaced;
@@ -77,13 +77,13 @@ TEST(coupled_hull, its_files_are_read_with_their_conventions) {
   EXPECT_EQ(data.mean_drift.at(data.drift.index(0, 6))[1], 0.0);
 }
 
-TEST(coupled_hull, files_of_another_hull_or_scale_are_refused) {
+TEST(coupled_hull, files_of_another_hull_or_scale_are_rejected) {
   const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
   const std::string good = replaced(kCoupled, "../data/bgl1/bgl1", stem);
   const std::string key = "vessel.motion.coupled.hydrodynamics";
-  expect_told(good,
-              {"length scale", stem + "\n", stem + "\n      convention: {length_scale: 10 m}\n", key, "waterplane"});
-  expect_told(good, {"another vessel", "  depth: 9 m", "  length: 500 m\n  depth: 9 m", key, "3600 m^2"});
+  expect_reported(
+      good, {"length scale", stem + "\n", stem + "\n      convention: {length_scale: 10 m}\n", key, "waterplane"});
+  expect_reported(good, {"another vessel", "  depth: 9 m", "  length: 500 m\n  depth: 9 m", key, "3600 m^2"});
 }
 
 /// Files of BGL-1 under a stem of their own, with the lines of one of them that are wanted.
@@ -101,7 +101,7 @@ std::string thinned_files(const std::string& ending, const std::function<bool(st
   return stem;
 }
 
-TEST(coupled_hull, drift_of_one_side_of_the_hull_alone_is_refused_as_forces_are) {
+TEST(coupled_hull, drift_of_one_side_of_the_hull_alone_is_rejected_as_forces_are) {
   const std::string stem = thinned_files(".8", [](std::istringstream& line) {
     double period = 0.0, heading = 0.0;
     line >> period >> heading;
@@ -110,8 +110,8 @@ TEST(coupled_hull, drift_of_one_side_of_the_hull_alone_is_refused_as_forces_are)
   const std::string calm = "  current: [{depth: 0 m, speed: 1 m/s, towards: 0 deg}]\n";
   const std::string waves = calm + "  waves: {type: airy, height: 1 m, period: 8 s, from: 300 deg}\n";
   const std::string good = replaced(kCoupled, calm, waves);
-  expect_told(good,
-              {"half", "../data/bgl1/bgl1", stem, "vessel.motion.coupled.hydrodynamics", "headings of the drift"});
+  expect_reported(good,
+                  {"half", "../data/bgl1/bgl1", stem, "vessel.motion.coupled.hydrodynamics", "headings of the drift"});
   const std::string mirrored = "hydrodynamics: " + stem + "\n      convention: {headings: mirrored}";
   EXPECT_TRUE(read_model_text(replaced(good, "hydrodynamics: ../data/bgl1/bgl1", mirrored), "m.yaml").description);
 }
@@ -131,14 +131,14 @@ TEST(coupled_hull, files_without_a_mode_are_warned_of) {
   }));
 }
 
-TEST(coupled_hull, current_may_be_left_out_only_in_words) {
+TEST(coupled_hull, current_may_be_omitted_only_by_its_keyword) {
   const Description d = read_good(replaced(kCoupled, "current: {transverse: 0.9}", "current: none"));
-  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::none);
+  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentModel::none);
 }
 
 TEST(coupled_hull, current_may_act_by_the_coefficients_of_the_hulls_dimensions) {
   const Description d = read_good(replaced(kCoupled, "{transverse: 0.9}", "{form: ufc, relative_to: earth}"));
-  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::ufc);
+  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentModel::ufc);
   EXPECT_EQ(d.vessel.coupled->current.relative_to, CurrentRelativeTo::earth);
 }
 
@@ -160,7 +160,7 @@ TEST(coupled_hull, mean_drift_acts_in_statics_as_asked_for) {
   EXPECT_FALSE(read_good(kCoupled + "analysis: {static: {mean_drift: no}}\n").statics.mean_drift.value());
 }
 
-TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
+TEST(coupled_hull, every_slip_is_reported_once_with_key_and_remedy) {
   const std::string c = "vessel.motion.coupled.";
   const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
   const std::string good = replaced(kCoupled, "../data/bgl1/bgl1", stem);
@@ -177,18 +177,18 @@ TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
        "one of them"},
       {"wind on nothing",
        ", areas: [{name: deckhouse, area: 200 m^2, centre: {x: -30 m, y: 0 m, z: 10 m}, frontal: yes}]", "",
-       c + "wind.areas", "acts on nothing"},
+       c + "wind.areas", "the wind has no effect"},
   };
-  for (const ModelSlip& slip : slips) expect_told(good, slip);
+  for (const ModelSlip& slip : slips) expect_reported(good, slip);
 }
 
 struct Doubt {
   const char* claim;
   std::string find, replace;
-  std::string key, words;
+  std::string key, expected_text;
 };
 
-/// What is said of the coupled hull with one number changed.
+/// Messages on the coupled hull with one number changed.
 std::vector<std::string> said(const Doubt& doubt, Severity severity) {
   return read_model_text(replaced(kCoupled, doubt.find, doubt.replace),
                          std::string(OVERBEND_SOURCE_DIR) + "/examples/hull.yaml")
@@ -199,14 +199,14 @@ void expect_said(const Doubt& doubt, Severity severity) {
   SCOPED_TRACE(doubt.claim);
   const std::vector<std::string> lines = said(doubt, severity);
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-    return line.find(doubt.key) != std::string::npos && line.find(doubt.words) != std::string::npos;
+    return line.find(doubt.key) != std::string::npos && line.find(doubt.expected_text) != std::string::npos;
   })) << (lines.empty() ? "nothing was said" : lines.front());
 }
 
-TEST(coupled_hull, a_mass_that_is_not_the_displaced_one_is_refused) {
+TEST(coupled_hull, a_mass_that_is_not_the_displaced_one_is_rejected) {
   const std::string given = "mass: 19121.58 t", key = "vessel.motion.coupled.mass";
   for (const char* mass : {"19121.58 kg", "5000 t", "12000 t", "18000 t"}) {
-    expect_said({mass, given, std::string("mass: ") + mass, key, "that the hull displaces"}, Severity::error);
+    expect_said({mass, given, std::string("mass: ") + mass, key, "displaced by the hull"}, Severity::error);
   }
   expect_said({"kg for t", given, "mass: 19121.58 kg", key, "is the mass in t?"}, Severity::error);
   EXPECT_TRUE(said({"lines carry one per cent", given, "mass: 18930 t", "", ""}, Severity::error).empty());
@@ -222,11 +222,11 @@ TEST(coupled_hull, numbers_that_no_hull_of_its_size_has_are_warned_of) {
        "0.67 times the beam"},
       {"pitch in feet", gyration, "gyration: {roll: 10.5 m, pitch: 100 ft, yaw: 9 m}", c + "gyration.yaw",
        "0.075 times the length"},
-      {"from the stern", g, "x: 61 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "outside of the hull"},
-      {"off the side", g, "x: 0 m, y: 16 m, z: 0.818 m", c + "centre_of_gravity.y", "outside of the hull"},
+      {"from the stern", g, "x: 61 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "outside the hull"},
+      {"off the side", g, "x: 0 m, y: 16 m, z: 0.818 m", c + "centre_of_gravity.y", "outside the hull"},
       {"far ahead", g, "x: 40 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "the waterplane is at 40 m"},
       {"off the centreline", g, "x: 0 m, y: -3 m, z: 0.818 m", c + "centre_of_gravity.y", "the waterplane is at -3 m"},
-      {"above the keel", g, "x: 0 m, y: 0 m, z: 6 m", c + "centre_of_gravity.z", "outside of the hull"},
+      {"above the keel", g, "x: 0 m, y: 0 m, z: 6 m", c + "centre_of_gravity.z", "outside the hull"},
       {"a brackish sea", "water_depth: 89 m", "water_depth: 89 m\n  water_weight_density: 9.95 kN/m^3",
        c + "convention.water_density", "differ by 1.0 %"},
       {"the files' own water", files, files + "      convention: {water_density: 1000 kg/m^3}\n",
@@ -235,15 +235,15 @@ TEST(coupled_hull, numbers_that_no_hull_of_its_size_has_are_warned_of) {
   for (const Doubt& doubt : doubts) expect_said(doubt, Severity::warning);
 }
 
-TEST(coupled_hull, radii_of_gyration_that_no_body_has_are_refused) {
-  expect_said({"yaw alone", "yaw: 30 m", "yaw: 40 m", "gyration.yaw", "as of any body"}, Severity::error);
+TEST(coupled_hull, radii_of_gyration_that_no_body_has_are_rejected) {
+  expect_said({"yaw alone", "yaw: 30 m", "yaw: 40 m", "gyration.yaw", "as for any rigid body"}, Severity::error);
 }
 
 TEST(coupled_hull, a_file_of_a_kind_that_is_not_read_is_named_as_it_is) {
   const std::string file = ::testing::TempDir() + "results.h5";
   std::ofstream(file) << "not read";
   const Doubt doubt{"results", "../data/bgl1/bgl1", file, "vessel.motion.coupled.hydrodynamics",
-                    "results.h5', of a kind that is not read"};
+                    "results.h5', whose type is not supported"};
   expect_said(doubt, Severity::error);
   EXPECT_EQ(said(doubt, Severity::error).front().find(".h5.1"), std::string::npos);
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/description/fatigue_words.h"
+#include "model/description/fatigue_enum_names.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "support/fixtures.h"
@@ -63,8 +63,8 @@ TEST(fatigue_keys, every_key_fills_its_member) {
   EXPECT_EQ(fatigue.spots[1].stress_factor, 1.4);
 }
 
-TEST(fatigue_keys, what_cannot_be_meant_is_refused) {
-  EXPECT_NE(first_error("fatigue: {weld_time: 0 s, move_time: 0 s}\n").find("no time for a joint"), std::string::npos);
+TEST(fatigue_keys, what_cannot_be_meant_is_rejected) {
+  EXPECT_NE(first_error("fatigue: {weld_time: 0 s, move_time: 0 s}\n").find("no time per joint"), std::string::npos);
   EXPECT_NE(first_error("fatigue: {joint: 12.2 mm}\n").find("from 0.1 m"), std::string::npos);  // no endless way
   EXPECT_NE(first_error("fatigue: {spots: [{name: a}, {name: a}]}\n").find("fatigue.spots"), std::string::npos);
   EXPECT_NE(first_error("fatigue: {budget: 0}\n").find("fatigue.budget"), std::string::npos);
@@ -72,13 +72,13 @@ TEST(fatigue_keys, what_cannot_be_meant_is_refused) {
   EXPECT_NE(first_error("fatigue: {spots: [{name: a, curve: Q}]}\n").find("W3"), std::string::npos);
 }
 
-TEST(fatigue_words, every_enumerator_has_one_word_of_its_own) {
+TEST(fatigue_enum_names, every_enumerator_has_one_word_of_its_own) {
   for (int i = 0; i <= static_cast<int>(FatigueCurve::w3); ++i) {
     const auto curve = static_cast<FatigueCurve>(i);
-    EXPECT_EQ(from_word<FatigueCurve>(word_of(curve)), curve);
+    EXPECT_EQ(from_enum_name<FatigueCurve>(enum_name(curve)), curve);
   }
-  EXPECT_EQ(words_of<FatigueCurve>().size(), 14U);
-  EXPECT_EQ(words_of<FatigueMedium>().size(), 3U);
+  EXPECT_EQ(enum_names<FatigueCurve>().size(), 14U);
+  EXPECT_EQ(enum_names<FatigueMedium>().size(), 3U);
 }
 
 }  // namespace

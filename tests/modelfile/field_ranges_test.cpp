@@ -20,7 +20,7 @@ bool is_number(const Field& field) {
   return field.kind == FieldKind::quantity || field.kind == FieldKind::number || field.kind == FieldKind::integer;
 }
 
-YamlNode node_of(YamlNode::Kind kind, const std::string& text = {}) {
+YamlNode make_node(YamlNode::Kind kind, const std::string& text = {}) {
   YamlNode node;
   node.kind = kind;
   node.text = text;
@@ -35,7 +35,7 @@ struct Placed {
 };
 
 YamlNode& member(YamlNode& node, const std::string& key) {
-  if (node.kind != YamlNode::Kind::map) node = node_of(YamlNode::Kind::map);
+  if (node.kind != YamlNode::Kind::map) node = make_node(YamlNode::Kind::map);
   for (YamlEntry& entry : node.entries) {
     if (entry.key == key) return entry.value;
   }
@@ -43,31 +43,31 @@ YamlNode& member(YamlNode& node, const std::string& key) {
   return node.entries.back().value;
 }
 
-/// Of a list of at least so many.
-YamlNode& first_item(YamlNode& node, int least) {
-  if (node.kind != YamlNode::Kind::list) node = node_of(YamlNode::Kind::list);
-  node.items.resize(std::max({node.items.size(), std::size_t{1}, static_cast<std::size_t>(least)}));
+/// A node of a list of at least so many items.
+YamlNode& first_item(YamlNode& node, int min_value) {
+  if (node.kind != YamlNode::Kind::list) node = make_node(YamlNode::Kind::list);
+  node.items.resize(std::max({node.items.size(), std::size_t{1}, static_cast<std::size_t>(min_value)}));
   return node.items.front();
 }
 
 /// "rollers.*.stiffness" in the model: any name is its roller "v", any item its first.
 Placed place(YamlNode& root, const std::string& path) {
-  Placed at{&root, ""};
+  Placed placed{&root, ""};
   for (std::size_t start = 0; start < path.size();) {
     const std::size_t dot = std::min(path.find('.', start), path.size());
     std::string key = path.substr(start, dot - start);
     const bool item = key.ends_with("[]");
     if (item) key.resize(key.size() - 2);
     if (key == "*") key = "v";
-    at.node = &member(*at.node, key);
-    at.path += (at.path.empty() ? "" : ".") + key;
+    placed.node = &member(*placed.node, key);
+    placed.path += (placed.path.empty() ? "" : ".") + key;
     if (item) {
-      at.node = &first_item(*at.node, field_node(path.substr(0, dot - 2)).list->least);
-      at.path += "[0]";
+      placed.node = &first_item(*placed.node, field_node(path.substr(0, dot - 2)).list->min_items);
+      placed.path += "[0]";
     }
     start = dot + 1;
   }
-  return at;
+  return placed;
 }
 
 /// A number as a file has it, exact to the last bit.
@@ -90,13 +90,13 @@ std::vector<double> probes(const Field& field) {
 }
 
 bool may_be(const Field& field, double value) {
-  const double largest = field.kind == FieldKind::integer ? 9e15 : 1e15;          // whole numbers are exact up to 2^53
+  const double max_value = field.kind == FieldKind::integer ? 9e15 : 1e15;        // whole numbers are exact up to 2^53
   const double bound = std::isfinite(field.range.high) ? field.range.high : 0.0;  // map coordinates reach beyond
-  const double limit = field.kind == FieldKind::quantity ? std::max(largest_sensible(field.unit), bound) : largest;
+  const double limit = field.kind == FieldKind::quantity ? std::max(max_sensible_value(field.unit), bound) : max_value;
   return field.range.contains(value) && std::abs(value) <= limit;
 }
 
-bool complains_of(const ModelReading& reading, const std::string& key) {
+bool has_error_for(const ModelReading& reading, const std::string& key) {
   const std::vector<Diagnostic> all = reading.diagnostics.sorted();
   return std::any_of(all.begin(), all.end(),
                      [&](const Diagnostic& d) { return d.severity == Severity::error && d.key == key; });
@@ -111,13 +111,13 @@ class field_ranges : public ::testing::Test {
     good = std::move(*root);
   }
 
-  /// What is said of the good model with `text` for the key; the key's full path in `path`.
+  /// Messages on the good model with `text` for the key; the key's full path in `path`.
   ModelReading read(const Field& field, const std::string& text, std::string& path) const {
     YamlNode root = good;
-    const Placed at = place(root, field.path);
-    *at.node = node_of(YamlNode::Kind::scalar, text);
-    path = at.path;
-    return read_still_model(root, "good.yaml");
+    const Placed placed = place(root, field.path);
+    *placed.node = make_node(YamlNode::Kind::scalar, text);
+    path = placed.path;
+    return read_statics_inputs(root, "good.yaml");
   }
 
   YamlNode good;
@@ -134,7 +134,7 @@ TEST_F(field_ranges, every_numeric_key_is_held_to_its_edges) {
       ASSERT_NO_THROW(reading = read(field, text, path));
       if (!may_be(field, value)) {
         EXPECT_FALSE(reading.description.has_value());
-        EXPECT_TRUE(complains_of(reading, path));
+        EXPECT_TRUE(has_error_for(reading, path));
       }
     }
   }
@@ -150,7 +150,7 @@ TEST_F(field_ranges, no_key_takes_what_is_not_a_number) {
       ModelReading reading;
       ASSERT_NO_THROW(reading = read(field, word + unit, path));
       EXPECT_FALSE(reading.description.has_value());
-      EXPECT_TRUE(complains_of(reading, path));
+      EXPECT_TRUE(has_error_for(reading, path));
     }
   }
 }
@@ -167,7 +167,7 @@ TEST_F(field_ranges, what_lies_within_is_taken) {
     ASSERT_NE(row, field_table().end()) << key;
     std::string path;
     const ModelReading reading = read(*row, text, path);
-    EXPECT_FALSE(complains_of(reading, path)) << key;
+    EXPECT_FALSE(has_error_for(reading, path)) << key;
   }
 }
 
@@ -202,10 +202,10 @@ TEST_F(field_ranges, only_places_and_angles_may_be_negative) {
         (field.path.find("moorings") == 0 || field.path.find("lines") == 0 || field.path.find("operation") == 0 ||
          field.path.find("vessel") == 0 || field.path.find("bodies[].place") == 0 || field.path.find("supports.") == 0);
     const bool floats = field.path.ends_with(".weight_submerged");  // a line that is lighter than water
-    const bool way = field.path == "operation.distance" || field.path.ends_with(".paid_out") ||
-                     field.path.find(".release.") != std::string::npos;  // astern, hauled in, either way
-    const bool strut = field.path.ends_with(".pretension");              // that is pressed
-    if (vector || floats || way || strut) continue;
+    const bool direction = field.path == "operation.distance" || field.path.ends_with(".paid_out") ||
+                           field.path.find(".release.") != std::string::npos;  // astern, hauled in, either way
+    const bool strut = field.path.ends_with(".pretension");                    // that is pressed
+    if (vector || floats || direction || strut) continue;
     const bool pressure = field.path.ends_with("contents.pressure");  // a vacuum at least
     EXPECT_GE(field.range.low, pressure ? -0.1e6 : 0.0) << field.path;
   }

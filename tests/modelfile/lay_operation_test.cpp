@@ -143,10 +143,10 @@ TEST(lay_operation, a_start_up_to_an_anchor_in_its_place_has_no_tension_of_its_o
   const std::vector<LayStageDescription> stages = lay_stages(d);
   ASSERT_EQ(stages.size(), 1U);
   EXPECT_FALSE(stages[0].tension);
-  const Description at = at_stage(d, stages[0]);
-  EXPECT_FALSE(at.tensioner.tension);  // though the lay as such has one
-  EXPECT_EQ(at.pipe.anchor.value(), 700.0);
-  EXPECT_EQ(at.pipe.length.value(), 95.0 + 6.0 + 500.0);
+  const Description description = make_stage_description(d, stages[0]);
+  EXPECT_FALSE(description.tensioner.tension);  // though the lay itself has one
+  EXPECT_EQ(description.pipe.anchor.value(), 700.0);
+  EXPECT_EQ(description.pipe.length.value(), 95.0 + 6.0 + 500.0);
 }
 
 TEST(lay_operation, a_move_needs_no_cable) {
@@ -172,7 +172,7 @@ TEST(lay_operation, a_stored_text_is_read_whatever_its_stages_hold) {
 
 struct Slip {
   std::string operation;
-  const char *key, *words;
+  const char *key, *expected_text;
 };
 
 TEST(lay_operation, a_pull_has_a_winch_at_a_distance_and_tensions_of_the_tensioner) {
@@ -189,7 +189,7 @@ TEST(lay_operation, a_pull_has_a_winch_at_a_distance_and_tensions_of_the_tension
 
 TEST(lay_operation, a_dragged_line_has_friction_of_its_rollers_the_way_it_goes_and_no_length_of_its_own) {
   const Description d = read_good(pull(kWinch + "stages: [{pipe_out: 95 m}]"));
-  const Description stage = at_stage(d, lay_stages(d).front());
+  const Description stage = make_stage_description(d, lay_stages(d).front());
   EXPECT_TRUE(is_dragged(stage));
   EXPECT_FALSE(is_dragged(d));
   EXPECT_EQ(dragging_direction(stage), 1.0);
@@ -201,12 +201,12 @@ TEST(lay_operation, a_dragged_line_has_friction_of_its_rollers_the_way_it_goes_a
   EXPECT_EQ(model.kind_at(5000.0), SectionKind::cable);
 }
 
-TEST(lay_operation, every_slip_is_told_once_with_its_key) {
-  const std::string one = "stages: [{cable_out: 60 m}]";
+TEST(lay_operation, every_slip_is_reported_once_with_its_key) {
+  const std::string single = "stages: [{cable_out: 60 m}]";
   const std::string heavy = "head: {length: 6 m, weight_in_air: 40 kN, weight_submerged: 44 kN}";
   const Slip slips[] = {
-      {"type: abandonment, " + kHead + ", " + one, "operation.cable", "abandonment needs it"},
-      {"type: recovery, " + kCable + ", " + one, "operation.head", "recovery needs it"},
+      {"type: abandonment, " + kHead + ", " + single, "operation.cable", "abandonment requires it"},
+      {"type: recovery, " + kCable + ", " + single, "operation.head", "recovery requires it"},
       {abandonment(""), "operation.stages", "missing"},
       {abandonment("stages: []"), "operation.stages", "at least one"},
       {abandonment("stages: [{tension: 300 kN}]"), "operation.stages[0].cable_out", "missing"},
@@ -218,10 +218,10 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
       {abandonment("stages: [{cable_out: 60 m, tension: 4300 kN}]"), "operation.stages[0].tension", "breaking load"},
       {abandonment("stages: [{name: a, cable_out: 60 m}, {name: a, cable_out: 70 m}]"), "operation.stages[1].name",
        "a"},
-      {abandonment("distance: 12 m, " + one), "operation.distance", "pull_ahead or anchor_plan"},
-      {abandonment("anchor: {depth: 80 m}, " + one), "operation.anchor", "a key of start_up"},
+      {abandonment("distance: 12 m, " + single), "operation.distance", "pull_ahead or anchor_plan"},
+      {abandonment("anchor: {depth: 80 m}, " + single), "operation.anchor", "a key of start_up"},
       {abandonment("stages: {from: 60 m, to: 160 m, steps: 0}"), "operation.stages.steps", "from 1"},
-      {abandonment("stages: {from: 60 m, to: 60 m}"), "operation.stages.to", "another length"},
+      {abandonment("stages: {from: 60 m, to: 60 m}"), "operation.stages.to", "a length other than"},
       {abandonment("stages: {from: 0 m, to: 60 m}"), "operation.stages.from", "above 0 m"},
       {abandonment("stages: {from: 60 m}"), "operation.stages.to", "missing"},
       {abandonment("stages: {from: 60 m, to: 160 m, tension: sought}"), "operation.stages.tension", "seek"},
@@ -235,23 +235,23 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
        "tension: seek"},
       {abandonment("stages: {from: 60 m, to: 160 m, tension: seek, tension_from: 90 kN, tension_to: 80 kN}"),
        "operation.stages.tension_to", "more than"},
-      {"type: abandonment, " + heavy + ", " + kCable + ", " + one, "operation.head.weight_submerged", "in air"},
-      {"type: abandonment, " + kHead + ", " + kLaidCable + ", " + one, "operation.cable.length", "cable_out"},
+      {"type: abandonment, " + heavy + ", " + kCable + ", " + single, "operation.head.weight_submerged", "in air"},
+      {"type: abandonment, " + kHead + ", " + kLaidCable + ", " + single, "operation.cable.length", "cable_out"},
       {"type: start_up, " + kHead + ", " + kCable + ", anchor: {depth: 88 m}, stages: [{pipe_out: 95 m}]",
        "operation.cable.length", "missing"},
-      {start_up("stages: [{pipe_out: 95 m}]"), "operation.anchor", "start_up needs it"},
+      {start_up("stages: [{pipe_out: 95 m}]"), "operation.anchor", "start_up requires it"},
       {start_up("anchor: {depth: 90 m}, stages: [{pipe_out: 95 m}]"), "operation.anchor.depth", "89 m"},
       {start_up("anchor: {depth: -1 m}, stages: [{pipe_out: 95 m}]"), "operation.anchor.depth", "above 0 m"},
       {start_up("anchor: {depth: 88 m, distance: 500 m}, stages: [{pipe_out: 95 m, tension: 150 kN}]"),
        "operation.stages[0].tension", "follows from the distance"},
       {start_up("anchor: {depth: 88 m}, winch: {x: 1 m, z: 1 m}, stages: [{pipe_out: 95 m}]"), "operation.winch",
        "a key of abandonment"},
-      {abandonment("winch: {distance: 500 m, depth: 2 m}, " + one), "operation.winch.distance", "x and z"},
+      {abandonment("winch: {distance: 500 m, depth: 2 m}, " + single), "operation.winch.distance", "x and z"},
       {"type: shore_pull, " + kCable + ", winch: {distance: 900 m, depth: 2 m}, stages: [{pipe_out: 95 m}]",
-       "operation.head", "shore_pull needs it"},
+       "operation.head", "shore_pull requires it"},
       {"type: shore_pull, " + kHead + ", winch: {distance: 900 m, depth: 2 m}, stages: [{pipe_out: 95 m}]",
-       "operation.cable", "shore_pull needs it"},
-      {pull("stages: [{pipe_out: 95 m}]"), "operation.winch", "shore_pull needs it"},
+       "operation.cable", "shore_pull requires it"},
+      {pull("stages: [{pipe_out: 95 m}]"), "operation.winch", "shore_pull requires it"},
       {pull("winch: {distance: 900 m}, stages: [{pipe_out: 95 m}]"), "operation.winch.depth", "missing"},
       {pull("winch: {distance: 900 m, depth: 2 m, x: 3 m}, stages: [{pipe_out: 95 m}]"), "operation.winch.x",
        "distance and depth"},
@@ -268,7 +268,7 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
       {"type: abandonment, " + kHead +
            ", cable: {diameter: 76 mm, weight_in_air: 240 N/m, weight_submerged: 205 N/m, axial_stiffness: 2.7e5 kN, "
            "friction: 0.4}, " +
-           one,
+           single,
        "operation.cable.friction", "shore_pull and hold_back"},
       {"type: move, stages: [{cable_out: 1 m, ahead: 1 m}]", "operation.stages[0].cable_out", "a key of abandonment"},
       {"type: moored, stages: {from: 1 m, to: 2 m}", "moorings", "missing"},
@@ -282,7 +282,7 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
     EXPECT_EQ(std::count_if(all.begin(), all.end(), of_key), 1) << slip.key;
     for (const Diagnostic& d : all) {
       if (!of_key(d)) continue;
-      EXPECT_NE((d.found + d.expected + d.hint).find(slip.words), std::string::npos)
+      EXPECT_NE((d.found + d.expected + d.hint).find(slip.expected_text), std::string::npos)
           << d.found << " | " << d.expected << " | " << d.hint;
       EXPECT_GT(d.line, 0);
     }
@@ -297,7 +297,7 @@ TEST(lay_operation, moored_stages_are_no_program) {
   EXPECT_EQ(reading.diagnostics.sorted().front().key, "operation.stages");
 }
 
-TEST(lay_operation, without_any_tension_a_stage_is_told) {
+TEST(lay_operation, a_stage_without_any_tension_is_reported) {
   std::string text = testing::kGoodModel;
   text.replace(text.find("  tension: 250 kN\n"), 18, "");
   text.replace(text.find("pipe:\n"), 6, "pipe:\n  length: 900 m\n  anchor: 800 m\n");
@@ -320,12 +320,12 @@ TEST(lay_operation, a_line_of_given_length_has_to_reach_beyond_the_longest_cable
   };
   for (const char* stages : {"[{cable_out: 80 m}, {cable_out: 236 m}]", "{from: 236 m, to: 80 m}"}) {
     EXPECT_EQ(errors("242.1 m", stages).error_count(), 0) << stages;
-    const Diagnostics refused = errors("242 m", stages);
-    ASSERT_EQ(refused.error_count(), 1) << stages;
-    EXPECT_EQ(refused.sorted().front().key, "pipe.length");
-    EXPECT_GT(refused.sorted().front().line, 0);
-    EXPECT_NE(refused.lines(Severity::error).front().find("242 m"), std::string::npos);
-    EXPECT_NE(refused.lines(Severity::error).front().find("operation.stages"), std::string::npos);
+    const Diagnostics rejected = errors("242 m", stages);
+    ASSERT_EQ(rejected.error_count(), 1) << stages;
+    EXPECT_EQ(rejected.sorted().front().key, "pipe.length");
+    EXPECT_GT(rejected.sorted().front().line, 0);
+    EXPECT_NE(rejected.lines(Severity::error).front().find("242 m"), std::string::npos);
+    EXPECT_NE(rejected.lines(Severity::error).front().find("operation.stages"), std::string::npos);
   }
 }
 

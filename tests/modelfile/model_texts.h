@@ -83,29 +83,29 @@ analysis:
 )";
 
 /// One way to spoil the good model: replace `find` (first occurrence) by `replace`; the complaint must name the line on
-/// which `at` stands in the spoilt text, the key, and the words.
+/// which `line_text` stands in the spoilt text, the key, and the words.
 struct Spoiling {
   const char* claim;
   std::string find, replace;
-  std::string at;     ///< Empty = the line of `replace`.
-  std::string key;    ///< Full path; empty = the file itself.
-  std::string words;  ///< Part of the message.
-  bool schema_sees;   ///< A JSON Schema can judge this too.
+  std::string line_text;      ///< Empty = the line of `replace`.
+  std::string key;            ///< Full path; empty = the file itself.
+  std::string expected_text;  ///< Part of the message.
+  bool schema_sees;           ///< A JSON Schema can judge this too.
 };
 
 inline std::string spoil(const Spoiling& s) {
   std::string text = kGoodModel;
-  const std::size_t at = text.find(s.find);
-  return at == std::string::npos ? std::string() : text.replace(at, s.find.size(), s.replace);
+  const std::size_t index = text.find(s.find);
+  return index == std::string::npos ? std::string() : text.replace(index, s.find.size(), s.replace);
 }
 
-inline int line_of(const std::string& text, const std::string& part) {
+inline int find_line_number(const std::string& text, const std::string& part) {
   int line = 1;
   for (std::size_t i = 0, end = text.find(part); i < end; ++i) line += text[i] == '\n' ? 1 : 0;
   return line;
 }
 
-/// Every class of fault.
+/// Every class of error.
 const std::vector<Spoiling>& bad_corpus();
 
 /// The examples and the reference cases of the repository.

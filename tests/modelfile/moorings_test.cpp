@@ -20,7 +20,7 @@
 namespace overbend {
 namespace {
 
-using testing::expect_told;
+using testing::expect_reported;
 using testing::kLines;
 using testing::kMoored;
 using testing::ModelSlip;
@@ -37,9 +37,9 @@ TEST(moorings, a_vessel_on_lines_needs_no_pipe) {
 
 TEST(moorings, what_was_assumed_of_lines_is_said) {
   const std::vector<std::string> list = texts(assumptions(build_model(read_good(kMoored))));
-  const auto says = [&](const std::string& words) {
+  const auto says = [&](const std::string& message) {
     return std::any_of(list.begin(), list.end(),
-                       [&](const std::string& s) { return s.find(words) != std::string::npos; });
+                       [&](const std::string& s) { return s.find(message) != std::string::npos; });
   };
   EXPECT_TRUE(says("'wire64' is a six-strand wire rope of 64 mm with a wire core: 16.34 kg/m, EA 165.5 MN"));
   EXPECT_TRUE(says("'chain76' is a studless chain R4 of 76 mm"));
@@ -51,9 +51,9 @@ TEST(moorings, what_was_assumed_of_lines_is_said) {
   }
 }
 
-TEST(moorings, a_vessel_whose_motion_is_told_moves_ahead_without_them) {
-  const std::string told = testing::kGoodModel;
-  const Description d = read_good(told + "\noperation: {type: pull_ahead, distance: 12.2 m}\n");
+TEST(moorings, a_vessel_whose_motion_is_prescribed_moves_ahead_without_them) {
+  const std::string changed_text = testing::kGoodModel;
+  const Description d = read_good(changed_text + "\noperation: {type: pull_ahead, distance: 12.2 m}\n");
   EXPECT_EQ(d.operation.type, OperationType::pull_ahead);
   EXPECT_EQ(d.operation.distance, 12.2);
 }
@@ -154,15 +154,15 @@ void collect(const YamlNode& node, const std::string& path, std::vector<YamlChan
 // As the page's form does: each value set to what it is.
 TEST(moorings, every_value_can_be_set_where_it_stands) {
   for (const std::string& text : {kMoored, kLines}) {
-    Diagnostics faults;
+    Diagnostics bad_inputs;
     std::vector<YamlChange> values;
-    collect(*parse_yaml(text, "", faults), "", values);
+    collect(*parse_yaml(text, "", bad_inputs), "", values);
     EXPECT_GT(values.size(), 20U);
     for (const YamlChange& value : values) EXPECT_EQ(edit_yaml(text, {value}), text) << value.path;
   }
 }
 
-TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
+TEST(moorings, every_slip_is_reported_once_with_key_and_remedy) {
   const std::string stern = "anchor: {x: -1050 m, y: 20 m}";
   const std::vector<ModelSlip> slips = {
       {"two directions", "bearing: 335 deg,", "bearing: 335 deg, azimuth: 20 deg,", "moorings.lines[0]",
@@ -176,7 +176,7 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "a length and a tension"},
       {"neither", ", tension: 300 kN", "", "moorings.lines[0].length", "tension, from which it follows"},
       {"second length open", "type: chain76, length: 310 m", "type: chain76", "moorings.lines[1].segments[1].length",
-       "only the first"},
+       "only the length of the first"},
       {"unknown type", "type: given", "type: givn", "moorings.lines[2].type", "did you mean 'given'"},
       {"unknown winch", "winch: main", "winch: mian", "moorings.lines[0].winch", "'main'"},
       {"misspelt key", "winch: main", "winsch: main", "moorings.lines[0].winsch", "did you mean 'winch'"},
@@ -192,7 +192,7 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "moorings.lines[1].segments", "at least 1"},
       {"fairlead in mm", "fairlead: {x: -57 m,", "fairlead: {x: -57 km,", "moorings.lines[2].fairlead.x",
        "far outside the vessel"},
-      {"two of a name", "name: starboard bow", "name: port bow", "moorings.lines[1].name", "already in line"},
+      {"two of a name", "name: starboard bow", "name: port bow", "moorings.lines[1].name", "already used in line"},
       {"clump beyond the end", "at: 900 m", "at: 1900 m", "moorings.lines[1].clumps[0].at", "1010 m"},
       {"sliding without holding", "      anchor_holding: 1500 kN\n", "", "moorings.lines[1].anchor_holding", "slides"},
       {"numbers incomplete", "axial_stiffness: 1.9e5 kN, ", "", "moorings.types.given.axial_stiffness", "missing"},
@@ -212,7 +212,7 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
       {"held and floating", "  heading: 90 deg", "  heading: 90 deg\n  motion: fixed", "vessel.hydrostatics",
        "one of them"},
   };
-  for (const ModelSlip& slip : slips) expect_told(kMoored, slip);
+  for (const ModelSlip& slip : slips) expect_reported(kMoored, slip);
 }
 
 /// The operation of the text in place of its stages.
@@ -265,14 +265,14 @@ TEST(moorings, lengths_are_found_for_tensions_only) {
 TEST(moorings, a_hull_that_floats_needs_three_lines) {
   const std::size_t from = kMoored.find("    - name: starboard bow"), to = kMoored.find("    - {name: stern");
   const std::string two = kMoored.substr(0, from) + kMoored.substr(to);
-  expect_told(replaced(two, "    chain76: {chain: {diameter: 76 mm}, friction: 0.8}\n", ""),
-              {"two lines", "draught: 5 m", "draught: 4 m", "moorings.lines", "at least three"});
+  expect_reported(replaced(two, "    chain76: {chain: {diameter: 76 mm}, friction: 0.8}\n", ""),
+                  {"two lines", "draught: 5 m", "draught: 4 m", "moorings.lines", "at least three"});
 }
 
-TEST(moorings, loads_on_a_held_hull_are_refused) {
+TEST(moorings, loads_on_a_held_hull_are_rejected) {
   const std::size_t from = kMoored.find("  hydrostatics:"), to = kMoored.find("  loads:");
-  expect_told(kMoored.substr(0, from) + kMoored.substr(to),
-              {"held", "draught: 5 m", "draught: 4 m", "vessel.loads", "held"});
+  expect_reported(kMoored.substr(0, from) + kMoored.substr(to),
+                  {"held", "draught: 5 m", "draught: 4 m", "vessel.loads", "held"});
 }
 
 TEST(moorings, a_model_of_nothing_misses_its_pipe) {
@@ -287,7 +287,7 @@ TEST(moorings, a_model_of_nothing_misses_its_pipe) {
   }
 }
 
-TEST(lines, every_slip_is_told_once_with_key_and_remedy) {
+TEST(lines, every_slip_is_reported_once_with_key_and_remedy) {
   const std::vector<ModelSlip> slips = {
       {"no place", "{fixed: {x: -100 m, y: 0 m, z: -55 m}}", "{motion: {amplitude: {x: 1 m}, period: 9 s}}",
        "lines[0].ends[0]", "none of fixed"},
@@ -304,7 +304,7 @@ TEST(lines, every_slip_is_told_once_with_key_and_remedy) {
       {"mass and weight", "mass: 165 kg/m", "mass: 165 kg/m, weight_in_air: 1 kN/m", "lines[0].segments[0].mass",
        "one of them"},
   };
-  for (const ModelSlip& slip : slips) expect_told(kLines, slip);
+  for (const ModelSlip& slip : slips) expect_reported(kLines, slip);
 }
 
 TEST(moorings, programs_of_winches_are_read_and_looked_at) {
@@ -320,15 +320,15 @@ TEST(moorings, programs_of_winches_are_read_and_looked_at) {
   EXPECT_EQ(winch.program[1].time, 300.0);
   EXPECT_EQ(winch.program[1].paid_out, -1.0);
   EXPECT_EQ(read_good(with("mode: tension, tension: 300 kN, band: 20 kN")).moorings.value().winches.at(0).band, 20e3);
-  const auto refused = [&](const std::string& keys) {
+  const auto rejected = [&](const std::string& keys) {
     return !read_model_text(with(keys), std::string(OVERBEND_SOURCE_DIR) + "/examples/bad.yaml")
                 .diagnostics.lines(Severity::error)
                 .empty();
   };
-  EXPECT_TRUE(refused("mode: speed"));
-  EXPECT_TRUE(refused("program: [{time: 60 s, paid_out: 5 m}]"));  // a winch that holds
-  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s, paid_out: 5 m}, {time: 60 s, paid_out: 6 m}]"));
-  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s}]"));
+  EXPECT_TRUE(rejected("mode: speed"));
+  EXPECT_TRUE(rejected("program: [{time: 60 s, paid_out: 5 m}]"));  // a winch that holds
+  EXPECT_TRUE(rejected("mode: length, program: [{time: 60 s, paid_out: 5 m}, {time: 60 s, paid_out: 6 m}]"));
+  EXPECT_TRUE(rejected("mode: length, program: [{time: 60 s}]"));
 }
 
 TEST(moorings, a_pose_to_be_found_of_a_vessel_that_is_held_is_warned_of) {

@@ -14,8 +14,8 @@ const std::string kTank = "{name: aft, from: {x: 2 m, z: -3 m}, to: {x: 9 m, z: 
 /// The good model with other keys in its stinger, which has a box at 5.23 m and one at 9 m.
 ModelReading read(const std::string& keys, const std::string& more = {}) {
   std::string text = testing::kGoodModel;
-  const std::string at = "  stinger:\n";
-  text.insert(text.find(at) + at.size(), keys);
+  const std::string text_place = "  stinger:\n";
+  text.insert(text.find(text_place) + text_place.size(), keys);
   return read_model_text(text + more, "model.yaml");
 }
 
@@ -34,11 +34,11 @@ Description good(const ModelReading& reading) {
   return reading.description.value_or(Description{});
 }
 
-void expect_error(const ModelReading& reading, const std::string& key, const std::string& words) {
+void expect_error(const ModelReading& reading, const std::string& key, const std::string& message) {
   const std::vector<std::string> errors = reading.diagnostics.lines(Severity::error);
   ASSERT_EQ(errors.size(), 1U) << (errors.empty() ? "" : errors[1]);
   EXPECT_NE(errors[0].find(key), std::string::npos) << errors[0];
-  EXPECT_NE(errors[0].find(words), std::string::npos) << errors[0];
+  EXPECT_NE(errors[0].find(message), std::string::npos) << errors[0];
 }
 
 TEST(stinger_keys, fill_one_section) {
@@ -134,7 +134,7 @@ TEST(ballast_operation, changes_the_tank_at_its_stages) {
       good(read(kFloating, "\noperation: {type: ballast, tank: aft, stages: [{weight: 40 kN}, {ballast: 0.3}]}\n"));
   const std::vector<LayStageDescription> stages = lay_stages(d);
   ASSERT_EQ(stages.size(), 2U);
-  const Description first = at_stage(d, stages[0]), second = at_stage(d, stages[1]);
+  const Description first = make_stage_description(d, stages[0]), second = make_stage_description(d, stages[1]);
   EXPECT_EQ(first.supports.sections[0].tanks[0].weight, 40e3);
   EXPECT_EQ(first.supports.sections[0].tanks[0].ballast, 0.0);
   EXPECT_EQ(second.supports.sections[0].tanks[0].weight, 30e3);

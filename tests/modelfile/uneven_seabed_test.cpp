@@ -18,9 +18,9 @@ const std::string kStiffness = "    stiffness: 100 kN/m^2\n";
 /// The good model with more keys of its seabed.
 std::string with_bed(const std::string& keys) {
   std::string text = testing::kGoodModel;
-  const std::size_t at = text.find(kStiffness);
-  EXPECT_NE(at, std::string::npos);
-  return text.insert(at + kStiffness.size(), keys);
+  const std::size_t index = text.find(kStiffness);
+  EXPECT_NE(index, std::string::npos);
+  return text.insert(index + kStiffness.size(), keys);
 }
 
 std::string profile(const std::string& points) {
@@ -52,12 +52,12 @@ TEST(uneven_seabed, profile_fills_the_model_along_its_axis_astern) {
   ASSERT_TRUE(reading.description.has_value()) << reading.diagnostics.lines(Severity::error).front();
   const Model model = build_model(*reading.description);
   const Vec3 shoe = point_from_ramp(model, model.mean_pose, Vec3::Zero());
-  const Vec3 there = shoe + 150.0 * astern_direction(model.mean_pose);
+  const Vec3 vec3 = shoe + 150.0 * astern_direction(model.mean_pose);
   EXPECT_NEAR(model.seabed.surface.height(shoe.x(), shoe.y()), -89.0, 1e-12);
-  EXPECT_NEAR(model.seabed.surface.height(there.x(), there.y()), -91.0, 1e-12);
+  EXPECT_NEAR(model.seabed.surface.height(vec3.x(), vec3.y()), -91.0, 1e-12);
 }
 
-TEST(uneven_seabed, profile_is_refused_with_the_reason) {
+TEST(uneven_seabed, profile_is_rejected_with_the_reason) {
   EXPECT_NE(first_error(profile("{x: 0 m, depth: 89 m}")).find("at least two points"), std::string::npos);
   EXPECT_NE(first_error(profile("{x: 5 m, depth: 89 m}, {x: 5 m, depth: 90 m}")).find("more than the x before it"),
             std::string::npos);
@@ -67,10 +67,10 @@ TEST(uneven_seabed, profile_is_refused_with_the_reason) {
   EXPECT_EQ(first_error(profile("{x: 0 m, depth: 89.09 m}, {x: 90 m, depth: 90 m}")), "");
 }
 
-TEST(uneven_seabed, is_told_in_one_way_only) {
+TEST(uneven_seabed, is_prescribed_in_one_way_only) {
   const std::string both =
       first_error(with_bed("    slope: 1 deg\n    profile: [{x: 0 m, depth: 89 m}, {x: 9 m, depth: 89 m}]\n"));
-  EXPECT_NE(both.find("profile beside slope"), std::string::npos) << both;
+  EXPECT_NE(both.find("profile and slope"), std::string::npos) << both;
 }
 
 TEST(uneven_seabed, soil_that_softens_says_at_which_force) {
@@ -83,7 +83,7 @@ TEST(uneven_seabed, soil_that_softens_says_at_which_force) {
   EXPECT_NE(first_error(with_bed("    soil: {bearing_force: 4 kN/m}\n")).find("linear soil"), std::string::npos);
 }
 
-TEST_F(bathymetry_file, is_read_beside_the_model_and_kept_for_other_values) {
+TEST_F(bathymetry_file, is_read_next_to_the_model_and_kept_for_other_values) {
   put("bed.csv", "east,north,depth\n-300,-300,89\n300,-300,89\n-300,300,89\n300,300,89\n");
   const ModelReading reading =
       read_model_text(with_bed("    bathymetry: bed.csv\n"), (folder_ / "model.yaml").string());
@@ -117,7 +117,7 @@ std::string grid_around(double east, double north, const std::string& depth, con
   return text;
 }
 
-TEST_F(bathymetry_file, far_from_the_lay_is_refused_with_the_distance) {
+TEST_F(bathymetry_file, far_from_the_lay_is_rejected_with_the_distance) {
   put("grid.asc", grid_around(431250.0, 6182100.0, "89", "89"));
   const std::string error = first_error(with_bed("    bathymetry: grid.asc\n"), folder_);
   EXPECT_NE(error.find("an area 6196 km from the stern shoe"), std::string::npos) << error;
@@ -150,7 +150,7 @@ TEST(uneven_seabed, a_slope_that_leaves_the_water_where_pipe_is_laid_is_warned_o
     const std::vector<std::string> lines =
         read_model_text(with_bed(keys), "model.yaml").diagnostics.lines(Severity::warning);
     return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-      return line.find("the seabed leaves the water 332.2 m astern") != std::string::npos;
+      return line.find("the seabed emerges 332.2 m astern") != std::string::npos;
     });
   };
   // 89 m / tan 15 deg; the bow points to 90 deg, so that the pipe is laid towards 270 deg.

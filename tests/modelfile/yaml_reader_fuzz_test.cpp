@@ -25,7 +25,7 @@ void expect_whole(const Line& line, const std::string& text) {
   }
 }
 
-/// A description is either refused or made of sensible numbers.
+/// A description is either rejected or made of sensible numbers.
 void expect_an_answer(const std::string& text) {
   const ModelReading reading = read_model_text(text, "fuzz.yaml");
   EXPECT_NE(reading.description.has_value(), reading.diagnostics.has_errors()) << text;
@@ -68,19 +68,19 @@ TEST(yaml_reader_fuzz, random_changes_get_an_answer) {
     std::string text = trial % 3 == 0 ? testing::kMoored : trial % 3 == 1 ? testing::kLines : testing::kGoodModel;
     const std::size_t changes = 1 + below(4);
     for (std::size_t k = 0; k < changes; ++k) {
-      const std::size_t at = below(text.size());
+      const std::size_t index = below(text.size());
       switch (below(4)) {
         case 0:
-          text[at] = characters[below(characters.size())];
+          text[index] = characters[below(characters.size())];
           break;
         case 1:
-          text.insert(at, 1, characters[below(characters.size())]);
+          text.insert(index, 1, characters[below(characters.size())]);
           break;
         case 2:
-          text.erase(at, 1 + below(12));
+          text.erase(index, 1 + below(12));
           break;
         default:
-          text.insert(at, text.substr(below(text.size()), below(40)));
+          text.insert(index, text.substr(below(text.size()), below(40)));
           break;
       }
     }

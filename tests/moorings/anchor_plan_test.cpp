@@ -11,7 +11,7 @@ namespace {
 
 /// The barge east along its route by joints of 12 m; every line useful between the same lengths.
 struct Route : MooredCase {
-  std::vector<UsefulLine> useful;
+  std::vector<LineUsefulRange> useful;
   AnchorRoute route{Vec3(12.0, 0.0, 0.0), 200};
 
   explicit Route(const UsefulRange& range) : MooredCase(moored_case(bgl1_barge())) {
@@ -22,48 +22,51 @@ struct Route : MooredCase {
   AnchorSchedule plan() const { return plan_anchors(spread, hull.axes_WD, useful, route); }
 };
 
-UsefulRange between(double least, double most) {
+UsefulRange between(double min_value, double max_value) {
   UsefulRange range;
-  range.least_length = least;
-  range.most_length = most;
+  range.min_length = min_value;
+  range.max_length = max_value;
   return range;
 }
 
 TEST(anchor_plan, keeps_every_line_in_its_useful_range_on_the_whole_route) {
-  Route at(between(500.0, 1400.0));
-  const AnchorSchedule schedule = at.plan();
-  ASSERT_FALSE(schedule.fault) << *schedule.fault;
+  Route route(between(500.0, 1400.0));
+  const AnchorSchedule schedule = route.plan();
+  ASSERT_FALSE(schedule.error) << *schedule.error;
   ASSERT_FALSE(schedule.shifts.empty());
   std::set<int> joints;
-  for (const AnchorShift& shift : schedule.shifts) {
+  for (const AnchorMove& shift : schedule.shifts) {
     EXPECT_TRUE(joints.insert(shift.joint).second) << "two anchors up at joint " << shift.joint;
     EXPECT_GT(shift.to_W.x(), shift.from_W.x());
     EXPECT_NEAR(shift.to_W.z(), -89.0, 1e-9);
   }
   auto next = schedule.shifts.begin();
-  MooringSpread now = at.spread;
-  for (int laid = 0; laid <= at.route.joints; ++laid) {
-    for (std::size_t i = 0; i < now.lines.size(); ++i) {
-      const Vec3 fairlead = at.hull.axes_WD * now.lines[i].fairlead_V + static_cast<double>(laid) * at.route.step_W;
+  MooringSpread mooring_spread = route.spread;
+  for (int laid = 0; laid <= route.route.joints; ++laid) {
+    for (std::size_t i = 0; i < mooring_spread.lines.size(); ++i) {
+      const Vec3 fairlead =
+          route.hull.axes_WD * mooring_spread.lines[i].fairlead_V + static_cast<double>(laid) * route.route.step_W;
       double length = 0.0;
-      EXPECT_EQ(useless(now, now.lines[i], at.useful[i], 0.0, fairlead, length), nullptr) << laid << " " << i;
+      EXPECT_EQ(find_exceeded_bound(mooring_spread, mooring_spread.lines[i], route.useful[i], 0.0, fairlead, length),
+                nullptr)
+          << laid << " " << i;
     }
     for (; next != schedule.shifts.end() && next->joint == laid + 1; ++next)
-      now.lines[next->line].anchor_W = next->to_W;
+      mooring_spread.lines[next->line].anchor_W = next->to_W;
   }
   EXPECT_EQ(next, schedule.shifts.end());
 }
 
-/// Of a bow line with its pull kept: what of it lies becomes shorter, and stretches less.
+/// A bow line with its pull kept: its part on the bed becomes shorter, and stretches less.
 TEST(anchor_plan, moves_an_anchor_when_its_line_has_become_as_short_as_it_may) {
-  Route at({});
-  const double stretch = at.useful[0].pull / (4.04e10 * 0.064 * 0.064);
-  const double excess = at.spread.lines[0].line.length() - 1000.0;  // over the distance, at 1000 m
-  at.useful[0].range = between(705.0 + excess + 295.0 * stretch, 1400.0);
-  const AnchorSchedule schedule = at.plan();
-  ASSERT_FALSE(schedule.fault) << *schedule.fault;
+  Route route({});
+  const double stretch = route.useful[0].pull / (4.04e10 * 0.064 * 0.064);
+  const double excess = route.spread.lines[0].line.length() - 1000.0;  // over the distance, at 1000 m
+  route.useful[0].range = between(705.0 + excess + 295.0 * stretch, 1400.0);
+  const AnchorSchedule schedule = route.plan();
+  ASSERT_FALSE(schedule.error) << *schedule.error;
   ASSERT_FALSE(schedule.shifts.empty());
-  const AnchorShift& first = schedule.shifts.front();
+  const AnchorMove& first = schedule.shifts.front();
   // Abreast by 1000 sin 25 deg, 705 m away in all: ahead by 564.3 m, after 906.3 - 564.3 m.
   EXPECT_EQ(first.joint, static_cast<int>((906.3 - 564.3) / 12.0) + 1);
   EXPECT_STREQ(first.reason, "least length");
@@ -73,13 +76,13 @@ TEST(anchor_plan, moves_an_anchor_when_its_line_has_become_as_short_as_it_may) {
 }
 
 TEST(anchor_plan, moves_an_anchor_when_its_line_leaves_its_sector) {
-  Route at({});
+  Route route({});
   UsefulRange sector;
   sector.sector = 0.35;
-  sector.most_length = 1300.0;
-  at.useful[1].range = sector;
-  const AnchorSchedule schedule = at.plan();
-  ASSERT_FALSE(schedule.fault) << *schedule.fault;
+  sector.max_length = 1300.0;
+  route.useful[1].range = sector;
+  const AnchorSchedule schedule = route.plan();
+  ASSERT_FALSE(schedule.error) << *schedule.error;
   ASSERT_FALSE(schedule.shifts.empty());
   EXPECT_STREQ(schedule.shifts.front().reason, "sector");
   // Abreast by 1000 sin 65 deg, from 65 deg to 65 deg + 0.35.
@@ -90,11 +93,11 @@ TEST(anchor_plan, moves_an_anchor_when_its_line_leaves_its_sector) {
 }
 
 TEST(anchor_plan, says_which_line_has_no_place_of_use) {
-  Route at({});
-  at.useful[3].range = between(1100.0, 1400.0);
-  const AnchorSchedule schedule = at.plan();
-  ASSERT_TRUE(schedule.fault);
-  EXPECT_NE(schedule.fault->find("not in its useful range as drawn"), std::string::npos);
+  Route route({});
+  route.useful[3].range = between(1100.0, 1400.0);
+  const AnchorSchedule schedule = route.plan();
+  ASSERT_TRUE(schedule.error);
+  EXPECT_NE(schedule.error->find("outside its useful range in the nominal position"), std::string::npos);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 
 #include <array>
 
-#include "model/site/bed_shape.h"
+#include "model/site/seabed_shape.h"
 
 namespace overbend {
 namespace {
 
 /// 89 m deep along x, with what stands or gapes at 600 m, 50 m to each side.
-BedSurface bed_with(double depth_at_600) {
+SeabedSurface bed_with(double depth_at_600) {
   constexpr std::array<double, 2> kOrigin = {0.0, 0.0}, kAlong = {1.0, 0.0};
   return {profile_shape({{0.0, 89.0}, {550.0, 89.0}, {600.0, depth_at_600}, {650.0, 89.0}, {1000.0, 89.0}},
                         kOrigin.data(), kAlong.data()),
@@ -29,23 +29,23 @@ std::vector<Vec3> line() {
 }
 
 TEST(bed_departure, finds_a_ridge_under_what_lies_between_two_points) {
-  const BedDeparture there = bed_departure(bed_with(79.0), line());
-  EXPECT_NEAR(there.inside, 10.0, 0.5);  // looked for every two metres, of a bed that rises one in five
-  EXPECT_NEAR(there.inside_at, 300.0, 2.0);
-  EXPECT_LT(there.over_hollow, 0.5);
+  const BedDeparture departure = bed_departure(bed_with(79.0), line());
+  EXPECT_NEAR(departure.inside, 10.0, 0.5);  // looked for every two metres, of a bed that rises one in five
+  EXPECT_NEAR(departure.inside_at, 300.0, 2.0);
+  EXPECT_LT(departure.over_hollow, 0.5);
 }
 
-TEST(bed_departure, finds_a_hollow_under_what_lies_and_none_under_what_hangs) {
-  const BedDeparture there = bed_departure(bed_with(95.0), line());
-  EXPECT_NEAR(there.over_hollow, 6.0, 0.3);
-  EXPECT_NEAR(there.hollow_at, 300.0, 2.0);
-  std::vector<Vec3> hanging = line();
-  for (Vec3& p : hanging) p.z() += 0.1 * (900.0 - p.x());  // over the whole way
-  EXPECT_EQ(bed_departure(bed_with(95.0), hanging).over_hollow, 0.0);
+TEST(bed_departure, finds_a_hollow_under_what_lies_and_none_under_what_is_suspended) {
+  const BedDeparture departure = bed_departure(bed_with(95.0), line());
+  EXPECT_NEAR(departure.over_hollow, 6.0, 0.3);
+  EXPECT_NEAR(departure.hollow_at, 300.0, 2.0);
+  std::vector<Vec3> suspended = line();
+  for (Vec3& p : suspended) p.z() += 0.1 * (900.0 - p.x());  // over the whole way
+  EXPECT_EQ(bed_departure(bed_with(95.0), suspended).over_hollow, 0.0);
 }
 
 TEST(bed_departure, of_a_plane_is_none) {
-  EXPECT_EQ(bed_departure(BedSurface(Vec3(0.0, 0.0, -70.0), Vec3::UnitZ()), line()).inside, 0.0);
+  EXPECT_EQ(bed_departure(SeabedSurface(Vec3(0.0, 0.0, -70.0), Vec3::UnitZ()), line()).inside, 0.0);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "moorings/hull_at_rest.h"
 #include "moorings/mooring_fixtures.h"
 #include "moorings/planner.h"
+#include "moorings/static_hull.h"
 
 namespace overbend {
 
@@ -20,7 +20,7 @@ inline Description bgl1_barge() {
     const Vec3 fairlead(std::abs(bearing) < 90.0 ? ahead : -ahead, bearing < 0.0 ? side : -side, up);
     d.moorings->lines.push_back(
         mooring_line("line", fairlead, 90.0 + bearing, 1000.0, 300e3,
-                     {segment_of(std::nullopt, weight, weight, 4.04e10 * 0.064 * 0.064, 2594e3)}));
+                     {make_segment(std::nullopt, weight, weight, 4.04e10 * 0.064 * 0.064, 2594e3)}));
   }
   return d;
 }
@@ -28,13 +28,13 @@ inline Description bgl1_barge() {
 /// The barge of a description in its place.
 struct MooredCase {
   MooringSpread spread;
-  HullAtRest hull;
+  StaticHull hull;
 };
 inline MooredCase moored_case(const Description& d) {
-  const HullAtRest hull = hull_at_rest(d);
-  const BedSurface bed(Vec3(0.0, 0.0, -d.environment.water_depth), Vec3::UnitZ());
-  SpreadOutcome outcome = build_spread(*d.moorings, bed, place_of(hull, HullOffset::Zero()).R_WV);
-  EXPECT_FALSE(outcome.fault) << *outcome.fault;
+  const StaticHull hull = make_static_hull(d);
+  const SeabedSurface bed(Vec3(0.0, 0.0, -d.environment.water_depth), Vec3::UnitZ());
+  SpreadOutcome outcome = build_spread(*d.moorings, bed, make_hull_place(hull, HullOffset::Zero()).R_WV);
+  EXPECT_FALSE(outcome.error) << *outcome.error;
   return {std::move(outcome.spread), hull};
 }
 
@@ -45,7 +45,7 @@ struct BargeAtWork : MooredCase {
   BargeAtWork() : MooredCase(moored_case(bgl1_barge())) {
     std::vector<CatenarySolution> drawn;
     hull_forces(spread, hull, HullOffset::Zero(), drawn);
-    wished = pulls_of(spread, drawn);
+    wished = horizontal_pulls(spread, drawn);
     hull.loads = {vessel_load("pipe", {0, 0, 0}, {-205.6e3, 0, 0})};
     plan_lengths(spread, hull, HullOffset::Zero(), wished);
   }

@@ -48,7 +48,7 @@ TEST(catenary, is_that_of_moorpy) {
   for (const MoorPyRow& row : kMoorPy) {
     const CatenarySolution found =
         solve_catenary(plain_line(row.L, row.w, row.EA, row.friction), deep_site(row.Z, row.bed_below), row.X);
-    ASSERT_EQ(found.fault, CatenaryFault::none);
+    ASSERT_EQ(found.error, CatenaryError::none);
     const double tolerance = 1e-5 * row.pull;
     EXPECT_NEAR(found.pull, row.pull, tolerance);
     EXPECT_NEAR(found.sink, row.sink, tolerance);
@@ -87,23 +87,24 @@ TEST(catenary, follows_the_pull_curve_of_a_barge_wire) {
 /// Stiffness against central differences.
 void expect_stiffness(const CatenaryLine& line, const CatenarySite& site, double distance) {
   const double step = 1e-3;
-  const CatenarySolution at = solve_catenary(line, site, distance);
-  ASSERT_EQ(at.fault, CatenaryFault::none);
-  const double scale = at.stiffness.cwiseAbs().maxCoeff();
+  const CatenarySolution catenary_solution = solve_catenary(line, site, distance);
+  ASSERT_EQ(catenary_solution.error, CatenaryError::none);
+  const double scale = catenary_solution.stiffness.cwiseAbs().maxCoeff();
   const auto compare = [&](const CatenarySolution& more, const CatenarySolution& less, const Eigen::Vector2d& slope) {
     EXPECT_NEAR((more.pull - less.pull) / (2.0 * step), slope[0], 1e-4 * scale);
     EXPECT_NEAR((more.sink - less.sink) / (2.0 * step), slope[1], 1e-4 * scale);
   };
   compare(solve_catenary(line, site, distance + step), solve_catenary(line, site, distance - step),
-          at.stiffness.col(0));
+          catenary_solution.stiffness.col(0));
   CatenarySite higher = site, lower = site;
   higher.fairlead_z += step;
   lower.fairlead_z -= step;
-  compare(solve_catenary(line, higher, distance), solve_catenary(line, lower, distance), at.stiffness.col(1));
+  compare(solve_catenary(line, higher, distance), solve_catenary(line, lower, distance),
+          catenary_solution.stiffness.col(1));
   CatenaryLine longer = line, shorter = line;
   longer.pieces[0].length += step;
   shorter.pieces[0].length -= step;
-  compare(solve_catenary(longer, site, distance), solve_catenary(shorter, site, distance), at.by_length);
+  compare(solve_catenary(longer, site, distance), solve_catenary(shorter, site, distance), catenary_solution.by_length);
 }
 
 /// Fairlead 3.8 m above the water, 89 m deep.
@@ -132,16 +133,16 @@ TEST(catenary, has_the_stiffness_of_its_differences) {
 
 TEST(catenary, a_buoy_lifts_the_line_from_the_bed_and_its_weight_lies_again) {
   const CatenarySolution found = solve_catenary(buoyed_line(), barge_site(), 990.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   EXPECT_EQ(found.trace.span_count, 2);
-  EXPECT_TRUE(found.trace.lies_to_end);
+  EXPECT_TRUE(found.trace.ends_on_bed);
   double highest_behind = -1e9;
   for (const Eigen::Vector2d& point : catenary_shape(buoyed_line(), found, 20)) {
     EXPECT_GE(point.y(), -89.0 - 1e-6);
     if (point.x() > found.trace.touchdown_x) highest_behind = std::max(highest_behind, point.y());
   }
   EXPECT_GT(highest_behind, -88.0);
-  // The arch hangs on the buoy: its weight is the buoy's lift.
+  // The arch is suspended from the buoy: its weight is the buoy's lift.
   const CatenarySpan& arch = found.trace.spans[1];
   const double lifted = (700.0 - arch.from.into.v) + arch.to.into.v;
   EXPECT_NEAR(148.0 * lifted, 20e3, 1.0);
@@ -151,7 +152,7 @@ TEST(catenary, a_buoy_lifts_the_line_from_the_bed_and_its_weight_lies_again) {
 
 TEST(catenary, friction_that_holds_the_line_leaves_the_buoy_upright) {
   const CatenarySolution found = solve_catenary(buoyed_line(), barge_site(), 960.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   EXPECT_NEAR(found.anchor_pull, 0.0, 1.0);
 }
 
@@ -161,12 +162,12 @@ TEST(catenary, a_heavy_clump_holds_down_what_lies_behind) {
   line.points[0].buoyancy = 0.0;
   const CatenarySolution found = solve_catenary(line, barge_site(), 998.0);
   const CatenarySolution without = solve_catenary(plain_line(1000, 148, 190e6, 0.6), barge_site(), 998.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   EXPECT_GT(found.trace.on_bed, without.trace.on_bed + 50.0);
   EXPECT_GT(found.stiffness(0, 0), without.stiffness(0, 0));
 }
 
-TEST(catenary, a_clump_on_a_tether_hangs_only_where_the_line_is_higher_than_the_tether_is_long) {
+TEST(catenary, a_clump_on_a_tether_is_suspended_only_where_the_line_is_higher_than_the_tether_is_long) {
   CatenaryLine line = buoyed_line();
   line.pieces[0].length = 150.0;
   line.pieces[1].length = 850.0;
@@ -174,14 +175,16 @@ TEST(catenary, a_clump_on_a_tether_hangs_only_where_the_line_is_higher_than_the_
   CatenaryLine tethered = line, bare = line;
   tethered.points[0].tether = 30.0;
   bare.points.clear();
-  const auto at = [](const CatenaryLine& one, double distance) { return solve_catenary(one, barge_site(), distance); };
+  const auto sample = [](const CatenaryLine& catenary_line, double distance) {
+    return solve_catenary(catenary_line, barge_site(), distance);
+  };
   for (const double distance : {970.0, 980.0}) {  // it lies under the line
-    EXPECT_NEAR(at(tethered, distance).pull, at(bare, distance).pull, 1e-6 * at(bare, distance).pull);
-    EXPECT_GT(at(line, distance).pull, 1.05 * at(bare, distance).pull);
+    EXPECT_NEAR(sample(tethered, distance).pull, sample(bare, distance).pull, 1e-6 * sample(bare, distance).pull);
+    EXPECT_GT(sample(line, distance).pull, 1.05 * sample(bare, distance).pull);
   }
-  const CatenarySolution taut = at(tethered, 1004.0);  // the line is 30 m and more above the bed there
-  ASSERT_GT(catenary_place(line, at(line, 1004.0), 150.0).z, -59.0 + 0.1);
-  EXPECT_NEAR(taut.pull, at(line, 1004.0).pull, 1e-9 * taut.pull);
+  const CatenarySolution taut = sample(tethered, 1004.0);  // the line is 30 m and more above the bed there
+  ASSERT_GT(catenary_place(line, sample(line, 1004.0), 150.0).z, -59.0 + 0.1);
+  EXPECT_NEAR(taut.pull, sample(line, 1004.0).pull, 1e-9 * taut.pull);
   for (const double distance : {970.0, 990.0, 1000.0, 1004.0}) expect_stiffness(tethered, barge_site(), distance);
 }
 
@@ -202,7 +205,7 @@ TEST(catenary, a_line_between_raised_ends_may_lie_in_its_middle) {
   site.anchor_z = -40.0;
   site.bed_z = -89.0;
   const CatenarySolution found = solve_catenary(plain_line(400, 148, 190e6), site, 370.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   EXPECT_GT(found.trace.on_bed, 10.0);
   site.anchor_z = -89.0;
   const CatenarySolution half = solve_catenary(plain_line(200, 148, 190e6), site, 185.0);
@@ -215,31 +218,31 @@ TEST(catenary, a_buoyant_line_rises_from_its_anchor) {
   CatenarySite site = barge_site();
   site.fairlead_z = -60.0;
   const CatenarySolution found = solve_catenary(plain_line(258, -30, 5e7), site, 250.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   // Upside down it is a heavy line.
   const CatenarySolution heavy = solve_catenary(plain_line(258, 30, 5e7), deep_site(-29.0, 900.0), 250.0);
   EXPECT_NEAR(found.pull, heavy.pull, 1e-7 * heavy.pull);
   EXPECT_NEAR(found.sink, -heavy.sink, 1e-7 * heavy.pull);
 }
 
-TEST(catenary, a_slack_line_hangs_from_its_fairlead) {
+TEST(catenary, a_slack_line_is_suspended_from_its_fairlead) {
   const CatenarySolution found = solve_catenary(plain_line(1000, 148, 190e6), barge_site(), 500.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
+  ASSERT_EQ(found.error, CatenaryError::none);
   EXPECT_TRUE(found.slack);
   EXPECT_EQ(found.pull, 0.0);
   EXPECT_NEAR(found.sink, 148.0 * 92.8, 2.0);
 }
 
 TEST(catenary, says_what_cannot_be) {
-  EXPECT_EQ(solve_catenary(plain_line(500, 148, 190e6), barge_site(), 990.0).fault, CatenaryFault::too_short);
+  EXPECT_EQ(solve_catenary(plain_line(500, 148, 190e6), barge_site(), 990.0).error, CatenaryError::too_short);
   CatenarySite below = barge_site();
   below.fairlead_z = -90.0;
   CatenarySite shallow = barge_site();
   shallow.fairlead_z = -5.0;
   CatenaryLine floating = plain_line(300, -30, 5e7);
   floating.pieces[0].weight_in_air = 40.0;
-  EXPECT_EQ(solve_catenary(floating, shallow, 250.0).fault, CatenaryFault::no_shape);
-  EXPECT_EQ(solve_catenary(plain_line(1000, 148, 190e6), below, 990.0).fault, CatenaryFault::below_bed);
+  EXPECT_EQ(solve_catenary(floating, shallow, 250.0).error, CatenaryError::no_shape);
+  EXPECT_EQ(solve_catenary(plain_line(1000, 148, 190e6), below, 990.0).error, CatenaryError::below_bed);
 }
 
 TEST(catenary, on_a_falling_bed_weight_helps_to_hold_the_line) {
@@ -247,8 +250,8 @@ TEST(catenary, on_a_falling_bed_weight_helps_to_hold_the_line) {
   slope.bed_descent = std::tan(0.05);  // down towards the anchor
   slope.anchor_z = slope.bed_z - slope.bed_descent * 990.0;
   const CatenarySolution found = solve_catenary(plain_line(1003, 148, 190e6), slope, 990.0);
-  ASSERT_EQ(found.fault, CatenaryFault::none);
-  ASSERT_TRUE(found.trace.lies_to_end);
+  ASSERT_EQ(found.error, CatenaryError::none);
+  ASSERT_TRUE(found.trace.ends_on_bed);
   // Along the bed the tension falls by the weight of the height.
   const double at_touchdown = std::hypot(found.pull, found.pull * slope.bed_descent);
   const double at_anchor = std::hypot(found.trace.end.pull.v, found.trace.end.sink.v);
@@ -258,7 +261,7 @@ TEST(catenary, on_a_falling_bed_weight_helps_to_hold_the_line) {
 }
 
 TEST(catenary, a_taut_line_on_a_sloping_bed_has_a_shape_for_every_pull) {
-  // Where its last metres just lift, the end and what lies before it are on the same bed.
+  // If its last metres just lift, the end and what lies before it are on the same bed.
   CatenaryLine line;
   line.pieces = {{155.2993, 255.01, 222.08, 2.633e8, 0.6}, {391.9959, 255.01, 222.08, 2.633e8, 0.6}};
   line.points = {{0, -6918.84, 0.0, 2.0, 0.0, BuoyShape::sphere}};
@@ -269,8 +272,8 @@ TEST(catenary, a_taut_line_on_a_sloping_bed_has_a_shape_for_every_pull) {
   site.bed_descent = -0.010908;
   double last = 0.0;
   for (double pull = 2e5; pull < 6e5; pull *= 1.0007) {
-    const CatenaryTrace trace = trace_catenary(line, site, pull, pull);
-    ASSERT_EQ(trace.fault, TraceFault::none) << pull;
+    const CatenaryGeometry trace = compute_catenary_geometry(line, site, pull, pull);
+    ASSERT_EQ(trace.error, GeometryError::none) << pull;
     EXPECT_GT(trace.reach.v, last);
     last = trace.reach.v;
   }

@@ -15,8 +15,8 @@ inline double barge_wire_submerged() {
   return 9.81 * (3989.7 * d * d - 1025.0 * 0.25 * 3.14159265358979323846 * volume_diameter * volume_diameter);
 }
 
-inline LineSegmentDescription segment_of(std::optional<double> length, double air, double submerged, double EA,
-                                         double mbl) {
+inline LineSegmentDescription make_segment(std::optional<double> length, double air, double submerged, double EA,
+                                           double mbl) {
   LineSegmentDescription segment;
   segment.length = length;
   segment.type.weight_in_air = air;
@@ -27,11 +27,11 @@ inline LineSegmentDescription segment_of(std::optional<double> length, double ai
 }
 
 inline LineSegmentDescription reference_wire(std::optional<double> length) {
-  return segment_of(length, 170.0, 148.0, 190e6, 2600e3);
+  return make_segment(length, 170.0, 148.0, 190e6, 2600e3);
 }
 
 inline LineSegmentDescription reference_chain(double length) {
-  return segment_of(length, 1240.0, 1080.0, 520e6, 4900e3);
+  return make_segment(length, 1240.0, 1080.0, 520e6, 4900e3);
 }
 
 inline MooringLineDescription mooring_line(const std::string& name, const Vec3& fairlead, double azimuth_deg,
@@ -78,11 +78,11 @@ inline Description eight_line_barge() {
   return d;
 }
 
-inline VesselLoadDescription vessel_load(const std::string& name, const Vec3& at, const Vec3& force,
+inline VesselLoadDescription vessel_load(const std::string& name, const Vec3& point, const Vec3& force,
                                          const Vec3& moment = Vec3::Zero()) {
   VesselLoadDescription load;
   load.name = name;
-  load.at = at;
+  load.at = point;
   load.force = force;
   load.moment = moment;
   return load;

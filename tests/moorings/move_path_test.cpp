@@ -15,21 +15,21 @@ MoveProfile joint_ahead() {
 }
 
 /// Lengths at all places of one joint ahead.
-LengthsByWay joint_lengths(BargeAtWork& barge) {
-  LengthsByWay lengths;
-  for (const double way : places_of(joint_ahead())) {
-    const RestOutcome rest =
-        plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), way), barge.wished);
-    EXPECT_FALSE(rest.fault) << *rest.fault;
-    lengths.add(way, barge.spread);
+LengthsByDistance joint_lengths(BargeAtWork& barge) {
+  LengthsByDistance lengths;
+  for (const double distance : move_positions(joint_ahead())) {
+    const HullEquilibrium rest =
+        plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), distance), barge.wished);
+    EXPECT_FALSE(rest.error) << *rest.error;
+    lengths.add(distance, barge.spread);
   }
   return lengths;
 }
 
 TEST(move_path, of_a_joint_hauls_and_pays_out_what_the_closed_form_says) {
   BargeAtWork barge;
-  const LengthsByWay lengths = joint_lengths(barge);
-  ASSERT_EQ(lengths.way.size(), 25U);
+  const LengthsByDistance lengths = joint_lengths(barge);
+  ASSERT_EQ(lengths.distances.size(), 25U);
   const double change[] = {-10.90, -5.02, 5.17, 10.96};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(lengths.lengths.back()[i] - lengths.lengths.front()[i], change[i], 0.0055);  // two digits given
@@ -38,20 +38,20 @@ TEST(move_path, of_a_joint_hauls_and_pays_out_what_the_closed_form_says) {
 
 TEST(move_path, between_its_places_has_the_lengths_of_the_plan_there) {
   BargeAtWork barge;
-  const LengthsByWay lengths = joint_lengths(barge);
-  for (const double way : {0.2, 5.9, 11.75}) {
-    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), way), barge.wished);
+  const LengthsByDistance lengths = joint_lengths(barge);
+  for (const double distance : {0.2, 5.9, 11.75}) {
+    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), distance), barge.wished);
     for (std::size_t i = 0; i < 8; ++i) {
-      EXPECT_NEAR(lengths.at(i, way).length, barge.spread.lines[i].line.first_segment(), 1e-5) << way;
-      const double slope = (lengths.at(i, way + 1e-4).length - lengths.at(i, way - 1e-4).length) / 2e-4;
-      EXPECT_NEAR(lengths.at(i, way).slope, slope, 1e-7);
+      EXPECT_NEAR(lengths.at(i, distance).length, barge.spread.lines[i].line.first_segment(), 1e-5) << distance;
+      const double slope = (lengths.at(i, distance + 1e-4).length - lengths.at(i, distance - 1e-4).length) / 2e-4;
+      EXPECT_NEAR(lengths.at(i, distance).slope, slope, 1e-7);
     }
   }
 }
 
 TEST(move_path, in_time_starts_and_ends_at_rest_and_goes_with_the_hull) {
   BargeAtWork barge;
-  const LengthsByWay lengths = joint_lengths(barge);
+  const LengthsByDistance lengths = joint_lengths(barge);
   const MoveProfile profile = joint_ahead();
   const std::vector<LengthTable> tables = winch_tables(lengths, profile);
   ASSERT_EQ(tables.size(), 8U);
@@ -62,7 +62,7 @@ TEST(move_path, in_time_starts_and_ends_at_rest_and_goes_with_the_hull) {
     EXPECT_EQ(table.times.front(), 20.0);
     EXPECT_NEAR(table.times.back(), 110.0, 1e-12);
     for (double t = 15.0; t < 115.0; t += 0.37) {
-      EXPECT_NEAR(table.at(t).length, lengths.at(i, profile.at(t).way).length, 1e-7) << t;
+      EXPECT_NEAR(table.at(t).length, lengths.at(i, profile.at(t).distance).length, 1e-7) << t;
       EXPECT_NEAR(table.at(t).rate, (table.at(t + 1e-4).length - table.at(t - 1e-4).length) / 2e-4, 2e-6) << t;
     }
   }
@@ -70,13 +70,13 @@ TEST(move_path, in_time_starts_and_ends_at_rest_and_goes_with_the_hull) {
 
 TEST(move_path, of_several_joints_is_one_table_with_rests_between_them) {
   BargeAtWork barge;
-  LengthsByWay lengths;
+  LengthsByDistance lengths;
   MoveProfile profile = joint_ahead();
   profile.moves = 2;
   profile.wait = 60.0;
-  for (const double way : places_of(profile)) {
-    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), way), barge.wished);
-    lengths.add(way, barge.spread);
+  for (const double distance : move_positions(profile)) {
+    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), distance), barge.wished);
+    lengths.add(distance, barge.spread);
   }
   const std::vector<LengthTable> tables = winch_tables(lengths, profile);
   for (std::size_t i = 0; i < tables.size(); ++i) {

@@ -29,9 +29,9 @@ CoupledHullDescription barge() {
   return hull;
 }
 
-double period_of(const std::vector<NaturalPeriod>& periods, const std::string& mode) {
-  for (const NaturalPeriod& one : periods) {
-    if (one.mode == mode) return one.period;
+double find_period(const std::vector<NaturalPeriod>& periods, const std::string& mode) {
+  for (const NaturalPeriod& natural_period : periods) {
+    if (natural_period.mode == mode) return natural_period.period;
   }
   return 0.0;
 }
@@ -45,9 +45,9 @@ TEST(natural_periods, of_the_moored_barge_are_those_of_its_lines) {
   k(1, 3) = k(3, 1) = -9.4315e5;
   const std::vector<NaturalPeriod> periods = natural_periods(barge(), k);
   ASSERT_EQ(periods.size(), 6);
-  EXPECT_NEAR(period_of(periods, "surge"), 66.9, 0.1);
-  EXPECT_NEAR(period_of(periods, "sway"), 77.1, 0.1);
-  EXPECT_NEAR(period_of(periods, "yaw"), 44.6, 0.1);
+  EXPECT_NEAR(find_period(periods, "surge"), 66.9, 0.1);
+  EXPECT_NEAR(find_period(periods, "sway"), 77.1, 0.1);
+  EXPECT_NEAR(find_period(periods, "yaw"), 44.6, 0.1);
   EXPECT_EQ(periods.front().mode, "sway");
 }
 
@@ -62,8 +62,8 @@ TEST(natural_periods, take_the_added_mass_at_their_own_frequency) {
   hull.data->radiation = {slow, fast};
   const Mat6 k = hull.mass * Vec6(Vec6::Constant(1.0)).asDiagonal();
   // omega^2 (1 + 10 (omega - 0.1)) = 10 omega^3 = 1.
-  for (const NaturalPeriod& one : natural_periods(hull, k))
-    EXPECT_NEAR(6.283185307179586 / one.period, std::cbrt(0.1), 1e-4);
+  for (const NaturalPeriod& natural_period : natural_periods(hull, k))
+    EXPECT_NEAR(6.283185307179586 / natural_period.period, std::cbrt(0.1), 1e-4);
 }
 
 /// Heave and roll of BGL-1 with its centre of gravity 4 m ahead, 1.5 m aside and 2 m up share their modes: each is
@@ -87,9 +87,9 @@ TEST(natural_periods, are_six_where_modes_are_mixed) {
     mass.diagonal().tail<3>() += hull.mass * hull.gyration.cwiseAbs2();
     return Mat6(k - omega * omega * mass).determinant();
   };
-  for (const NaturalPeriod& one : periods) {
-    const double omega = 2.0 * std::numbers::pi / one.period;
-    EXPECT_LT(determinant(0.999 * omega) * determinant(1.001 * omega), 0.0) << one.mode;
+  for (const NaturalPeriod& natural_period : periods) {
+    const double omega = 2.0 * std::numbers::pi / natural_period.period;
+    EXPECT_LT(determinant(0.999 * omega) * determinant(1.001 * omega), 0.0) << natural_period.mode;
   }
   for (std::size_t i = 1; i < 6; ++i) EXPECT_GT(periods[i - 1].period, 1.001 * periods[i].period) << i;
 }

@@ -57,7 +57,7 @@ TEST(acer, rates_of_first_order_are_the_fraction_of_peaks_above) {
 TEST(acer, a_peak_counts_for_a_higher_order_only_after_peaks_below) {
   const std::vector<PeakRecord> seen(4, {{1, 3, 3, 1, 1, 3, 1, 1, 3}, 60.0});
   const std::vector<double> levels = {2.0};
-  // Of each record: after one below 3 of 5 exceed (1>3, 1>1, 1>3, 1>1, 1>3); after two below 2 of 2.
+  // In each record: after one below 3 of 5 exceed (1>3, 1>1, 1>3, 1>1, 1>3); after two below 2 of 2.
   EXPECT_DOUBLE_EQ(exceedance_rates(seen, 2, levels).at(0).rate, 3.0 / 5.0);
   EXPECT_DOUBLE_EQ(exceedance_rates(seen, 3, levels).at(0).rate, 1.0);
 }
@@ -69,9 +69,10 @@ TEST(acer, rates_of_independent_peaks_are_those_of_their_distribution_in_every_o
   for (int order = 1; order <= kAcerOrders; ++order) {
     const std::vector<AcerLevel> rates = exceedance_rates(seen, order, levels);
     ASSERT_EQ(rates.size(), levels.size());
-    for (const AcerLevel& at : rates) {
-      const double truth = std::exp(-0.5 * at.level * at.level);
-      EXPECT_NEAR(at.rate, truth, 1.5 * (at.high - at.rate)) << order << " " << at.level;
+    for (const AcerLevel& acer_level : rates) {
+      const double truth = std::exp(-0.5 * acer_level.level * acer_level.level);
+      EXPECT_NEAR(acer_level.rate, truth, 1.5 * (acer_level.high - acer_level.rate))
+          << order << " " << acer_level.level;
     }
   }
 }
@@ -121,9 +122,9 @@ TEST(acer, nine_of_ten_intervals_hold_the_truth) {
 }
 
 TEST(acer, does_not_depend_on_where_values_are_counted_from_nor_on_their_unit) {
-  std::mt19937_64 one(5), other(5);
-  const auto plain = fit_acer(records(5, 200, [&] { return rayleigh(one); }), kReference);
-  const auto moved = fit_acer(records(5, 200, [&] { return 3e8 + 1e6 * rayleigh(other); }), kReference);
+  std::mt19937_64 first(5), second(5);
+  const auto plain = fit_acer(records(5, 200, [&] { return rayleigh(first); }), kReference);
+  const auto moved = fit_acer(records(5, 200, [&] { return 3e8 + 1e6 * rayleigh(second); }), kReference);
   ASSERT_TRUE(plain && moved);
   EXPECT_NEAR(moved->estimate.value, 3e8 + 1e6 * plain->estimate.value, 2e3);
   EXPECT_NEAR(moved->estimate.high, 3e8 + 1e6 * plain->estimate.high, 2e4);
@@ -132,11 +133,11 @@ TEST(acer, does_not_depend_on_where_values_are_counted_from_nor_on_their_unit) {
 TEST(acer, smallest_values_are_largest_ones_turned) {
   std::mt19937_64 generator(6);
   const std::vector<PeakRecord> turned = records(5, 200, [&] { return rayleigh(generator); });
-  const auto largest = fit_acer(turned, kReference), smallest = fit_acer_smallest(turned, kReference);
-  ASSERT_TRUE(largest && smallest);
-  EXPECT_EQ(smallest->estimate.value, -largest->estimate.value);
-  EXPECT_EQ(smallest->estimate.low, -largest->estimate.high);
-  EXPECT_EQ(smallest->observed, -largest->observed);
+  const auto max_value = fit_acer(turned, kReference), min_value = fit_acer_minimum(turned, kReference);
+  ASSERT_TRUE(max_value && min_value);
+  EXPECT_EQ(min_value->estimate.value, -max_value->estimate.value);
+  EXPECT_EQ(min_value->estimate.low, -max_value->estimate.high);
+  EXPECT_EQ(min_value->observed, -max_value->observed);
 }
 
 TEST(acer, too_few_or_equal_peaks_are_not_fitted) {

@@ -69,10 +69,10 @@ TEST_P(block_tridiagonal_of_any_kind, solves_what_a_dense_solver_solves_on_every
 TEST_P(block_tridiagonal_of_any_kind, solves_again_for_another_right_hand_side) {
   for (const Isa isa : available_isas()) {
     DenseTwin twin = random_system(40, 11, GetParam());
-    const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
-    const Eigen::VectorXd expected = twin.matrix.fullPivLu().solve(other);
+    const Eigen::VectorXd second = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
+    const Eigen::VectorXd expected = twin.matrix.fullPivLu().solve(second);
     ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
-    Eigen::VectorXd x = other;
+    Eigen::VectorXd x = second;
     resolve_on(twin.blocks, x.data(), isa);
     EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.cwiseAbs().maxCoeff());  // rounding
   }
@@ -82,14 +82,14 @@ TEST_P(block_tridiagonal_of_any_kind, factors_anew_from_the_node_where_blocks_ha
   constexpr int kChanged = 15;
   for (const Isa isa : available_isas()) {
     DenseTwin twin = random_system(40, 7, GetParam());
-    const DenseTwin other = random_system(40, 8, GetParam());
+    const DenseTwin second_dense_twin = random_system(40, 8, GetParam());
     for (int n = kChanged; n < 40; ++n) {
       const int from = 6 * n, width = n + 1 < 40 ? 12 : 6;
-      twin.matrix.block(from, from, 6, width) = other.matrix.block(from, from, 6, width);
-      twin.matrix.block(from, from, width, 6) = other.matrix.block(from, from, width, 6);
+      twin.matrix.block(from, from, 6, width) = second_dense_twin.matrix.block(from, from, 6, width);
+      twin.matrix.block(from, from, width, 6) = second_dense_twin.matrix.block(from, from, width, 6);
     }
     ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
-    twin.blocks.copy_from(other.blocks, kChanged);
+    twin.blocks.copy_from(second_dense_twin.blocks, kChanged);
     ASSERT_TRUE(refactor_on(twin.blocks, kChanged, isa).solved());
     const Eigen::VectorXd rhs = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
     Eigen::VectorXd x = rhs;
@@ -127,7 +127,7 @@ DenseTwin rolled_up_cantilever(int n, double EA) {
   return twin;
 }
 
-// What is left of the forces says nothing of how ill the system is conditioned: elimination that loses no digits leaves
+// The residual of the forces does not show how ill the system is conditioned: elimination that loses no digits leaves
 // rounding of the largest of them.
 TEST(block_tridiagonal, balances_forces_to_rounding_where_a_line_hardly_stretches) {
   constexpr int kElements = 64;
@@ -141,8 +141,8 @@ TEST(block_tridiagonal, balances_forces_to_rounding_where_a_line_hardly_stretche
     }
     using Long = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
     const Long left = K.cast<long double>() * x.cast<long double>() - twin.rhs.col(0).cast<long double>();
-    const double largest = (K.cwiseAbs() * x.cwiseAbs()).maxCoeff();
-    EXPECT_LT(static_cast<double>(left.cwiseAbs().maxCoeff()), 1e-13 * largest);
+    const double max_value = (K.cwiseAbs() * x.cwiseAbs()).maxCoeff();
+    EXPECT_LT(static_cast<double>(left.cwiseAbs().maxCoeff()), 1e-13 * max_value);
   }
 }
 

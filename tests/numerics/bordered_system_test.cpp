@@ -19,14 +19,14 @@ struct Twin {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd rhs;
 
-  int first_of(int line) const {
+  int first_line_unknown(int line) const {
     int first = 0;
     for (int i = 0; i < line; ++i) {
       first += 6 * lines[static_cast<std::size_t>(i)].nodes;
     }
     return first;
   }
-  int border() const { return first_of(static_cast<int>(lines.size())); }
+  int border() const { return first_line_unknown(static_cast<int>(lines.size())); }
 };
 
 using Normal = std::normal_distribution<double>;
@@ -36,13 +36,14 @@ void add_random_blocks(Twin& twin, int line, int first, std::mt19937_64& generat
   const int nodes = twin.lines[static_cast<std::size_t>(line)].nodes;
   BlockTridiagonal& blocks = twin.system.line(line);
   for (int n = first; n < nodes; ++n) {
-    const int at = twin.first_of(line) + 6 * n;
+    const int index = twin.first_line_unknown(line) + 6 * n;
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) {  // heavy across the diagonal, so that rows are exchanged
-        blocks.diag(n)[i * kRowWidth + j] = twin.matrix(at + i, at + j) = normal(generator) + (i + j == 5 ? 9.0 : 0.0);
+        blocks.diag(n)[i * kRowWidth + j] = twin.matrix(index + i, index + j) =
+            normal(generator) + (i + j == 5 ? 9.0 : 0.0);
         if (n + 1 < nodes) {
-          blocks.upper(n)[i * kRowWidth + j] = twin.matrix(at + i, at + 6 + j) = normal(generator);
-          blocks.lower(n)[i * kRowWidth + j] = twin.matrix(at + 6 + i, at + j) = normal(generator);
+          blocks.upper(n)[i * kRowWidth + j] = twin.matrix(index + i, index + 6 + j) = normal(generator);
+          blocks.lower(n)[i * kRowWidth + j] = twin.matrix(index + 6 + i, index + j) = normal(generator);
         }
       }
     }
@@ -53,7 +54,7 @@ void add_random_blocks(Twin& twin, int line, int first, std::mt19937_64& generat
 void add_random_border(Twin& twin, int line, int first, std::mt19937_64& generator) {
   Normal normal;
   const BorderedLine& shape = twin.lines[static_cast<std::size_t>(line)];
-  const int start = twin.first_of(line);
+  const int start = twin.first_line_unknown(line);
   for (int n = first; n < shape.nodes; ++n) {
     for (int i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < shape.unknowns.size(); ++j) {
@@ -101,7 +102,7 @@ std::vector<int> all_of(int unknowns) {
 std::vector<double*> parts(const Twin& twin, Eigen::VectorXd& x) {
   std::vector<double*> parts;
   for (int i = 0; i < static_cast<int>(twin.lines.size()); ++i) {
-    parts.push_back(x.data() + twin.first_of(i));
+    parts.push_back(x.data() + twin.first_line_unknown(i));
   }
   return parts;
 }
@@ -126,8 +127,8 @@ TEST_P(bordered_system_of_any_width, solves_what_a_dense_solver_solves_on_every_
     Twin twin = random_twin({{30, all_of(GetParam())}}, GetParam(), isa);
     ASSERT_TRUE(twin.system.factor().solved());
     expect_as_dense(twin, solved(twin, twin.rhs), twin.rhs);
-    const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(twin.rhs.size(), -1.0, 2.0);
-    expect_as_dense(twin, solved(twin, other), other);
+    const Eigen::VectorXd second = Eigen::VectorXd::LinSpaced(twin.rhs.size(), -1.0, 2.0);
+    expect_as_dense(twin, solved(twin, second), second);
   }
 }
 
@@ -137,8 +138,8 @@ TEST_P(bordered_system_of_any_width, factors_and_solves_in_one) {
     Eigen::VectorXd x = twin.rhs;
     ASSERT_TRUE(twin.system.factor_and_solve(parts(twin, x), x.data() + twin.border()).solved());
     expect_as_dense(twin, x, twin.rhs);
-    const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(twin.rhs.size(), -1.0, 2.0);
-    expect_as_dense(twin, solved(twin, other), other);  // the factors serve on
+    const Eigen::VectorXd second = Eigen::VectorXd::LinSpaced(twin.rhs.size(), -1.0, 2.0);
+    expect_as_dense(twin, solved(twin, second), second);  // the factors serve on
   }
 }
 
@@ -162,11 +163,11 @@ TEST(bordered_system, factors_one_line_anew_from_where_it_changed_to_the_same_bi
     for (const int line : {0, 4}) {  // changed and changed back
       constexpr int kFirst = 3;
       for (const unsigned seed : {77U, 5U}) {
-        Twin other = random_twin(lines_of_a_barge(), 10, isa, seed);
-        const int at = twin.first_of(line) + 6 * kFirst,
+        Twin second_twin = random_twin(lines_of_a_barge(), 10, isa, seed);
+        const int index = twin.first_line_unknown(line) + 6 * kFirst,
                   rest = 6 * (twin.lines[static_cast<std::size_t>(line)].nodes - kFirst);
-        twin.matrix.block(at, at, rest, rest) = other.matrix.block(at, at, rest, rest);
-        twin.system.line(line).copy_from(other.system.line(line), kFirst);
+        twin.matrix.block(index, index, rest, rest) = second_twin.matrix.block(index, index, rest, rest);
+        twin.system.line(line).copy_from(second_twin.system.line(line), kFirst);
         ASSERT_TRUE(twin.system.factor_line(line, kFirst).solved());
         ASSERT_EQ(twin.system.close(), -1);
         expect_as_dense(twin, solved(twin, twin.rhs), twin.rhs);

@@ -15,7 +15,7 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned 
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
 }
 
-TEST(constrained_least_squares, inequalities_hold_and_only_those_that_act_cost) {
+TEST(inequality_least_squares, inequalities_hold_and_only_those_that_act_cost) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Eigen::MatrixXd r = random_matrix(6, 6, seed).triangularView<Eigen::Upper>();
     r.diagonal().array() += 3.0;
@@ -35,7 +35,7 @@ TEST(constrained_least_squares, inequalities_hold_and_only_those_that_act_cost) 
   }
 }
 
-TEST(constrained_least_squares, without_inequalities_it_is_the_plain_solution) {
+TEST(inequality_least_squares, without_inequalities_it_is_the_plain_solution) {
   Eigen::MatrixXd r(2, 2);
   r << 2.0, 1.0, 0.0, 4.0;
   const Eigen::VectorXd x =

@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-DenseLu lu_of(const Eigen::MatrixXd& matrix) {
+DenseLu factorise(const Eigen::MatrixXd& matrix) {
   DenseLu lu(static_cast<int>(matrix.rows()));
   for (int i = 0; i < lu.size(); ++i) {
     for (int j = 0; j < lu.size(); ++j) {
@@ -25,7 +25,7 @@ TEST(dense_lu, solves_random_systems_and_knows_the_sign_of_their_determinant) {
   for (int size = 1; size <= 40; ++size) {
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return normal(generator); });
     const Eigen::VectorXd rhs = Eigen::VectorXd::NullaryExpr(size, [&] { return normal(generator); });
-    DenseLu lu = lu_of(matrix);
+    DenseLu lu = factorise(matrix);
     ASSERT_EQ(lu.factor(), -1);
     Eigen::VectorXd x = rhs;
     lu.solve(x.data());
@@ -35,7 +35,7 @@ TEST(dense_lu, solves_random_systems_and_knows_the_sign_of_their_determinant) {
 }
 
 TEST(dense_lu, exchanges_rows_where_the_diagonal_is_zero) {
-  DenseLu lu = lu_of((Eigen::Matrix3d() << 0, 2, 0, 0, 0, 5, 4, 0, 0).finished());
+  DenseLu lu = factorise((Eigen::Matrix3d() << 0, 2, 0, 0, 0, 5, 4, 0, 0).finished());
   ASSERT_EQ(lu.factor(), -1);
   Eigen::Vector3d x(2.0, 5.0, 4.0);
   lu.solve(x.data());
@@ -43,14 +43,14 @@ TEST(dense_lu, exchanges_rows_where_the_diagonal_is_zero) {
 }
 
 TEST(dense_lu, takes_a_pivot_that_is_rounding_of_its_terms_for_none) {
-  DenseLu lu = lu_of(Eigen::Matrix2d::Identity());
+  DenseLu lu = factorise(Eigen::Matrix2d::Identity());
   lu.matrix()[3] = 1e-7;
   lu.terms()[3] = 1e9;
   EXPECT_EQ(lu.factor(), 1);
 }
 
 TEST(dense_lu, what_is_not_a_number_is_no_pivot) {
-  DenseLu lu = lu_of(Eigen::Matrix2d::Identity());
+  DenseLu lu = factorise(Eigen::Matrix2d::Identity());
   lu.matrix()[0] = std::nan("");
   EXPECT_EQ(lu.factor(), 0);
 }

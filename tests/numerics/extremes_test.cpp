@@ -132,12 +132,12 @@ TEST(extremes, smallest_is_the_largest_of_the_turned_record) {
   for (double& value : turned) {
     value = -value;
   }
-  const ExtremeFit smallest = fit_smallest(values, 0.5, kThreeHours);
-  const ExtremeFit largest = fit_extremes(turned, 0.5, kThreeHours);
-  EXPECT_EQ(smallest.weibull.value, -largest.weibull.value);
-  EXPECT_EQ(smallest.observed, *std::min_element(values.begin(), values.end()));
-  EXPECT_LT(smallest.gumbel.low, smallest.gumbel.value);
-  EXPECT_GT(smallest.gumbel.high, smallest.gumbel.value);
+  const ExtremeFit min_value = fit_minimum(values, 0.5, kThreeHours);
+  const ExtremeFit max_value = fit_extremes(turned, 0.5, kThreeHours);
+  EXPECT_EQ(min_value.weibull.value, -max_value.weibull.value);
+  EXPECT_EQ(min_value.observed, *std::min_element(values.begin(), values.end()));
+  EXPECT_LT(min_value.gumbel.low, min_value.gumbel.value);
+  EXPECT_GT(min_value.gumbel.high, min_value.gumbel.value);
 }
 
 TEST(extremes, few_peaks_are_not_fitted) {
@@ -185,7 +185,7 @@ double impact_of_three_hours(int every) {
   return 4.0 + 8.0 * std::log(1080.0 / every);
 }
 
-TEST(extremes, of_rare_impacts_are_not_told_by_a_short_record) {
+TEST(extremes, of_rare_impacts_are_not_reported_by_a_short_record) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const ExtremeFit fit = fit_extremes(light_with_impacts(0.25, 100, seed), 1.0, kThreeHours);
     EXPECT_EQ(fit.method, ExtremeMethod::none);
@@ -244,10 +244,10 @@ TEST(extremes, of_peaks_with_a_heavy_tail_are_not_those_of_most_of_them) {
   const double truth = 10.0 + 8.0 * std::log(1080.0 / 30.0);
   for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {  // on a quantity that never rests
     std::mt19937_64 generator(seed);
-    std::normal_distribution<double> most(5.0, 1.0);
+    std::normal_distribution<double> max_magnitude(5.0, 1.0);
     std::exponential_distribution<double> impact(1.0 / 8.0);
     std::vector<double> peaks;
-    for (int i = 0; i < 1080; ++i) peaks.push_back(i % 30 == 7 ? 10.0 + impact(generator) : most(generator));
+    for (int i = 0; i < 1080; ++i) peaks.push_back(i % 30 == 7 ? 10.0 + impact(generator) : max_magnitude(generator));
     const ExtremeFit fit = fit_peaks(peaks, 4.0, 1080.0);
     EXPECT_EQ(fit.method, ExtremeMethod::pareto);
     EXPECT_FALSE(fit.weibull_describes);
@@ -257,8 +257,8 @@ TEST(extremes, of_peaks_with_a_heavy_tail_are_not_those_of_most_of_them) {
 }
 
 TEST(extremes, rest_of_a_record_is_the_share_of_cycles_that_come_down_to_its_least_value) {
-  EXPECT_GT(peaks_between_up_crossings(light_with_impacts(1.0, 50, 1)).at_least, 0.99);
-  EXPECT_LT(peaks_between_up_crossings(narrow_band(3)).at_least, 0.01);
+  EXPECT_GT(peaks_between_up_crossings(light_with_impacts(1.0, 50, 1)).fraction_at_minimum, 0.99);
+  EXPECT_LT(peaks_between_up_crossings(narrow_band(3)).fraction_at_minimum, 0.01);
 }
 
 TEST(extremes, are_the_same_each_time) {

@@ -17,12 +17,12 @@ Eigen::Matrix4d step_map(const GeneralizedAlpha& g, double omega) {
   const double w2 = omega * omega;
   for (int column = 0; column < 4; ++column) {
     const Eigen::Vector4d from = Eigen::Vector4d::Unit(column);
-    const MotionValues now{from(0), from(1), from(2), from(3)};
+    const MotionValues motion_values{from(0), from(1), from(2), from(3)};
     // The place is linear in the true acceleration.
-    const double without = advance(g, now, 1.0, 0.0).q;
-    const double slope = advance(g, now, 1.0, 1.0).q - without;
-    const MotionValues next = advance(g, now, 1.0, -w2 * without / (1.0 + w2 * slope));
-    map.col(column) << next.q, next.v, next.acc, next.alg;
+    const double without = advance(g, motion_values, 1.0, 0.0).q;
+    const double slope = advance(g, motion_values, 1.0, 1.0).q - without;
+    const MotionValues next = advance(g, motion_values, 1.0, -w2 * without / (1.0 + w2 * slope));
+    map.col(column) << next.q, next.v, next.acc, next.algorithmic_acceleration;
   }
   return map;
 }
@@ -46,9 +46,9 @@ TEST_P(any_radius, no_frequency_grows) {
 
 TEST_P(any_radius, shares_are_the_derivatives_of_the_step) {
   const GeneralizedAlpha g(GetParam());
-  const MotionValues now{0.3, -1.2, 2.0, 1.7};
+  const MotionValues motion_values{0.3, -1.2, 2.0, 1.7};
   const double h = 0.05;
-  const MotionValues a = advance(g, now, h, 1.0), b = advance(g, now, h, 4.0);
+  const MotionValues a = advance(g, motion_values, h, 1.0), b = advance(g, motion_values, h, 4.0);
   EXPECT_NEAR((b.v - a.v) / (b.q - a.q), g.velocity_share(h), 1e-9 * g.velocity_share(h));
   EXPECT_NEAR(3.0 / (b.q - a.q), g.acceleration_share(h), 1e-9 * g.acceleration_share(h));
 }
@@ -81,15 +81,17 @@ TEST_P(any_radius, steady_acceleration_is_followed_exactly) {
   EXPECT_NEAR(state.v, 2.0, 1e-14);
 }
 
-TEST_P(any_radius, a_steady_change_of_acceleration_is_foreseen_by_half_at_most) {
+TEST_P(any_radius, a_steady_change_of_acceleration_is_extrapolated_by_half_at_most) {
   const GeneralizedAlpha g(GetParam());
   constexpr double kStep = 0.1, kChange = 3.0;
   MotionValues state{0.0, 0.0, 2.0, 2.0};
   for (int i = 0; i < 500; ++i) state = advance(g, state, kStep, state.acc + kChange * kStep);
-  const double half = 0.5 * kChange * kStep, foreseen = g.foreseen(state.acc, state.alg, g.half_foresight) - state.acc;
-  EXPECT_LE(foreseen, half + 1e-9);
-  EXPECT_GE(foreseen, std::min(half, 2.0 * (g.alpha_f - g.alpha_m) * kChange * kStep) - 1e-9);
-  EXPECT_NEAR(g.foreseen(state.acc, state.alg, g.whole_foresight) - state.acc,
+  const double half = 0.5 * kChange * kStep,
+               extrapolated =
+                   g.extrapolated(state.acc, state.algorithmic_acceleration, g.half_extrapolation) - state.acc;
+  EXPECT_LE(extrapolated, half + 1e-9);
+  EXPECT_GE(extrapolated, std::min(half, 2.0 * (g.alpha_f - g.alpha_m) * kChange * kStep) - 1e-9);
+  EXPECT_NEAR(g.extrapolated(state.acc, state.algorithmic_acceleration, g.full_extrapolation) - state.acc,
               std::min(1.0, 20.0 * (g.alpha_f - g.alpha_m)) * kChange * kStep, 1e-9);
 }
 

@@ -27,7 +27,7 @@ TEST(pareto_tail, gives_shape_and_scale_of_a_large_sample_back) {
     const ParetoTail tail = fit_pareto_tail(peaks, peaks.size()).value();
     EXPECT_TRUE(tail.described);
     // Runs of peaks count once: over the median a quarter of the peaks. The largest of runs have the tail of the peaks,
-    // but are not of the law at low thresholds, which 20,000 peaks can tell.
+    // but are not of the law at low thresholds, which 20,000 peaks can show.
     EXPECT_LT(tail.per_peak, 0.26);
     EXPECT_GT(tail.threshold, 5.0);
     EXPECT_NEAR(tail.shape, shape, 0.08);

@@ -38,7 +38,7 @@ std::vector<double> turning_points(const std::vector<double>& record) {
   return points;
 }
 
-/// Another method: of four points in a row, the middle range is a cycle if it lies within both beside it; all over the
+/// Another method: of four points in a row, the middle range is a cycle if it lies within both neighbours; all over the
 /// record, again and again; what is left are half cycles (the four-point method, Amzallag et al. 1994).
 Cycles four_point_cycles(const std::vector<double>& record) {
   std::vector<double> points = turning_points(record);
@@ -95,10 +95,10 @@ TEST(rainflow, random_records_have_the_cycles_of_the_four_point_method) {
     const std::vector<double> record = random_record(seed, 150 + seed);
     const auto ours = by_range(counted(record)), theirs = by_range(four_point_cycles(record));
     ASSERT_EQ(ours.size(), theirs.size()) << seed;
-    auto other = theirs.begin();
+    auto second = theirs.begin();
     for (const auto& [range, count] : ours) {
-      EXPECT_EQ(range, other->first) << seed;
-      EXPECT_EQ(count, (other++)->second) << seed;
+      EXPECT_EQ(range, second->first) << seed;
+      EXPECT_EQ(count, (second++)->second) << seed;
     }
   }
 }
@@ -140,7 +140,7 @@ TEST(rainflow, records_side_by_side_do_not_mix) {
   }
 }
 
-/// What the record turns by less than the hysteresis is as if it were not there; the rest keeps its size.
+/// Turns of the record smaller than the hysteresis are ignored; the rest keeps its size.
 TEST(rainflow, ranges_within_the_hysteresis_are_passed_over_and_larger_ones_are_whole) {
   std::vector<double> trembling;
   for (const double value : kWithEnds) {
@@ -196,7 +196,7 @@ TEST(rainflow, counting_allocates_nothing) {
   EXPECT_GT(sum, 0.0);
 }
 
-TEST(rainflow, a_stored_count_that_does_not_fit_is_refused) {
+TEST(rainflow, a_stored_count_that_does_not_fit_is_rejected) {
   RainflowCounter counter(2);
   counter.add(std::vector<double>{1.0, 2.0}, [](std::size_t, const RainflowCycle&) {});
   std::vector<double> saved = counter.save();

@@ -25,7 +25,7 @@ TEST(root_scan, needs_few_values_beyond_the_grid_for_a_smooth_root) {
   EXPECT_LT(scan.points.size(), 13U + 8U);
 }
 
-TEST(root_scan, tells_a_jump_from_a_root) {
+TEST(root_scan, distinguishes_a_jump_from_a_root) {
   const RootScan scan = scan_roots([](double x) { return x < 0.3 ? x - 0.7 : x - 0.1; }, 0.0, 1.0);
   ASSERT_EQ(scan.crossings.size(), 1U);
   EXPECT_TRUE(scan.crossings[0].jump);
@@ -56,7 +56,7 @@ TEST(root_scan, finds_two_roots_between_neighbours_of_the_grid) {
 }
 
 /// A peak between an end and the next point of the grid, from where the values only go away from zero.
-TEST(root_scan, finds_two_roots_beside_an_end_from_which_the_values_begin_to_turn) {
+TEST(root_scan, finds_two_roots_next_to_an_end_from_which_the_values_begin_to_turn) {
   const auto peak = [](double x) { return 0.4 * x * std::exp(-4.0 * x) - 0.01 * x - 0.02; };
   for (const bool mirrored : {false, true}) {
     const RootScan scan = scan_roots([&](double x) { return peak(mirrored ? 12.0 - x : x); }, 0.0, 12.0);
@@ -66,7 +66,7 @@ TEST(root_scan, finds_two_roots_beside_an_end_from_which_the_values_begin_to_tur
   }
 }
 
-TEST(root_scan, a_gap_hides_no_root_beside_it_and_makes_none) {
+TEST(root_scan, a_gap_hides_no_root_next_to_it_and_makes_none) {
   const auto f = [](double x) -> std::optional<double> {
     if (x > 0.4 && x < 0.6) return std::nullopt;
     return x < 0.5 ? x - 0.2 : x - 2.0;

@@ -14,7 +14,7 @@ struct Sample {
   double value, weight;
 };
 
-/// Of a Weibull distribution, with weights; a fifth are zero.
+/// Values of a Weibull distribution, with weights; a fifth are zero.
 std::vector<Sample> random_samples(std::size_t count, double size, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::weibull_distribution<double> value(1.5, size);
@@ -41,12 +41,12 @@ TEST(running_quantiles, are_those_of_the_sorted_samples_to_two_bins) {
   for (const double size : {0.3, 40.0, 7e5}) {  // finer than the first bins, and far beyond them
     const std::vector<Sample> samples = random_samples(20000, size, 3);
     RunningQuantiles quantiles(2);
-    double largest = 0.0;
+    double max_value = 0.0;
     for (const Sample& sample : samples) {
       quantiles.add(std::vector<double>{1.0, sample.value}, sample.weight);
-      largest = std::max(largest, sample.value);
+      max_value = std::max(max_value, sample.value);
     }
-    const double bins = std::max(1.0, 2.0 * largest / RunningQuantiles::kBins);
+    const double bins = std::max(1.0, 2.0 * max_value / RunningQuantiles::kBins);
     for (const double share : {0.25, 0.5, 0.9, 0.99, 1.0}) {
       EXPECT_NEAR(quantiles.at(1, share), sorted_quantile(samples, share), bins) << size << ' ' << share;
     }
@@ -72,7 +72,7 @@ TEST(running_quantiles, come_back_from_a_checkpoint_bit_for_bit) {
   EXPECT_THROW(second.restore(std::vector<double>(7)), std::logic_error);
 }
 
-TEST(running_quantiles, refuse_what_is_negative_or_not_a_finite_number) {
+TEST(running_quantiles, reject_what_is_negative_or_not_a_finite_number) {
   RunningQuantiles quantiles(1);
   EXPECT_THROW(quantiles.add(std::vector<double>{std::numeric_limits<double>::infinity()}, 1.0), std::logic_error);
   EXPECT_THROW(quantiles.add(std::vector<double>{-1.0}, 1.0), std::logic_error);

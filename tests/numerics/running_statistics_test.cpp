@@ -163,16 +163,16 @@ TEST(running_statistics, taken_up_again_from_what_was_saved_end_with_the_same_bi
 }
 
 TEST(running_statistics, an_empty_state_can_be_saved_too) {
-  RunningStatistics statistics(3), other;
-  other.restore(statistics.save());
-  EXPECT_EQ(other.size(), 3u);
+  RunningStatistics statistics(3), another;
+  another.restore(statistics.save());
+  EXPECT_EQ(another.size(), 3u);
   const std::vector<double> values{1.0, 2.0, 3.0};
-  other.add(values, 1.0);
-  EXPECT_EQ(other.min()[1], 2.0);
-  EXPECT_EQ(other.max()[1], 2.0);
+  another.add(values, 1.0);
+  EXPECT_EQ(another.min()[1], 2.0);
+  EXPECT_EQ(another.max()[1], 2.0);
 }
 
-TEST(running_statistics, refuse_what_does_not_fit) {
+TEST(running_statistics, reject_what_does_not_fit) {
   RunningStatistics statistics(2);
   const std::vector<double> three(3);
   EXPECT_THROW(statistics.add(three, 1.0), std::logic_error);

@@ -25,7 +25,7 @@ TEST(tail_check, distance_of_a_sample_is_that_of_its_definition) {
   EXPECT_NEAR(upper_tail_distance(shares), 4.0 * integral, 1e-5);
 }
 
-TEST(tail_check, distance_of_uniform_samples_is_half_on_average) {  // E = 1/2, whatever the size
+TEST(tail_check, distance_of_uniform_samples_is_half_on_average) {  // E = 1/2 for any size
   std::mt19937_64 generator(2);
   double sum = 0.0;
   constexpr int kSamples = 4000;
@@ -39,10 +39,10 @@ TEST(tail_check, distance_of_uniform_samples_is_half_on_average) {  // E = 1/2, 
 }
 
 TEST(tail_check, an_outlier_is_a_small_chance) {
-  EXPECT_NEAR(least_chance(std::vector<double>{0.01}), 1.0 - std::exp(-0.01), 1e-12);
-  EXPECT_NEAR(least_chance(std::vector<double>{1.0, 0.1}), 1.0 - 1.1 * std::exp(-0.1), 1e-12);
-  EXPECT_GT(least_chance(std::vector<double>{0.7, 1.7, 2.7}), 0.4);
-  EXPECT_EQ(least_chance({}), 1.0);
+  EXPECT_NEAR(min_probability(std::vector<double>{0.01}), 1.0 - std::exp(-0.01), 1e-12);
+  EXPECT_NEAR(min_probability(std::vector<double>{1.0, 0.1}), 1.0 - 1.1 * std::exp(-0.1), 1e-12);
+  EXPECT_GT(min_probability(std::vector<double>{0.7, 1.7, 2.7}), 0.4);
+  EXPECT_EQ(min_probability({}), 1.0);
 }
 
 }  // namespace

@@ -19,22 +19,22 @@ BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 PYTHON = "usr/lib/python3/dist-packages"
 
 
-def said(*words, **more):
+def said(*arguments, **more):
     """What a program prints; its failure is that of the test."""
-    done = subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", **more)
+    done = subprocess.run([str(word) for word in arguments], capture_output=True, encoding="utf-8", **more)
     if done.returncode != 0:
-        raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
+        raise AssertionError(f"{arguments}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done.stdout
 
 
-def libraries_of(file):
+def list_libraries(file):
     return re.findall(r"NEEDED.*\[(.*)\]", said("readelf", "--dynamic", file))
 
 
-def package_of(library):
+def find_package(library):
     """The Debian package that brings a shared library on this machine."""
-    told = said("dpkg-query", "--search", f"*/{sysconfig.get_config_var('MULTIARCH')}/{library}")
-    return told.split(":")[0]
+    reported = said("dpkg-query", "--search", f"*/{sysconfig.get_config_var('MULTIARCH')}/{library}")
+    return reported.split(":")[0]
 
 
 class DebianPackages(unittest.TestCase):
@@ -82,16 +82,16 @@ class DebianPackages(unittest.TestCase):
         self.assertEqual(pathlib.Path(where), self.root / PYTHON / "overbend/__init__.py")
         self.assertEqual(pathlib.Path(found), model)
         with tempfile.TemporaryDirectory() as out:
-            told = said(self.root / "usr/bin/overbend", "static", model, "-o", out)
+            reported = said(self.root / "usr/bin/overbend", "static", model, "-o", out)
             summary = pathlib.Path(out, "summary.json").read_text(encoding="utf-8")
-        self.assertIn(f"\"lay_back\": {float(lay_back)}", summary, told)
+        self.assertIn(f"\"lay_back\": {float(lay_back)}", summary, reported)
 
     def test_they_need_the_packages_of_their_libraries(self):
         module = next((self.root / PYTHON / "overbend").glob("_core*.so"))
         for package, file in (("overbend", self.root / "usr/bin/overbend"), ("python3-overbend", module)):
             needs = re.findall(r"(?:^|, )([^ ,|]+)", self.field(package, "Depends"))
-            for library in libraries_of(file):
-                self.assertIn(package_of(library), needs, f"{package} uses {library}")
+            for library in list_libraries(file):
+                self.assertIn(find_package(library), needs, f"{package} uses {library}")
         depends = self.field("python3-overbend", "Depends")
         minor = sys.version_info[1]
         for need in ("python3-numpy", f"python3 (>= 3.{minor}~)", f"python3 (<< 3.{minor + 1})"):
@@ -115,11 +115,11 @@ class DebianPackages(unittest.TestCase):
             self.assertTrue((share / name).is_file(), name)
         for package in self.packages:
             self.assertIn("MIT", (share / "doc" / package / "copyright").read_text(encoding="utf-8"))
-            told = said("dpkg-parsechangelog", "--show-field", "Version", "-l-",
+            reported = said("dpkg-parsechangelog", "--show-field", "Version", "-l-",
                         input=gzip.open(share / "doc" / package / "changelog.gz", "rt", encoding="utf-8").read())
-            self.assertEqual(told.strip(), self.field(package, "Version"))
+            self.assertEqual(reported.strip(), self.field(package, "Version"))
 
-    def test_files_are_roots_and_nobody_else_may_write_them(self):
+    def test_files_are_roots_and_no_user_but_root_may_write_them(self):
         for package in self.packages:
             for mode, owner, name in self.contents(package):
                 self.assertEqual(owner, "root/root", name)
@@ -128,11 +128,11 @@ class DebianPackages(unittest.TestCase):
                 self.assertIn(mode, wanted, name)
 
     def test_no_file_names_a_folder_of_the_machine_it_was_built_on(self):
-        here = {str(ROOT).encode(), str(BUILD).encode()}
+        build_paths = {str(ROOT).encode(), str(BUILD).encode()}
         for file in self.root.rglob("*"):
             if file.is_file():
                 content = file.read_bytes()
-                self.assertFalse([path for path in here if path in content], file.relative_to(self.root))
+                self.assertFalse([path for path in build_paths if path in content], file.relative_to(self.root))
 
     def test_what_is_run_is_stripped(self):
         for file in (self.root / "usr/bin/overbend", next((self.root / PYTHON / "overbend").glob("_core*.so"))):

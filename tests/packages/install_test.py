@@ -22,11 +22,11 @@ sys.dont_write_bytecode = True
 from python_folder import folder_below  # noqa: E402
 
 
-def said(*words, **more):
+def said(*arguments, **more):
     """What a program prints; its failure is that of the test."""
-    done = subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", **more)
+    done = subprocess.run([str(word) for word in arguments], capture_output=True, encoding="utf-8", **more)
     if done.returncode != 0:
-        raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
+        raise AssertionError(f"{arguments}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done.stdout
 
 
@@ -58,9 +58,9 @@ class Installed(unittest.TestCase):
         for page in self.documents.rglob("*.md"):
             prose = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
             for target in re.findall(r"\]\(([^)#\s]+)", prose):
-                here = (page.parent / target).resolve()
-                of_the_sources = here == self.documents.resolve() / "validation" / "README.md"
-                if "://" not in target and not here.exists() and not of_the_sources:
+                linked = (page.parent / target).resolve()
+                of_the_sources = linked == self.documents.resolve() / "validation" / "README.md"
+                if "://" not in target and not linked.exists() and not of_the_sources:
                     dead.append(f"{page.relative_to(self.documents)}: {target}")
         self.assertEqual(dead, [])
         self.assertTrue((self.documents / "docs" / "guide" / "installation.md").is_file())
@@ -84,25 +84,25 @@ class Installed(unittest.TestCase):
     def test_python_finds_the_package_and_what_it_says_of_itself(self):
         place = self.prefix / folder_below(str(self.prefix))
         code = "import overbend, importlib.metadata as m; print(overbend.__file__, m.version('overbend'))"
-        told = said("/usr/bin/python3", "-c", code, env={**os.environ, "PYTHONPATH": str(place)}, cwd="/")
-        where, version = told.split()
+        reported = said("/usr/bin/python3", "-c", code, env={**os.environ, "PYTHONPATH": str(place)}, cwd="/")
+        where, version = reported.split()
         self.assertEqual(pathlib.Path(where), place / "overbend" / "__init__.py")
         self.assertEqual("overbend " + version, said(self.prefix / "bin" / "overbend", "--version").strip())
 
     @unittest.skipUnless(WITH_PYTHON, "this build has no Python package")
     def test_python_finds_the_examples_that_are_installed_with_it(self):
         place = self.prefix / folder_below(str(self.prefix))
-        told = said("/usr/bin/python3", "-c", "import overbend; print(overbend.example('bgl1.yaml'))",
+        reported = said("/usr/bin/python3", "-c", "import overbend; print(overbend.example('bgl1.yaml'))",
                     env={**os.environ, "PYTHONPATH": str(place)}, cwd="/")
-        self.assertEqual(pathlib.Path(told.strip()), self.documents / "examples" / "bgl1.yaml")
+        self.assertEqual(pathlib.Path(reported.strip()), self.documents / "examples" / "bgl1.yaml")
 
     @unittest.skipUnless(WITH_PYTHON, "this build has no Python package")
     def test_a_home_folder_needs_no_pythonpath(self):
         with tempfile.TemporaryDirectory() as home:
             said("cmake", "--install", BUILD, "--prefix", f"{home}/.local", "--component", "python")
             env = {"PATH": os.environ["PATH"], "HOME": home}
-            told = said("/usr/bin/python3", "-c", "import overbend; print(overbend.__file__)", env=env, cwd="/")
-            self.assertTrue(told.startswith(f"{home}/.local/"), told)
+            reported = said("/usr/bin/python3", "-c", "import overbend; print(overbend.__file__)", env=env, cwd="/")
+            self.assertTrue(reported.startswith(f"{home}/.local/"), reported)
 
 
 class Folders(unittest.TestCase):

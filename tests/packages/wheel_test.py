@@ -24,14 +24,14 @@ sys.path.insert(0, str(ROOT / "packages"))
 
 import build_backend  # noqa: E402
 
-# No settings of the user, no network: a proxy where nobody listens.
+# No settings of the user, no network: a proxy at a port without a listener.
 CLOSED = {"PATH": os.environ["PATH"], "HOME": "/nonexistent", "PIP_CONFIG_FILE": os.devnull, "PIP_NO_CACHE_DIR": "1",
           "https_proxy": "http://127.0.0.1:9", "http_proxy": "http://127.0.0.1:9",
           "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_ROOT_USER_ACTION": "ignore"}
 
 
-def run(*words, env=CLOSED, cwd="/"):
-    return subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", env=env, cwd=cwd)
+def run(*arguments, env=CLOSED, cwd="/"):
+    return subprocess.run([str(word) for word in arguments], capture_output=True, encoding="utf-8", env=env, cwd=cwd)
 
 
 class Wheel(unittest.TestCase):
@@ -74,10 +74,10 @@ class Wheel(unittest.TestCase):
             self.assertIn(f"\"lay_back\": {lay_back}", pathlib.Path(out, "summary.json").read_text(encoding="utf-8"))
 
     def test_pip_knows_version_needs_and_licence(self):
-        told = self.check(run(self.python, "-m", "pip", "show", "overbend"))
-        self.assertIn(f"Version: {build_backend.version()}", told)
-        self.assertIn("Requires: numpy", told)
-        self.assertIn("License: MIT", told)
+        reported = self.check(run(self.python, "-m", "pip", "show", "overbend"))
+        self.assertIn(f"Version: {build_backend.version()}", reported)
+        self.assertIn("Requires: numpy", reported)
+        self.assertIn("License: MIT", reported)
 
     def test_its_record_holds_for_every_file(self):
         with zipfile.ZipFile(self.wheel) as archive:
@@ -154,13 +154,13 @@ class BackEnd(unittest.TestCase):
         self.assertFalse(build_backend.fits(self.cache(CMAKE_HOME_DIRECTORY__INTERNAL="/elsewhere")))
         self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON_MODULE__BOOL="OFF")))
         self.assertFalse(build_backend.fits(self.cache(CMAKE_BUILD_TYPE__STRING="Debug")))
-        other = self.folder / "python"
-        other.write_text("#!/bin/sh\necho .cpython-399-other.so\n", encoding="utf-8")
-        other.chmod(0o755)
-        self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON__FILEPATH=str(other))))
+        second = self.folder / "python"
+        second.write_text("#!/bin/sh\necho .cpython-399-other.so\n", encoding="utf-8")
+        second.chmod(0o755)
+        self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON__FILEPATH=str(second))))
         self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON__FILEPATH="/nowhere/python3")))
 
-    def test_a_machine_without_cmake_is_told_what_to_install(self):
+    def test_a_machine_without_cmake_shows_what_to_install(self):
         before = os.environ["PATH"]
         os.environ["PATH"] = str(self.folder)
         try:

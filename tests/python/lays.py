@@ -25,7 +25,7 @@ def overbend(*arguments, code=0):
     return done.stdout
 
 
-def summary_of(folder, file="summary.json"):
+def load_summary(folder, file="summary.json"):
     """The content of summary.json, or of another file of results."""
     return json.loads(pathlib.Path(folder, file).read_text(encoding="utf-8"))
 

@@ -23,8 +23,8 @@ class Arguments(unittest.TestCase):
     def setUpClass(cls):
         cls.model, cls.moving = small_lay(), moving_lay()
 
-    def refused(self, of, words, call):
-        with self.assertRaisesRegex(of, words):
+    def assert_rejected(self, of, message, call):
+        with self.assertRaisesRegex(of, message):
             call()
 
     def every_call(self, of, least):
@@ -35,7 +35,7 @@ class Arguments(unittest.TestCase):
         self.assertEqual(done.returncode, 0, (lines[-1:], done.stderr[-2000:]))
         self.assertEqual(lines[-1], "done")
         self.assertGreater(len(lines), least)
-        self.assertEqual([one for one in lines if one.startswith("no ")], [])
+        self.assertEqual([item for item in lines if item.startswith("no ")], [])
 
     def test_no_binding_is_upset_by_what_it_cannot_take(self):
         self.every_call("core", 5000)
@@ -47,58 +47,58 @@ class Arguments(unittest.TestCase):
         for call in (lambda: ob.Model(None).static(), lambda: _core.Statics(None), lambda: _core.Operation(None),
                      lambda: _core.LayTable(None), lambda: _core.Simulation(None), lambda: _core.seek(None, ""),
                      lambda: _core.run(None, "x"), lambda: _core.Statics.tree(None), lambda: _core.Model.text.fget(None)):
-            self.refused(TypeError, "None", call)
+            self.assert_rejected(TypeError, "None", call)
 
     def test_an_object_that_was_not_initialised_is_none(self):
-        self.refused(TypeError, "incompatible", lambda: _core.Statics.__new__(_core.Statics).tree())
-        self.refused(TypeError, "incompatible", lambda: _core.Model.__new__(_core.Model).text)
+        self.assert_rejected(TypeError, "incompatible", lambda: _core.Statics.__new__(_core.Statics).tree())
+        self.assert_rejected(TypeError, "incompatible", lambda: _core.Model.__new__(_core.Model).text)
 
     def test_a_controller_is_a_function(self):
-        self.refused(TypeError, "None", lambda: _core.Simulation(self.moving._core, controllers={"tensioner": None}))
-        self.refused(TypeError, "the number 3", lambda: self.moving.dynamic(controllers={"tensioner": 3}))
-        self.refused(TypeError, "function of ctypes", lambda: _core.Controller.compiled(3, 0.1))
-        self.refused(TypeError, "null pointer", lambda: _core.Controller.compiled(ob.controllers.CONTROLLER_TYPE(), 0.1))
-        self.refused(TypeError, "save", lambda: _core.Controller(len, 0.1, save=3))
+        self.assert_rejected(TypeError, "None", lambda: _core.Simulation(self.moving._core, controllers={"tensioner": None}))
+        self.assert_rejected(TypeError, "the number 3", lambda: self.moving.dynamic(controllers={"tensioner": 3}))
+        self.assert_rejected(TypeError, "ctypes function", lambda: _core.Controller.compiled(3, 0.1))
+        self.assert_rejected(TypeError, "null pointer", lambda: _core.Controller.compiled(ob.controllers.CONTROLLER_TYPE(), 0.1))
+        self.assert_rejected(TypeError, "save", lambda: _core.Controller(len, 0.1, save=3))
 
     def test_numbers_are_within_their_bounds(self):
         for duration in (math.inf, math.nan, -1.0, 0.0, 1e12, "1e9 s", "inf s"):
-            self.refused(ob.ModelError, "duration|found", lambda: self.moving.simulation(duration=duration))
-            self.refused(ob.ModelError, "duration|found", lambda: self.moving.dynamic(duration=duration))
+            self.assert_rejected(ob.ModelError, "duration|found", lambda: self.moving.simulation(duration=duration))
+            self.assert_rejected(ob.ModelError, "duration|found", lambda: self.moving.dynamic(duration=duration))
         for checkpoint in (math.nan, -1.0, math.inf):
-            self.refused(ob.ModelError, "checkpoint", lambda: self.moving.dynamic(checkpoint=checkpoint))
+            self.assert_rejected(ob.ModelError, "checkpoint", lambda: self.moving.dynamic(checkpoint=checkpoint))
         for seed in (2**63, -1, 1.5, math.nan, math.inf, "1", 2**70):
-            self.refused(ob.ModelError, "seeds", lambda: self.moving.seeds([seed]))
-            self.refused(ob.ModelError, "seeds", lambda: self.moving.simulation(seed=seed))
-        self.refused(ob.ModelError, "seeds", lambda: self.moving.seeds(10**12))
-        self.refused(ob.ModelError, "seeds", lambda: _core.run(self.moving._core, "x", seeds=[2**63]))
-        self.refused(ob.ModelError, "threads", lambda: self.moving.seeds(2, threads=10**6))
-        self.refused(ob.ModelError, "threads", lambda: self.moving.seeds(2, threads=-1))
-        self.refused(ob.ModelError, "until", lambda: self.moving.simulation().advance(math.nan))
-        self.refused(ob.ModelError, "sensible", lambda: _core.quantity("1e308 km", "m"))
+            self.assert_rejected(ob.ModelError, "seeds", lambda: self.moving.seeds([seed]))
+            self.assert_rejected(ob.ModelError, "seeds", lambda: self.moving.simulation(seed=seed))
+        self.assert_rejected(ob.ModelError, "seeds", lambda: self.moving.seeds(10**12))
+        self.assert_rejected(ob.ModelError, "seeds", lambda: _core.run(self.moving._core, "x", seeds=[2**63]))
+        self.assert_rejected(ob.ModelError, "threads", lambda: self.moving.seeds(2, threads=10**6))
+        self.assert_rejected(ob.ModelError, "threads", lambda: self.moving.seeds(2, threads=-1))
+        self.assert_rejected(ob.ModelError, "until", lambda: self.moving.simulation().advance(math.nan))
+        self.assert_rejected(ob.ModelError, "out of range", lambda: _core.quantity("1e308 km", "m"))
 
     def test_indices_are_those_of_something(self):
         sim = _core.Simulation(self.moving._core)
-        self.refused(IndexError, "0 mooring lines", lambda: sim.mooring(99))
-        self.refused(TypeError, "incompatible", lambda: sim.mooring(-1))
-        self.refused(ob.ModelError, "two or more", lambda: _core.FolderComparison([]))
+        self.assert_rejected(IndexError, "0 mooring lines", lambda: sim.mooring(99))
+        self.assert_rejected(TypeError, "incompatible", lambda: sim.mooring(-1))
+        self.assert_rejected(ob.ModelError, "two or more", lambda: _core.FolderComparison([]))
         run = self.moving.dynamic(duration="1 s")
-        self.refused(IndexError, "lines", lambda: run.snapshots("z", first=10**6))
+        self.assert_rejected(IndexError, "rows", lambda: run.snapshots("z", first=10**6))
 
-    def test_a_state_that_was_changed_is_refused(self):
+    def test_a_state_that_was_changed_is_rejected(self):
         sim = self.moving.simulation()
         state = list(sim.save().__getstate__())
         name = next(iter(state[2]))
         state[2] = {**state[2], name: np.zeros(3)}
         saved = ob.simulation.SavedSimulation
-        self.refused(ValueError, "damaged", lambda: saved.__new__(saved).__setstate__(tuple(state)))
-        self.refused(ValueError, "no state", lambda: saved.__new__(saved).__setstate__(()))
+        self.assert_rejected(ValueError, "damaged", lambda: saved.__new__(saved).__setstate__(tuple(state)))
+        self.assert_rejected(ValueError, "not a state", lambda: saved.__new__(saved).__setstate__(()))
         sim.restore(pickle.loads(pickle.dumps(sim.save())))
 
     def test_a_compiled_controller_keeps_the_size_of_its_memory(self):
         law = ob.controllers.CONTROLLER_TYPE(lambda seen, command, memory: 0)
         sim = self.moving.simulation(controllers={"tensioner": ob.Controller(law, memory=[1.0, 2.0])})
-        other = self.moving.simulation(controllers={"tensioner": ob.Controller(law, memory=[1.0])})
-        self.refused(RuntimeError, "memory of 1 numbers", lambda: other.restore(sim.save()))
+        second = self.moving.simulation(controllers={"tensioner": ob.Controller(law, memory=[1.0])})
+        self.assert_rejected(RuntimeError, "memory of 1 numbers", lambda: second.restore(sim.save()))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Folders of results beside each other, from Python against the command line."""
+"""Folders of results next to each other, from Python against the command line."""
 
 import pathlib
 import tempfile
@@ -21,7 +21,7 @@ class Comparisons(unittest.TestCase):
             self.assertEqual([(key.key, key["values"]) for key in compared.keys],
                              [("tensioner.tension", ["300 kN", "330 kN"])])
             row = compared.results["static.lay_back"]
-            self.assertEqual(row["values"], [one.lay_back for one in statics.values()])
+            self.assertEqual(row["values"], [item.lay_back for item in statics.values()])
             self.assertAlmostEqual(row["changes"][1], statics["330 kN"].lay_back / statics["300 kN"].lay_back - 1.0)
             self.assertEqual(compared.table["330kN"].shape, (len(compared.results),))
             compared.save(folder / "here")
@@ -29,7 +29,7 @@ class Comparisons(unittest.TestCase):
             tables = [(folder / place / "comparison.csv").read_bytes() for place in ("here", "there")]
             self.assertEqual(tables[0], tables[1])
 
-    def test_what_is_no_folder_of_results_is_refused(self):
+    def test_what_is_no_folder_of_results_is_rejected(self):
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaisesRegex(ob.ResultsError, folder):
                 ob.compare_folders([folder, folder])

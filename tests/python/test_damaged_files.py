@@ -86,7 +86,7 @@ class Results(unittest.TestCase):
         path.write_bytes(change(path.read_bytes()))
         return self.folder / "damaged"
 
-    def refused(self, kind, file, change):
+    def assert_rejected(self, kind, file, change):
         with self.assertRaises(ob.ResultsError) as raised:
             results = ob.open(self.damaged(kind, file, change))
             results.static if kind == "operation" else results.pipe
@@ -98,12 +98,12 @@ class Results(unittest.TestCase):
 
         for kind in ("operation", "static"):
             for change in (middle, lambda content: content[:-100], lambda content: b"", lambda content: b"\xff" * 100):
-                self.refused(kind, "results.h5", change)
+                self.assert_rejected(kind, "results.h5", change)
 
     def test_of_summaries_too(self):
         for change in (lambda content: b"\xff" + content, lambda content: content[:50], lambda content: b"[]",
                        lambda content: b"null"):
-            self.refused("operation", "summary.json", change)
+            self.assert_rejected("operation", "summary.json", change)
 
     def test_comparisons_name_the_folder(self):
         folder = self.damaged("static", "results.h5", lambda content: content[:1000])

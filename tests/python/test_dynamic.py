@@ -22,9 +22,9 @@ WAVES = ROOT / "examples" / "bgl1-workable-sea.yaml"
 INTERRUPTED = """
 import sys, overbend as ob
 model = ob.Model.read(sys.argv[1])
-told = lambda done, runs, at, end, tension: print(at, flush=True)
+report = lambda done, runs, at, end, tension: print(at, flush=True)
 try:
-    model.dynamic(duration='3000 s', out=sys.argv[2], progress=told, checkpoint=1.0)
+    model.dynamic(duration='3000 s', out=sys.argv[2], progress=report, checkpoint=1.0)
 except ob.Interrupted as interruption:
     print('kept in', interruption.folder)
 """
@@ -44,7 +44,7 @@ class Dynamics(unittest.TestCase):
         cls.folder = pathlib.Path(cls.holder.name, "storm")
         subprocess.run([PROGRAM, "dynamic", str(WAVES), "--duration", "10 s", "-o", str(cls.folder)], check=True,
                        capture_output=True)
-        cls.told = json.loads((cls.folder / "summary.json").read_text(encoding="utf-8"))
+        cls.reported = json.loads((cls.folder / "summary.json").read_text(encoding="utf-8"))
         cls.model = ob.Model.read(WAVES)
         cls.run_ = cls.model.dynamic(duration="10 s")
 
@@ -53,26 +53,26 @@ class Dynamics(unittest.TestCase):
         cls.holder.cleanup()
 
     def test_a_run_is_that_of_the_command_line(self):
-        self.assertEqual(without_times(self.run_.summary), without_times(self.told))
+        self.assertEqual(without_times(self.run_.summary), without_times(self.reported))
 
     def test_key_results_are_attributes(self):
-        self.assertEqual(self.run_.top_tension.max, self.told["dynamic"]["top_tension"]["max"])
+        self.assertEqual(self.run_.top_tension.max, self.reported["dynamic"]["top_tension"]["max"])
         self.assertEqual(self.run_.top_tension.max.units, "N")
         self.assertEqual(self.run_["dynamic.top_tension.max"], self.run_.top_tension.max)
-        self.assertEqual(self.run_.static.lay_back, self.told["static"]["lay_back"])
+        self.assertEqual(self.run_.static.lay_back, self.reported["static"]["lay_back"])
 
     def test_results_are_found_by_object(self):
         pipe = self.run_.objects.lines["pipe"]
         self.assertEqual(pipe.dynamic.top_tension.max, self.run_.top_tension.max)
         self.assertEqual((pipe.dynamic.top_tension.max.units, pipe.static.lay_back.units), ("N", "m"))
-        self.assertEqual(self.run_.objects.run.dynamic.steps, self.told["dynamic"]["steps"])
+        self.assertEqual(self.run_.objects.run.dynamic.steps, self.reported["dynamic"]["steps"])
         self.assertEqual(self.run_["lines[pipe].dynamic.top_tension.max"], self.run_.top_tension.max)
 
     def test_checks_are_those_of_the_run(self):
-        worst = self.told["dynamic"]["checks"]["worst"]
+        worst = self.reported["dynamic"]["checks"]["worst"]
         self.assertEqual(self.run_.checks.worst.utilisation, worst["utilisation"])
-        self.assertEqual(self.run_.static.checks.worst.utilisation, self.told["checks"]["worst"]["utilisation"])
-        self.assertNotEqual(worst["utilisation"], self.told["checks"]["worst"]["utilisation"])
+        self.assertEqual(self.run_.static.checks.worst.utilisation, self.reported["checks"]["worst"]["utilisation"])
+        self.assertNotEqual(worst["utilisation"], self.reported["checks"]["worst"]["utilisation"])
 
     def test_histories_are_over_time(self):
         tension = self.run_.history("top_tension")
@@ -84,7 +84,7 @@ class Dynamics(unittest.TestCase):
             self.run_.history("top_tensoin")
         self.assertIn("top_tension", str(caught.exception))
 
-    def test_envelopes_enclose_the_mean_and_the_static_state_is_beside_them(self):
+    def test_envelopes_enclose_the_mean_and_the_static_state_is_next_to_them(self):
         envelope = self.run_.envelope("von_mises")
         self.assertTrue(np.all(envelope["min"].values <= envelope["mean"].values * (1 + 1e-12)))
         self.assertTrue(np.all(envelope["mean"].values <= envelope["max"].values * (1 + 1e-12)))
@@ -114,14 +114,14 @@ class Dynamics(unittest.TestCase):
                 kept.save(place)
 
     def test_warnings_are_those_of_the_run_and_of_its_statics(self):
-        of_statics = self.told["warnings"]
+        of_statics = self.reported["warnings"]
         self.assertTrue(of_statics)
-        self.assertEqual(self.run_.warnings, self.told["dynamic"]["warnings"] + of_statics)
-        self.assertTrue(set(self.told["assumptions"]) <= set(self.run_.assumptions))
+        self.assertEqual(self.run_.warnings, self.reported["dynamic"]["warnings"] + of_statics)
+        self.assertTrue(set(self.reported["assumptions"]) <= set(self.run_.assumptions))
         self.assertEqual(len(self.run_.assumptions), len(set(self.run_.assumptions)))
 
-    def test_progress_is_told_and_another_thread_goes_on(self):
-        told, ticks, done = [], [], threading.Event()
+    def test_progress_is_reported_and_another_thread_goes_on(self):
+        reported, ticks, done = [], [], threading.Event()
 
         def tick():
             while not done.is_set():
@@ -130,28 +130,28 @@ class Dynamics(unittest.TestCase):
 
         thread = threading.Thread(target=tick)
         thread.start()
-        self.model.dynamic(duration="20 s", progress=lambda *state: told.append(state))
+        self.model.dynamic(duration="20 s", progress=lambda *state: reported.append(state))
         done.set()
         thread.join()
-        self.assertTrue(told)
-        self.assertTrue(all(end == 20.0 for _, _, _, end, _ in told))
+        self.assertTrue(reported)
+        self.assertTrue(all(end == 20.0 for _, _, _, end, _ in reported))
         self.assertGreater(len(ticks), 5)
 
     def test_what_progress_raises_ends_the_run(self):
-        def refuse(*_):
+        def raise_error(*_):
             raise RuntimeError("enough")
 
         with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(RuntimeError, "enough"):
-            self.model.dynamic(duration="2000 s", out=pathlib.Path(folder, "run"), progress=refuse)
+            self.model.dynamic(duration="2000 s", out=pathlib.Path(folder, "run"), progress=raise_error)
 
     def test_ctrl_c_keeps_a_checkpoint_from_which_the_run_goes_on(self):
         with tempfile.TemporaryDirectory() as folder:
             place = pathlib.Path(folder, "run")
             process = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(WAVES), str(place)],
                                        stdout=subprocess.PIPE, encoding="utf-8")
-            at = -100.0
-            while at < -58.0:  # the build-up begins at -60 s
-                at = float(process.stdout.readline())
+            line_time = -100.0
+            while line_time < -58.0:  # the build-up begins at -60 s
+                line_time = float(process.stdout.readline())
             process.send_signal(signal.SIGINT)
             rest, _ = process.communicate()
             self.assertEqual(process.returncode, 0)

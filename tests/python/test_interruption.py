@@ -6,7 +6,7 @@ import sys
 import time
 import unittest
 
-import lays  # noqa: F401  (tells where the examples are)
+import lays  # noqa: F401  (sets the folder of the examples)
 
 BEGIN = """
 import sys, overbend as ob
@@ -49,9 +49,9 @@ class Interruption(unittest.TestCase):
             child.kill()
 
     def test_ctrl_c_is_heard(self):
-        for words, call in CASES.items():
-            with self.subTest(words):
-                self.heard(call if words != "reading" else f"\n        try: {call}\n        except ob.ModelError: pass")
+        for call_label, call in CASES.items():
+            with self.subTest(call_label):
+                self.heard(call if call_label != "reading" else f"\n        try: {call}\n        except ob.ModelError: pass")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import overbend as ob
-from lays import overbend, small_lay, summary_of, without_times, EXAMPLES
+from lays import overbend, small_lay, load_summary, without_times, EXAMPLES
 
 
 class LayTables(unittest.TestCase):
@@ -15,10 +15,10 @@ class LayTables(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             first = EXAMPLES / "first-model.yaml"
             overbend("lay-table", first, "--tension", "280 kN..360 kN/4", "-o", f"{folder}/table")
-            told = summary_of(f"{folder}/table")
+            reported = load_summary(f"{folder}/table")
         table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", step="20 kN")
-        self.assertEqual(without_times(table.summary), without_times(told))
-        rows = told["lay_table"]["rows"]
+        self.assertEqual(without_times(table.summary), without_times(reported))
+        rows = reported["lay_table"]["rows"]
         self.assertEqual(list(table["lay_back"].values), [row["lay_back"] for row in rows])
         self.assertEqual(table["lay_back"].attrs["units"], "m")
         self.assertEqual([row.verdict for row in table], [row["verdict"] for row in rows])
@@ -57,14 +57,14 @@ class LayTables(unittest.TestCase):
         self.assertTrue(np.isnan(table["lay_back"].values[0]))
         self.assertIn("tension", table[0].reason)
 
-    def test_values_that_cannot_be_are_refused(self):
+    def test_values_that_cannot_be_are_rejected(self):
         for given in ({"vary": "tensions"}, {"vary": "tension", "from_": "200 kN"}, {"steps": 3},
                       {"vary": "depth", "from_": "2 kN", "to": "3 kN"},
                       {"vary": "tension", "from_": "200 kN", "to": "300 kN", "step": "30 kN"}):
             with self.subTest(given), self.assertRaises(ob.ModelError):
                 small_lay().lay_table(**given)
 
-    def test_numbers_without_a_unit_are_refused_with_the_text_to_write(self):
+    def test_numbers_without_a_unit_are_rejected_with_the_text_to_write(self):
         with self.assertRaisesRegex(ob.ModelError, "lay_table: from_: found 200 without a unit.*'200 kN'"):
             small_lay().lay_table("tension", from_=200, to="400 kN", steps=2)
         with self.assertRaisesRegex(ob.ModelError, "lay_table: step: found 2.5 without a unit.*'2.5 m'"):
@@ -73,10 +73,10 @@ class LayTables(unittest.TestCase):
         self.assertAlmostEqual(given.steps["tension"].values[0], 300e3)
 
     def test_files_and_progress(self):
-        told = []
+        reported = []
         table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", steps=4,
-                                      progress=lambda *at: told.append(at))
-        self.assertTrue(told and told[-1][0] >= 5, told)
+                                      progress=lambda *progress_values: reported.append(progress_values))
+        self.assertTrue(reported and reported[-1][0] >= 5, reported)
         with tempfile.TemporaryDirectory() as folder:
             table.save(f"{folder}/table")
             self.assertTrue(pathlib.Path(folder, "table", "lay-table.xlsx").is_file())

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import overbend as ob
-from lays import EXAMPLES, overbend, summary_of
+from lays import EXAMPLES, overbend, load_summary
 
 MODEL = EXAMPLES / "davit-level.yaml"
 
@@ -18,7 +18,7 @@ class Lift(unittest.TestCase):
         cls.holder = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.holder.name)
         overbend("static", MODEL, "-o", cls.folder / "there")
-        cls.told = summary_of(cls.folder / "there")["operation"]["stages"]
+        cls.reported = load_summary(cls.folder / "there")["operation"]["stages"]
         cls.operation = ob.Model.read(MODEL).operation()
 
     @classmethod
@@ -26,11 +26,11 @@ class Lift(unittest.TestCase):
         cls.holder.cleanup()
 
     def test_lines_and_davits_are_those_of_the_summary_with_units(self):
-        stage, told = self.operation["level"], self.told[3]
+        stage, reported = self.operation["level"], self.reported[3]
         end, davit = stage.lines["pipe"].first_end, stage.davits["davit 2"]
-        self.assertEqual((end.z, end.z.units), (told["lines"]["pipe"]["first_end"]["z"], "m"))
+        self.assertEqual((end.z, end.z.units), (reported["lines"]["pipe"]["first_end"]["z"], "m"))
         self.assertEqual(end.inclination.units, "rad")
-        self.assertEqual((davit.tension_upper, davit.tension_upper.units), (told["davits"]["davit 2"]["tension_upper"], "N"))
+        self.assertEqual((davit.tension_upper, davit.tension_upper.units), (reported["davits"]["davit 2"]["tension_upper"], "N"))
         self.assertEqual(davit.force_on_pipe.x.units, "N")
         self.assertEqual(stage.lines["pipe"].largest_bending_moment.value.units, "N m")
         self.assertEqual(stage.lines.keys(), ["pipe"])
@@ -55,9 +55,9 @@ class Lift(unittest.TestCase):
         table = self.operation.table
         self.assertEqual(table["davit 1.tension_upper"].attrs["units"], "N")
         self.assertEqual([*table["davit 1.tension_upper"].values],
-                         [stage["davits"]["davit 1"]["tension_upper"] for stage in self.told])
+                         [stage["davits"]["davit 1"]["tension_upper"] for stage in self.reported])
         self.assertEqual([*table["pipe.first_end.z"].values],
-                         [stage["lines"]["pipe"]["first_end"]["z"] for stage in self.told])
+                         [stage["lines"]["pipe"]["first_end"]["z"] for stage in self.reported])
 
     def test_stored_stages_have_the_same(self):
         self.operation.save(self.folder / "here")

@@ -1,4 +1,4 @@
-"""Models from Python: read, changed, refused."""
+"""Models from Python: read, changed, rejected."""
 
 import copy
 import pathlib
@@ -27,33 +27,33 @@ class Models(unittest.TestCase):
             ob.Model(str(BGL1))
 
     def test_a_model_goes_through_pickle_and_copies_as_it_is(self):
-        other = pickle.loads(pickle.dumps(self.model))
-        self.assertEqual(other.text, self.model.text)
-        self.assertEqual(other.file, self.model.file)
+        second = pickle.loads(pickle.dumps(self.model))
+        self.assertEqual(second.text, self.model.text)
+        self.assertEqual(second.file, self.model.file)
         self.assertEqual(copy.deepcopy([self.model])[0]["title"], self.model["title"])
 
     def test_a_key_set_anew_gives_another_model_and_leaves_the_first(self):
-        other = self.model.with_({"tensioner.tension": "260 kN"})
-        self.assertEqual(other["tensioner.tension"], "260 kN")
+        second = self.model.with_({"tensioner.tension": "260 kN"})
+        self.assertEqual(second["tensioner.tension"], "260 kN")
         self.assertNotEqual(self.model["tensioner.tension"], "260 kN")
-        self.assertIn("260 kN", other.text)
-        self.assertEqual(ob.Model.from_text(other.text, BGL1)["tensioner.tension"], "260 kN")
+        self.assertIn("260 kN", second.text)
+        self.assertEqual(ob.Model.from_text(second.text, BGL1)["tensioner.tension"], "260 kN")
 
     def test_comments_and_layout_stay_when_keys_are_set_one_after_the_other(self):
-        other = self.model.with_({"tensioner.tension": "260 kN"}).with_({"environment.water_depth": "90 m"})
-        changed = [(a, b) for a, b in zip(self.model.text.splitlines(), other.text.splitlines()) if a != b]
+        second = self.model.with_({"tensioner.tension": "260 kN"}).with_({"environment.water_depth": "90 m"})
+        changed = [(a, b) for a, b in zip(self.model.text.splitlines(), second.text.splitlines()) if a != b]
         self.assertEqual(len(changed), 2)
-        self.assertEqual(len(other.text.splitlines()), len(self.model.text.splitlines()))
+        self.assertEqual(len(second.text.splitlines()), len(self.model.text.splitlines()))
 
     def test_items_of_lists_are_chosen_by_name_and_pattern(self):
         boxes = self.model["supports.stinger.boxes"]
         name = boxes[0]["name"] if "name" in boxes[0] else "0"
-        other = self.model.with_({f"supports.stinger.boxes[{name}].offset": "0.1 m"})
-        self.assertEqual(other["supports.stinger.boxes"][0]["offset"], "0.1 m")
+        second = self.model.with_({f"supports.stinger.boxes[{name}].offset": "0.1 m"})
+        self.assertEqual(second["supports.stinger.boxes"][0]["offset"], "0.1 m")
 
     def test_groups_lists_and_truth_values_can_be_given(self):
-        other = self.model.with_({"environment.seabed": {"stiffness": "50 kN/m^2", "friction": 0.4}})
-        self.assertEqual(other["environment.seabed"], {"stiffness": "50 kN/m^2", "friction": "0.4"})
+        second = self.model.with_({"environment.seabed": {"stiffness": "50 kN/m^2", "friction": 0.4}})
+        self.assertEqual(second["environment.seabed"], {"stiffness": "50 kN/m^2", "friction": "0.4"})
 
     def test_none_removes_a_key(self):
         self.assertIsNone(self.model.with_({"title": None}).get("title"))
@@ -67,11 +67,11 @@ class Models(unittest.TestCase):
     def test_a_value_that_cannot_be_is_an_error_with_its_place(self):
         with self.assertRaises(ob.ModelError) as caught:
             self.model.with_({"tensioner.tension": "260 m"})
-        fault = caught.exception
-        self.assertEqual(fault.key, "tensioner.tension")
-        self.assertEqual(fault.file, str(BGL1))
-        self.assertIn("260 m", fault.found)
-        self.assertIn("tension", BGL1.read_text(encoding="utf-8").splitlines()[fault.line - 1])
+        error = caught.exception
+        self.assertEqual(error.key, "tensioner.tension")
+        self.assertEqual(error.file, str(BGL1))
+        self.assertIn("260 m", error.found)
+        self.assertIn("tension", BGL1.read_text(encoding="utf-8").splitlines()[error.line - 1])
 
     def test_an_unknown_key_is_an_error_that_says_what_might_be_meant(self):
         with self.assertRaises(ob.ModelError) as caught:
@@ -83,11 +83,11 @@ class Models(unittest.TestCase):
             self.model.with_({"supports.stinger.boxes[no such box].offset": "1 m"})
         self.assertIn("no such box", str(caught.exception))
 
-    def test_all_faults_of_a_file_are_told(self):
+    def test_all_errors_of_a_file_are_reported(self):
         text = BGL1.read_text(encoding="utf-8").replace("overbend: 1", "overbend: 1\nnonsense: 3\nrubbish: 4")
         with self.assertRaises(ob.ModelError) as caught:
             ob.Model.from_text(text, BGL1)
-        self.assertEqual([fault.key for fault in caught.exception.faults], ["nonsense", "rubbish"])
+        self.assertEqual([error.key for error in caught.exception.faults], ["nonsense", "rubbish"])
         self.assertIsInstance(caught.exception, ValueError)
 
     def test_a_file_that_is_not_there_is_an_error(self):

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import overbend as ob
-from lays import overbend, small_lay, summary_of, without_times
+from lays import overbend, small_lay, load_summary, without_times
 
 OPERATION = {"type": "abandonment", "head": {"length": "3 m", "weight_in_air": "20 kN", "weight_submerged": "16 kN"},
              "cable": {"diameter": "76 mm", "weight_in_air": "240 N/m", "weight_submerged": "205 N/m",
@@ -25,7 +25,7 @@ class Operations(unittest.TestCase):
         cls.model = small_lay().with_({"operation": OPERATION})
         cls.model.write(cls.folder / "lay.yaml")
         overbend("static", cls.folder / "lay.yaml", "-o", cls.folder / "there")
-        cls.told = summary_of(cls.folder / "there")
+        cls.reported = load_summary(cls.folder / "there")
         cls.operation = cls.model.operation()
 
     @classmethod
@@ -33,22 +33,22 @@ class Operations(unittest.TestCase):
         cls.holder.cleanup()
 
     def test_the_summary_is_that_of_the_command_line(self):
-        self.assertEqual(without_times(self.operation.summary), without_times(self.told))
+        self.assertEqual(without_times(self.operation.summary), without_times(self.reported))
 
     def test_stages_are_found_by_name_and_have_units(self):
         self.assertEqual(self.operation.names, ["at the tensioner", "on the ramp", "too slack"])
         stage = self.operation["on the ramp"]
         self.assertEqual((stage.tension, stage.tension.units), (300e3, "N"))
         self.assertEqual((stage.barge_ahead.units, stage.lay_back.units), ("m", "m"))
-        self.assertEqual(stage.lay_back, self.told["operation"]["stages"][1]["lay_back"])
+        self.assertEqual(stage.lay_back, self.reported["operation"]["stages"][1]["lay_back"])
         self.assertIs(self.operation[1], stage)
         with self.assertRaisesRegex(KeyError, "did you mean 'on the ramp'"):
             self.operation["on the ram"]
 
     def test_stages_have_their_results_by_object(self):
-        stage, told = self.operation.objects.stages["on the ramp"], self.operation["on the ramp"]
+        stage, reported = self.operation.objects.stages["on the ramp"], self.operation["on the ramp"]
         self.assertEqual((stage.tension, stage.tension.units), (300e3, "N"))
-        self.assertEqual(stage.lines["pipe"].static.lay_back, told.lay_back)
+        self.assertEqual(stage.lines["pipe"].static.lay_back, reported.lay_back)
         self.assertEqual(stage.lines["pipe"].static.lay_back.units, "m")
         self.assertEqual([*self.operation.objects.stages], self.operation.names)
 
@@ -74,22 +74,22 @@ class Operations(unittest.TestCase):
         self.assertEqual(table["cable_out"].attrs["units"], "m")
         self.assertEqual(list(table["cable_out"].values), [20.0, 30.0, 35.0])
         self.assertTrue(np.isnan(table["lay_back"].values[2]))
-        self.assertEqual(self.operation.worst.stage, self.told["checks"]["worst"]["stage"])
+        self.assertEqual(self.operation.worst.stage, self.reported["checks"]["worst"]["stage"])
 
     def test_saved_results_are_those_that_are_opened(self):
         self.operation.save(self.folder / "here")
         for folder in ("here", "there"):
             again = ob.open(self.folder / folder)
             self.assertIsInstance(again, ob.OperationResults)
-            self.assertEqual(without_times(again.summary), without_times(self.told))
+            self.assertEqual(without_times(again.summary), without_times(self.reported))
             self.assertEqual(again[0].static.lay_back, self.operation[0].lay_back)
 
     def test_progress_counts_the_stages_and_may_end_them(self):
-        told = []
-        self.model.operation(progress=lambda *at: told.append(at))
-        self.assertEqual(told[-1], (3, 3, "too slack"))
+        reported = []
+        self.model.operation(progress=lambda *progress_values: reported.append(progress_values))
+        self.assertEqual(reported[-1], (3, 3, "too slack"))
 
-        def interrupt(*at):
+        def interrupt(*progress_values):
             raise KeyboardInterrupt
 
         with self.assertRaises(KeyboardInterrupt):

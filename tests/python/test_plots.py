@@ -26,7 +26,7 @@ tensioner: {x: 0 m, z: 15 m, guide: pinned, tension: 560 kN}
 """
 
 
-def words(ax):
+def axes_texts(ax):
     """All texts in a figure."""
     return [text.get_text() for text in ax.texts] + [ax.get_title(loc="left"), ax.get_xlabel(), ax.get_ylabel()]
 
@@ -45,7 +45,7 @@ class Drawing(unittest.TestCase):
         pyplot.close("all")
 
     def assert_says(self, ax, text):
-        self.assertTrue(any(text in one for one in words(ax)), f"'{text}' is not among {words(ax)}")
+        self.assertTrue(any(text in item for item in axes_texts(ax)), f"'{text}' is not among {axes_texts(ax)}")
 
 
 class StaticFigures(Drawing):
@@ -79,7 +79,7 @@ class StaticFigures(Drawing):
         self.assert_says(self.static.plot.tension(), f"{self.static.bottom_tension / 1e3:.1f} kN at touchdown")
         self.assert_says(self.static.plot.profile(), f"touchdown at {self.static.lay_back:.1f} m")
 
-    def test_stress_is_beside_the_yield_stress(self):
+    def test_stress_is_next_to_the_yield_stress(self):
         self.assert_says(self.static.plot.stress(), "yield 414 MPa")
         self.assert_says(self.static.plot.stress(), "von Mises stress [MPa]")
 
@@ -281,7 +281,7 @@ class Units(unittest.TestCase):
     def test_a_machine_without_matplotlib_gets_a_clear_error(self):
         code = ("import sys; sys.modules['matplotlib'] = None; import overbend as ob\n"
                 f"static = ob.Model.read({str(EXAMPLES / 'first-model.yaml')!r}).static()\n"
-                "try: static.plot.tension()\nexcept ImportError as fault: print(fault)")
+                "try: static.plot.tension()\nexcept ImportError as error: print(error)")
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True)
         self.assertIn("python3-matplotlib", done.stdout)
 

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import overbend as ob
-from lays import moving_lay, overbend, small_lay, summary_of, without_times
+from lays import moving_lay, overbend, small_lay, load_summary, without_times
 
 
 class Seeds(unittest.TestCase):
@@ -17,7 +17,7 @@ class Seeds(unittest.TestCase):
         cls.folder = pathlib.Path(cls.holder.name)
         moving_lay().with_({"analysis.dynamic.seeds": [2, 5]}).write(cls.folder / "lay.yaml")
         overbend("dynamic", cls.folder / "lay.yaml", "--duration", "3 s", "-o", cls.folder / "there")
-        cls.told = summary_of(cls.folder / "there")["seeds"]
+        cls.reported = load_summary(cls.folder / "there")["seeds"]
         cls.results = moving_lay().seeds([2, 5], duration="3 s", out=cls.folder / "here")
 
     @classmethod
@@ -25,20 +25,20 @@ class Seeds(unittest.TestCase):
         cls.holder.cleanup()
 
     def test_what_they_give_together_is_that_of_the_command_line(self):
-        self.assertEqual(without_times(self.results.summary["seeds"]), without_times(self.told))
+        self.assertEqual(without_times(self.results.summary["seeds"]), without_times(self.reported))
 
     def test_the_table_has_a_row_for_each_seed(self):
         table = self.results.table
         self.assertEqual(list(table["seed"].values), [2, 5])
-        name = next(iter(self.told["statistics"]))
-        self.assertEqual(list(table[name].values), [run[name] for run in self.told["runs"]])
-        self.assertEqual(table[name].attrs["units"], self.told["statistics"][name]["units"])
+        name = next(iter(self.reported["statistics"]))
+        self.assertEqual(list(table[name].values), [run[name] for run in self.reported["runs"]])
+        self.assertEqual(table[name].attrs["units"], self.reported["statistics"][name]["units"])
 
     def test_statistics_have_units(self):
-        name = next(name for name, one in self.told["statistics"].items() if one["units"] == "N")
-        one = self.results.statistics[name]
-        self.assertEqual((one.mean, one.mean.units), (self.told["statistics"][name]["mean"], "N"))
-        self.assertEqual(one.max, self.results.table[name].values.max())
+        name = next(name for name, item in self.reported["statistics"].items() if item["units"] == "N")
+        item = self.results.statistics[name]
+        self.assertEqual((item.mean, item.mean.units), (self.reported["statistics"][name]["mean"], "N"))
+        self.assertEqual(item.max, self.results.table[name].values.max())
 
     def test_each_run_has_its_results(self):
         self.assertEqual(self.results.seeds, [2, 5])
@@ -54,7 +54,7 @@ class Seeds(unittest.TestCase):
             self.assertIsInstance(again, ob.SeedsResults)
             np.testing.assert_array_equal(again.table["seed"].values, [2, 5])
 
-    def test_seeds_that_are_none_or_no_whole_numbers_are_refused(self):
+    def test_seeds_that_are_none_or_no_whole_numbers_are_rejected(self):
         for seeds in ([], 0, -2, [1, -3], [2.5]):
             with self.assertRaises(ob.ModelError, msg=str(seeds)):
                 moving_lay().seeds(seeds, duration="1 s")
@@ -75,12 +75,12 @@ class Comparisons(unittest.TestCase):
             model.write(folder / "lay.yaml")
             overbend("compare", folder / "lay.yaml", "--of", "contact", "--duration", "2 s", "-o", folder / "there")
             results = model.compare("contact", duration="2 s", out=folder / "here")
-            told = summary_of(folder / "there", "comparison.json")
-            self.assertEqual(without_times(results.summary), without_times(told))
-            self.assertEqual(results.variants, [one["name"] for one in told["comparison"]["variants"]])
-            column, runs = next(iter(told["comparison"]["quantities"])), told["comparison"]["variants"]
-            self.assertEqual(list(results.table[column].values), [one[column] for one in runs])
-            self.assertEqual(results.supports[0].name, told["comparison"]["supports"][0]["name"])
+            reported = load_summary(folder / "there", "comparison.json")
+            self.assertEqual(without_times(results.summary), without_times(reported))
+            self.assertEqual(results.variants, [item["name"] for item in reported["comparison"]["variants"]])
+            column, runs = next(iter(reported["comparison"]["quantities"])), reported["comparison"]["variants"]
+            self.assertEqual(list(results.table[column].values), [item[column] for item in runs])
+            self.assertEqual(results.supports[0].name, reported["comparison"]["supports"][0]["name"])
             self.assertIsInstance(results[results.variants[0]], ob.DynamicResults)
             self.assertIsInstance(ob.open(folder / "there"), ob.ComparisonResults)
 

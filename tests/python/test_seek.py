@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 
 import overbend as ob
-from lays import EXAMPLES, overbend, small_lay, summary_of, without_times
+from lays import EXAMPLES, overbend, small_lay, load_summary, without_times
 
 STRESS = "static.sagbend.max_bending_stress"
 
@@ -23,11 +23,11 @@ class Seek(unittest.TestCase):
             file = pathlib.Path(folder, "lay.yaml")
             file.write_text(small_lay().text + wanted, encoding="utf-8")
             overbend("seek", file, "-o", f"{folder}/sought")
-            told = summary_of(f"{folder}/sought")
+            reported = load_summary(f"{folder}/sought")
         found = ob.seek(small_lay(), vary={"tensioner.tension": ("200 kN", "500 kN")}, until={STRESS: "120 MPa"})
-        self.assertEqual(without_times(found.summary), without_times(told["seek"]))
-        self.assertEqual(found.answer, told["seek"]["answer"])
-        self.assertEqual(found.static.lay_back, told["static"]["lay_back"])
+        self.assertEqual(without_times(found.summary), without_times(reported["seek"]))
+        self.assertEqual(found.answer, reported["seek"]["answer"])
+        self.assertEqual(found.static.lay_back, reported["static"]["lay_back"])
 
     def test_a_key_without_bounds_is_sought_around_its_value(self):
         found = ob.seek(small_lay(), vary="tensioner.tension", until={STRESS: "120 MPa"})
@@ -71,7 +71,7 @@ class Seek(unittest.TestCase):
         nearest = np.nanargmin(abs(found.path[STRESS].values - 120e6))
         self.assertAlmostEqual(found.path["tensioner.tension"].values[nearest], found.answer, delta=1.0)
 
-    def test_without_an_answer_it_is_told_what_is_reached(self):
+    def test_without_an_answer_what_is_reached_is_reported(self):
         with self.assertRaises(ob.NoSolution) as raised:
             ob.seek(small_lay(), vary={"tensioner.tension": ("280 kN", "320 kN")}, until={STRESS: "20 MPa"})
         self.assertIn("MPa", raised.exception.why)
@@ -84,10 +84,10 @@ class Seek(unittest.TestCase):
         found = ob.seek(small_lay(), vary="tensioner.tension", until={"static.lay_back": lay_back})
         self.assertAlmostEqual(found.answer / 350e3, 1.0, places=4)
 
-    def test_faults_name_the_key_and_what_is_expected(self):
+    def test_errors_name_the_key_and_what_is_expected(self):
         with self.assertRaises(ob.ModelError) as raised:
             ob.seek(small_lay(), vary="tensioner.tensio", until={STRESS: "120 kN"})
-        keys = [fault.key for fault in raised.exception.faults]
+        keys = [error.key for error in raised.exception.faults]
         self.assertTrue(any("vary" in key for key in keys) and any("until" in key for key in keys), keys)
         self.assertNotIn("first-model.yaml", str(raised.exception))
         with self.assertRaisesRegex(ob.ModelError, "did you mean 'static.lay_back'"):
@@ -109,7 +109,7 @@ class Seek(unittest.TestCase):
         found = ob.seek(small_lay(), vary="tensioner.tension", until={STRESS: "120 MPa"})
         with tempfile.TemporaryDirectory() as folder:
             found.save(pathlib.Path(folder, "sought"))
-            self.assertEqual(summary_of(f"{folder}/sought")["seek"]["answer"], found.answer)
+            self.assertEqual(load_summary(f"{folder}/sought")["seek"]["answer"], found.answer)
             self.assertEqual(ob.open(f"{folder}/sought").lay_back, found.static.lay_back)
             again = ob.Model.read(f"{folder}/sought/model.yaml").static()
             self.assertAlmostEqual(again.lay_back, found.static.lay_back, places=3)

@@ -1,10 +1,10 @@
-"""What results hang on, from Python against the command line."""
+"""Sensitivities of results, from Python against the command line."""
 
 import tempfile
 import unittest
 
 import overbend as ob
-from lays import EXAMPLES, overbend, small_lay, summary_of, without_times
+from lays import EXAMPLES, overbend, small_lay, load_summary, without_times
 
 
 class Sensitivities(unittest.TestCase):
@@ -15,9 +15,9 @@ class Sensitivities(unittest.TestCase):
     def test_derivatives_are_those_of_the_command_line(self):
         with tempfile.TemporaryDirectory() as folder:
             overbend("static", EXAMPLES / "first-model.yaml", "--sensitivities", "-o", f"{folder}/first")
-            told = summary_of(f"{folder}/first")["sensitivities"]
-        here = {key: value for key, value in self.found.summary.items() if key != "effects"}
-        self.assertEqual(without_times(here), without_times(told))
+            reported = load_summary(f"{folder}/first")["sensitivities"]
+        summary_here = {key: value for key, value in self.found.summary.items() if key != "effects"}
+        self.assertEqual(without_times(summary_here), without_times(reported))
 
     def test_a_derivative_is_what_a_small_change_gives(self):
         slope = self.found.derivative("static.lay_back", "tensioner.tension")
@@ -47,7 +47,7 @@ class Sensitivities(unittest.TestCase):
         self.assertEqual(few.inputs.names(), ["tensioner.tension", "supports.stinger.boxes[stinger 3].z"])
         self.assertEqual(few.inputs[0].value.units, "N")
 
-    def test_names_that_are_none_are_refused(self):
+    def test_names_that_are_none_are_rejected(self):
         with self.assertRaisesRegex(KeyError, "did you mean 'static.lay_back'"):
             self.found.derivative("static.layback", "tensioner.tension")
         with self.assertRaises(ob.ModelError):

@@ -116,12 +116,12 @@ class Steps(unittest.TestCase):
         sim = self.model.simulation()
         self.assertEqual(list(sim.reactions.coords["support"]), [support.name for support in static.supports])
         for name in ("ramp 2", "stinger 3"):
-            at = list(sim.reactions.coords["support"]).index(name)
-            self.assertAlmostEqual(sim.reactions.values[at], static.supports[name].reaction,
+            support_index = list(sim.reactions.coords["support"]).index(name)
+            self.assertAlmostEqual(sim.reactions.values[support_index], static.supports[name].reaction,
                                    delta=0.02 * static.supports[name].reaction)
             forces = sim.rollers.values[[str(label).startswith(name + "/") for label in sim.rollers.coords["roller"].values]]
-            self.assertGreater(forces.sum(), 0.9 * sim.reactions.values[at])
-            self.assertAlmostEqual(np.linalg.norm(sim.reaction_forces.values[at]), sim.reactions.values[at], delta=1e-6)
+            self.assertGreater(forces.sum(), 0.9 * sim.reactions.values[support_index])
+            self.assertAlmostEqual(np.linalg.norm(sim.reaction_forces.values[support_index]), sim.reactions.values[support_index], delta=1e-6)
         sim.advance(2.0)
         self.assertEqual(sim.vessel.heave.units, "m")
         self.assertNotEqual(sim.vessel.heave, 0.0)
@@ -133,30 +133,30 @@ class Steps(unittest.TestCase):
         saved = sim.save()
         self.assertEqual(saved.time, 1.0)
         sim.advance(3.0)
-        there = sim.state.position.values
+        position_before = sim.state.position.values
         sim.restore(pickle.loads(pickle.dumps(saved)))
         self.assertEqual(sim.time, 1.0)
         sim.advance(3.0)
-        np.testing.assert_array_equal(sim.state.position.values, there)
+        np.testing.assert_array_equal(sim.state.position.values, position_before)
         with self.assertRaises(ob.ModelError):
             self.model.simulation(seed=7).restore(saved)
 
     def test_other_threads_go_on_and_cannot_disturb_it(self):
         sim = self.model.simulation()
-        faults = []
+        errors = []
 
         def disturb():
             try:
                 while True:
                     sim.time
-            except RuntimeError as fault:
-                faults.append(str(fault))
+            except RuntimeError as failure:
+                errors.append(str(failure))
 
         thread = threading.Thread(target=disturb)
         thread.start()
         sim.advance(4.0)
         thread.join(10.0)
-        self.assertEqual(faults, ["the simulation is at work in another thread"])
+        self.assertEqual(errors, ["the simulation is being advanced by another thread"])
 
     def test_ctrl_c_ends_an_advance_between_two_steps(self):
         child = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(WAVES)], stdout=subprocess.PIPE, encoding="utf-8")
@@ -175,15 +175,15 @@ class Controllers(unittest.TestCase):
 
     def test_a_function_is_asked_for_its_interval_and_sees_the_machine(self):
         seen = []
-        sim = self.model.simulation(controllers={"tensioner": lambda t, now: seen.append((t, now))}, interval=0.2)
+        sim = self.model.simulation(controllers={"tensioner": lambda t, observed: seen.append((t, observed))}, interval=0.2)
         sim.advance(4.0)
         np.testing.assert_allclose([t for t, _ in seen], np.arange(-2.0, 3.9, 0.2), atol=1e-12)
-        now = seen[-1][1]
-        self.assertEqual(now.time, seen[-1][0])
-        self.assertGreater(now.tension, 100e3)
-        self.assertEqual(now.set_tension, 250e3)
-        self.assertEqual(now.vessel.shape, (6,))
-        self.assertEqual(now.vessel_velocity.shape, (6,))
+        observed = seen[-1][1]
+        self.assertEqual(observed.time, seen[-1][0])
+        self.assertGreater(observed.tension, 100e3)
+        self.assertEqual(observed.set_tension, 250e3)
+        self.assertEqual(observed.vessel.shape, (6,))
+        self.assertEqual(observed.vessel_velocity.shape, (6,))
 
     def test_a_speed_is_paid_out(self):
         sim = self.calm.simulation(controllers={"tensioner": lambda t, seen: 0.1 if t > -1e-9 else 0.0})
@@ -211,13 +211,13 @@ class Controllers(unittest.TestCase):
             sim.command("bow", 0.1)
         self.assertIn("'bow' takes no commands", str(caught.exception))
 
-    def test_answers_that_are_none_are_told(self):
-        for answer, words in (("fast", "found 'fast', expected a speed"), (True, "found True"),
+    def test_answers_that_are_none_are_reported(self):
+        for answer, message in (("fast", "found 'fast', expected a speed"), (True, "found True"),
                               (math.nan, "is not a number"), (ob.SetTension(-1), "not a positive number")):
             sim = self.model.simulation(controllers={"tensioner": lambda t, seen, it=answer: it})
             with self.assertRaises(ob.ControllerError) as caught:
                 sim.step()
-            self.assertIn(words, str(caught.exception))
+            self.assertIn(message, str(caught.exception))
             self.assertEqual(caught.exception.what, "the controller of the tensioner failed")
             self.assertEqual(caught.exception.where, "at t = -2 s")
 
@@ -244,14 +244,14 @@ class Controllers(unittest.TestCase):
         sim = self.model.simulation(controllers={"tensioner": law})
         with self.assertRaises(RuntimeError) as caught:
             sim.step()
-        self.assertIn("cannot be advanced by a controller", str(caught.exception))
+        self.assertIn("a controller or another thread cannot advance it", str(caught.exception))
         self.assertEqual(looks, [0.0])
 
     def test_a_run_with_a_controller_says_so_and_keeps_what_it_did(self):
         with tempfile.TemporaryDirectory() as folder:
             run = self.model.dynamic(controllers={"tensioner": lambda t, seen: 1e-6 * (seen.tension - 250e3)},
                                      out=pathlib.Path(folder, "run"))
-            self.assertTrue(any("A controller from outside, asked every 0.1 s" in words for words in run.assumptions))
+            self.assertTrue(any("An external controller, called every 0.1 s" in message for message in run.assumptions))
             speed, asked = run.history("tensioner/speed").values, run.history("tensioner/commanded_speed").values
             self.assertGreater(np.abs(speed).max(), 1e-3)
             self.assertLess(np.abs(asked - speed).max(), 0.06)  # within 0.1 s of 0.5 m/s2
@@ -288,7 +288,7 @@ class Controllers(unittest.TestCase):
             whole = longer.dynamic(controllers={"tensioner": Counting()})
             np.testing.assert_array_equal(run.history("top_tension").values, whole.history("top_tension").values)
 
-    def test_machines_that_are_not_there_are_told(self):
+    def test_machines_that_are_not_there_are_reported(self):
         with self.assertRaises(ob.ModelError) as caught:
             self.model.simulation(controllers={"bow": lambda t, seen: None})
         self.assertIn("there is no machine 'bow'", str(caught.exception))
@@ -339,7 +339,7 @@ class Compiled(unittest.TestCase):
         sim = self.model.simulation(controllers={"tensioner": ob.Controller(self.law, memory=[1e-6, 0.0, 0.05])})
         with self.assertRaises(ob.ControllerError) as caught:
             sim.advance(4.0)
-        self.assertEqual(caught.exception.why, "it answered 7, which is none of 0, 1 and 2")
+        self.assertEqual(caught.exception.why, "it returned 7 instead of 0, 1 or 2")
         self.assertEqual(caught.exception.where, "at t = 0.1 s")
 
     def test_a_function_of_ctypes_is_one(self):

@@ -16,7 +16,7 @@ PROGRAM = os.environ["OVERBEND_PROGRAM"]
 BGL1 = ROOT / "examples" / "bgl1.yaml"
 
 
-def summary_of(folder):
+def load_summary(folder):
     return json.loads(pathlib.Path(folder, "summary.json").read_text(encoding="utf-8"))
 
 
@@ -33,7 +33,7 @@ class Statics(unittest.TestCase):
         cls.holder = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.holder.name, "bgl1")
         subprocess.run([PROGRAM, "static", str(BGL1), "-o", str(cls.folder)], check=True, capture_output=True)
-        cls.told = summary_of(cls.folder)
+        cls.reported = load_summary(cls.folder)
         cls.static_model = ob.Model.read(BGL1)
         cls.static = cls.static_model.static()
 
@@ -42,13 +42,13 @@ class Statics(unittest.TestCase):
         cls.holder.cleanup()
 
     def test_the_summary_is_that_of_the_command_line(self):
-        self.assertEqual(without_times(self.static.summary), without_times(self.told))
+        self.assertEqual(without_times(self.static.summary), without_times(self.reported))
 
     def test_key_results_are_attributes_with_units(self):
-        self.assertEqual(self.static.lay_back, self.told["static"]["lay_back"])
+        self.assertEqual(self.static.lay_back, self.reported["static"]["lay_back"])
         self.assertEqual(self.static.lay_back.units, "m")
         self.assertIn("stern shoe", self.static.lay_back.description)
-        self.assertEqual(self.static.sagbend.max_bending_stress, self.told["static"]["sagbend"]["max_bending_stress"])
+        self.assertEqual(self.static.sagbend.max_bending_stress, self.reported["static"]["sagbend"]["max_bending_stress"])
         self.assertEqual(self.static.sagbend.max_bending_stress.units, "Pa")
         self.assertEqual(self.static.touchdown.x.units, "m")
         self.assertEqual(str(self.static.lay_back), str(float(self.static.lay_back)))
@@ -92,8 +92,8 @@ class Statics(unittest.TestCase):
         first = ob.Model.read(ROOT / "examples" / "first-model.yaml").static()  # boxes on an arc of 150 m, to a centimetre
         self.assertAlmostEqual(first.stinger_fitted_radius, 150.0, delta=3.0)
         self.assertEqual(self.static.stinger_fitted_radius.units, "m")
-        told = ob.Model.read(BGL1).with_({"supports.stinger.radius": "120 m"}).findings
-        self.assertEqual([one.object for one in told if "beside listed boxes" in one.message], ["supports.stinger.radius"])
+        reported = ob.Model.read(BGL1).with_({"supports.stinger.radius": "120 m"}).findings
+        self.assertEqual([row.object for row in reported if "not used for listed boxes" in row.message], ["supports.stinger.radius"])
 
     def pandas(self):
         try:
@@ -122,20 +122,20 @@ class Statics(unittest.TestCase):
         self.assertTrue(np.all(np.isfinite(array.values)))
 
     def test_supports_are_found_by_name(self):
-        told = self.told["static"]["supports"]
-        for box in told:
+        reported = self.reported["static"]["supports"]
+        for box in reported:
             self.assertEqual(self.static.supports[box["name"]].reaction, box["reaction"])
-        self.assertEqual(self.static.supports.reaction.values.tolist(), [box["reaction"] for box in told])
+        self.assertEqual(self.static.supports.reaction.values.tolist(), [box["reaction"] for box in reported])
         self.assertEqual(self.static.supports[0].reaction.units, "N")
         with self.assertRaises(KeyError) as caught:
-            self.static.supports[told[0]["name"] + "x"]
-        self.assertIn(told[0]["name"], str(caught.exception))
+            self.static.supports[reported[0]["name"] + "x"]
+        self.assertIn(reported[0]["name"], str(caught.exception))
 
     def test_results_are_found_by_the_names_of_goal_seek(self):
-        told = self.told["static"]["supports"]
-        names = [box["name"] for box in told if box["name"].startswith("stinger")]
+        reported = self.reported["static"]["supports"]
+        names = [box["name"] for box in reported if box["name"].startswith("stinger")]
         reactions = self.static["static.supports[stinger *].reaction"]
-        self.assertEqual(reactions.tolist(), [box["reaction"] for box in told if box["name"] in names])
+        self.assertEqual(reactions.tolist(), [box["reaction"] for box in reported if box["name"] in names])
         self.assertEqual(self.static["max(static.supports[stinger *].reaction)"], max(reactions))
         self.assertEqual(self.static["static.sagbend.max_bending_stress"], self.static.sagbend.max_bending_stress)
         with self.assertRaises(KeyError):
@@ -143,7 +143,7 @@ class Statics(unittest.TestCase):
 
     def test_results_are_found_by_object(self):
         objects = self.static.objects
-        self.assertEqual(objects.keys(), list(self.told["objects"]))
+        self.assertEqual(objects.keys(), list(self.reported["objects"]))
         self.assertEqual(objects.lines.keys(), ["pipe"])
         self.assertEqual(objects.lines["pipe"].static.lay_back, self.static.lay_back)
         self.assertEqual(objects.lines["pipe"].static.lay_back.units, "m")
@@ -158,7 +158,7 @@ class Statics(unittest.TestCase):
 
     def test_results_of_an_earlier_version_say_that_they_have_no_objects(self):
         with tempfile.TemporaryDirectory() as folder:
-            old = {key: value for key, value in self.told.items() if key != "objects"}
+            old = {key: value for key, value in self.reported.items() if key != "objects"}
             pathlib.Path(folder, "summary.json").write_text(json.dumps(old), encoding="utf-8")
             with self.assertRaisesRegex(ob.ResultsError, "earlier version"):
                 ob.open(folder).objects
@@ -175,12 +175,12 @@ class Statics(unittest.TestCase):
         self.assertTrue(all(line.origin or line.formula for line in sheet))
 
     def test_checks_have_the_governing_one(self):
-        self.assertEqual(self.static.checks.worst.utilisation, self.told["checks"]["worst"]["utilisation"])
-        self.assertEqual(len(self.static.checks), len(self.told["checks"]["list"]))
+        self.assertEqual(self.static.checks.worst.utilisation, self.reported["checks"]["worst"]["utilisation"])
+        self.assertEqual(len(self.static.checks), len(self.reported["checks"]["list"]))
         self.assertEqual(self.static.checks.passed, not self.static.checks.exceeded)
 
     def test_findings_are_records_and_the_verdict_is_that_of_the_files(self):
-        self.assertEqual(self.static.verdict, self.told["verdict"]["kind"])
+        self.assertEqual(self.static.verdict, self.reported["verdict"]["kind"])
         self.assertEqual(self.static.warnings, [finding.message for finding in self.static.findings])
         first = self.static.findings[0]
         self.assertEqual((first.code, first.severity, first.object), ("pipe-at-roller-end", "caution", "stinger 8"))
@@ -188,7 +188,7 @@ class Statics(unittest.TestCase):
         self.assertIn("[pipe-at-roller-end]", str(first))
         across = ob.Model.read(BGL1).with_({"tensioner.tension": "300 kN"}).static()
         self.assertEqual(across.verdict, "reserved")
-        self.assertIn("pipe-off-rollers", [one.code for one in across.findings if one.severity == "serious"])
+        self.assertIn("pipe-off-rollers", [row.code for row in across.findings if row.severity == "serious"])
 
     def test_without_xarray_arrays_are_numpy_with_the_same_labels(self):
         ob.use_xarray(False)
@@ -206,7 +206,7 @@ class Statics(unittest.TestCase):
     def test_what_is_saved_is_what_the_command_line_writes(self):
         with tempfile.TemporaryDirectory() as folder:
             saved = self.static.save(pathlib.Path(folder, "results"))
-            self.assertEqual(without_times(summary_of(saved)), without_times(self.told))
+            self.assertEqual(without_times(load_summary(saved)), without_times(self.reported))
             self.assertEqual(pathlib.Path(saved, "pipe.csv").read_bytes(), (self.folder / "pipe.csv").read_bytes())
             self.assertTrue((saved / "report.html").is_file())
 
@@ -228,10 +228,10 @@ class Statics(unittest.TestCase):
 
     def test_a_lay_across_a_current_that_was_started_from_another_says_so(self):
         across = self.static.model.with_({"tensioner.tension": "252 kN"})
-        self.assertTrue(any("given to start from" in warning for warning in across.static(start=self.static).warnings))
-        self.assertFalse(any("given to start from" in warning for warning in across.static().warnings))
+        self.assertTrue(any("found from the given start" in warning for warning in across.static(start=self.static).warnings))
+        self.assertFalse(any("found from the given start" in warning for warning in across.static().warnings))
 
-    def test_where_there_is_no_equilibrium_the_reason_is_told(self):
+    def test_where_there_is_no_equilibrium_the_reason_is_reported(self):
         with self.assertRaises(ob.NoSolution) as caught:
             ob.Model.read(ROOT / "examples" / "first-model.yaml").with_({"tensioner.tension": "1 kN"}).static()
         self.assertTrue(caught.exception.why)

@@ -95,29 +95,29 @@ class Studies(unittest.TestCase):
         np.testing.assert_array_equal(again.table[TENSION].values, grid.values[0])
 
     def test_a_case_without_a_solution_fails_alone(self):
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as reported:
             warnings.simplefilter("always")
             results = ob.study(small_lay(), {TENSION: ["20 kN", "300 kN"]}, gather=["static.lay_back"])
-        self.assertIn("1 of 2 cases have no solution", str(told[0].message))
+        self.assertIn("1 of 2 cases have no solution", str(reported[0].message))
         self.assertEqual([row["case"] for row in results.failed], [0])
         self.assertIn("tension", results.failed[0].reason)
         self.assertTrue(np.isnan(results.grid("static.lay_back").values[0]))
         self.assertEqual(results.failed[0].folder, "cases/0000/000000000")
 
-    def test_faults_name_file_line_and_key_and_leave_nothing(self):
+    def test_errors_name_file_line_and_key_and_leave_nothing(self):
         with self.assertRaises(ob.ModelError) as raised:
             ob.study(small_lay(), {"tensioner.tensio": ["1 kN"]}, gather=["static.layback"], out=self.folder / "none")
-        keys = [fault.key for fault in raised.exception.faults]
+        keys = [error.key for error in raised.exception.faults]
         self.assertEqual(keys, ["gather[0]", "axes[0].key"])
         self.assertEqual(raised.exception.file, str(self.folder / "none" / "study.yaml"))
-        self.assertEqual([fault.line for fault in raised.exception.faults], [3, 5])
+        self.assertEqual([error.line for error in raised.exception.faults], [3, 5])
         self.assertFalse((self.folder / "none").exists())
         with self.assertRaisesRegex(ob.ModelError, "expected a list of values"):
             ob.study(small_lay(), {TENSION: "300 kN"})
         with self.assertRaisesRegex(ob.ModelError, "a unit|its unit|unit"):
             ob.study(small_lay(), {TENSION: [300]})
 
-    def test_another_study_in_the_folder_is_refused(self):
+    def test_another_study_in_the_folder_is_rejected(self):
         ob.study(small_lay(), {TENSION: ["300 kN"]}, out=self.folder / "one")
         with self.assertRaisesRegex(ob.ResultsError, "study file"):
             ob.study(small_lay(), {TENSION: ["310 kN"]}, out=self.folder / "one")
@@ -141,7 +141,7 @@ class Studies(unittest.TestCase):
         ob.study(small_lay(), {TENSION: ["300 kN", "310 kN"]}, gather=["static.lay_back"], out=self.folder / "one")
         results = ob.study(self.folder / "one" / "study.yaml", out=self.folder / "two")
         self.assertEqual(len(results), 2)
-        with self.assertRaisesRegex(ob.ModelError, "beside a study file"):
+        with self.assertRaisesRegex(ob.ModelError, "in addition to a study file"):
             ob.study(self.folder / "one" / "study.yaml", gather=["static.lay_back"])
         with self.assertRaisesRegex(ob.ModelError, "no such file"):
             ob.study(self.folder / "nothing.yaml")
@@ -178,15 +178,15 @@ class Studies(unittest.TestCase):
             while not stop.wait(0.001):
                 counted[0] += 1
 
-        other = threading.Thread(target=count)
-        other.start()
-        told = []
+        counter = threading.Thread(target=count)
+        counter.start()
+        reported = []
         axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 301}}
-        ob.study(small_lay(), axes, progress=lambda *at: told.append(at))
+        ob.study(small_lay(), axes, progress=lambda *progress_values: reported.append(progress_values))
         stop.set()
-        other.join()
+        counter.join()
         self.assertGreater(counted[0], 20)
-        self.assertEqual(told[-1], (301, 301, 0))
+        self.assertEqual(reported[-1], (301, 301, 0))
 
 
 class DynamicStudies(unittest.TestCase):
@@ -203,18 +203,18 @@ class DynamicStudies(unittest.TestCase):
 
     def test_h5py_may_be_used_in_other_threads(self):
         with tempfile.TemporaryDirectory() as folder:
-            stop, faults, used = threading.Event(), [], []
+            stop, errors, used = threading.Event(), [], []
 
             def use(file):
                 try:
                     while not stop.is_set():
-                        with h5py.File(file, "w") as other:
-                            other["values"] = np.arange(1000.0)
-                        with h5py.File(file) as other:
-                            assert other["values"][999] == 999.0
+                        with h5py.File(file, "w") as counter:
+                            counter["values"] = np.arange(1000.0)
+                        with h5py.File(file) as counter:
+                            assert counter["values"][999] == 999.0
                         used.append(file)
-                except Exception as fault:  # noqa: BLE001
-                    faults.append(fault)
+                except Exception as error:  # noqa: BLE001
+                    errors.append(error)
 
             users = [threading.Thread(target=use, args=(pathlib.Path(folder, name),)) for name in ("a.h5", "b.h5")]
             for user in users:
@@ -227,7 +227,7 @@ class DynamicStudies(unittest.TestCase):
                 stop.set()
                 for user in users:
                     user.join()
-            self.assertEqual(faults, [])
+            self.assertEqual(errors, [])
             self.assertGreater(len(used), 10)
             self.assertEqual(results.case(3).top_tension.max, float(results.table["dynamic.top_tension.max"].values[3]))
 

@@ -22,8 +22,8 @@ run = model.dynamic(duration='600 s', seed=2, progress=True)
 names: list[str] = run.histories
 try:
     model.static(start=static).save('results')
-except ob.NoSolution as fault:
-    print(fault.why)
+except ob.NoSolution as error:
+    print(error.why)
 """
 
 WRONG = {
@@ -64,11 +64,11 @@ class Types(unittest.TestCase):
         self.assertIn("Success", self.script(RIGHT))
 
     def test_wrong_calls_are_found(self):
-        told = self.script(RIGHT + "\n".join(WRONG) + "\n")
+        reported = self.script(RIGHT + "\n".join(WRONG) + "\n")
         first = RIGHT.count("\n") + 1
         for line, (call, message) in enumerate(WRONG.items(), first):
-            found = [one for one in told.splitlines() if f"user.py:{line}:" in one]
-            self.assertTrue(any(message in one for one in found), f"{call}: {found}")
+            found = [item for item in reported.splitlines() if f"user.py:{line}:" in item]
+            self.assertTrue(any(message in item for item in found), f"{call}: {found}")
 
     def test_the_types_of_the_extension_module_are_up_to_date(self):
         done = subprocess.run([sys.executable, str(ROOT / "tools" / "python_stubs.py"), "--check"], capture_output=True,

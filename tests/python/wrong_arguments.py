@@ -17,8 +17,8 @@ from test_operation import OPERATION
 JUNK = [None, True, 3, -1, 99, 2**63, 2**70, 1.5, -1.0, math.nan, math.inf, "", "x", "a[b].c", "\0", b"\xff", [], [None],
         [-1], [2**63], {}, {"tensioner": None}, {"tensioner": 3}, (), object(), lambda *given, **named: None]
 FEW = [None, -1, 2**70, math.nan, b"\xff", [None], {"tensioner": None}, object()]
-LONG = ("run", "LayTable.__init__")  # what takes a while where it is not refused is called with few of them
-SECONDS = 30  # that a call may take, which is refused in milliseconds or solves a small model
+LONG = ("run", "LayTable.__init__")  # slow calls unless rejected, called with few of them
+SECONDS = 30  # limit of a call, which is rejected in milliseconds or solves a small model
 
 
 class TooLong(BaseException):
@@ -29,32 +29,32 @@ def overdue(_number, _frame):
     raise TooLong()
 
 
-def tried(words, function):
-    """Calls; whatever it raises has to be an ordinary exception."""
-    print(words, flush=True)
+def tried(call_label, function):
+    """Calls; any exception it raises has to be an ordinary exception."""
+    print(call_label, flush=True)
     signal.alarm(SECONDS)
     try:
         function()
-    except (SystemError, MemoryError) as fault:
-        print("no ordinary exception:", repr(fault), flush=True)
-    except Exception as fault:  # whichever it is, it is one that can be caught
-        if not str(fault):
-            print("no word:", repr(fault), flush=True)
+    except (SystemError, MemoryError) as error:
+        print("no ordinary exception:", repr(error), flush=True)
+    except Exception as error:  # whichever it is, it is one that can be caught
+        if not str(error):
+            print("no word:", repr(error), flush=True)
     finally:
         signal.alarm(0)
 
 
-def spoilt(words, function, given, named):
+def spoilt(call_label, function, given, named):
     """The function with each of its arguments replaced in turn."""
-    for junk in FEW if words in LONG else JUNK:
+    for junk in FEW if call_label in LONG else JUNK:
         for place in range(len(given)):
             changed = [*given[:place], junk, *given[place + 1:]]
-            tried(f"{words}: argument {place} is {junk!r:.60}", lambda: function(*changed, **named))
+            tried(f"{call_label}: argument {place} is {junk!r:.60}", lambda: function(*changed, **named))
         for name in named:
-            tried(f"{words}: {name} is {junk!r:.60}", lambda: function(*given, **{**named, name: junk}))
-        tried(f"{words}: too many, {junk!r:.60}", lambda: function(*given, junk, **named))
+            tried(f"{call_label}: {name} is {junk!r:.60}", lambda: function(*given, **{**named, name: junk}))
+        tried(f"{call_label}: too many, {junk!r:.60}", lambda: function(*given, junk, **named))
     for count in range(len(given)):
-        tried(f"{words}: {count} arguments", lambda: function(*given[:count]))
+        tried(f"{call_label}: {count} arguments", lambda: function(*given[:count]))
 
 
 def core_subjects():
@@ -203,26 +203,26 @@ def spoil_package():
     objects, needed, optional = package_subjects()
     calls = {f"ob.{name}": getattr(ob, name) for name in ob.__all__ if callable(getattr(ob, name))
              and not (isinstance(getattr(ob, name), type) and issubclass(getattr(ob, name), BaseException))}
-    own = lambda method: getattr(method, "__module__", None) and method.__module__.startswith("overbend")
-    for words, subject in objects.items():
+    is_of_overbend = lambda method: getattr(method, "__module__", None) and method.__module__.startswith("overbend")
+    for call_label, subject in objects.items():
         for name, method in inspect.getmembers(subject, callable):
-            if not name.startswith("_") and own(method):
-                calls[f"{words}.{name}"] = method
+            if not name.startswith("_") and is_of_overbend(method):
+                calls[f"{call_label}.{name}"] = method
         if hasattr(subject, "__getitem__"):
-            calls[f"{words}[]"] = lambda which=0, subject=subject: subject[which]
-    for words, function in calls.items():
-        short = words.rpartition(".")[2]
-        parameters = [one for one in inspect.signature(function).parameters.values()
-                      if one.kind not in (one.VAR_KEYWORD, one.VAR_POSITIONAL)]
-        given = {one.name: needed[one.name] for one in parameters
-                 if one.default is one.empty and one.name in needed and one.kind != one.POSITIONAL_ONLY}
+            calls[f"{call_label}[]"] = lambda which=0, subject=subject: subject[which]
+    for call_label, function in calls.items():
+        short = call_label.rpartition(".")[2]
+        parameters = [parameter for parameter in inspect.signature(function).parameters.values()
+                      if parameter.kind not in (parameter.VAR_KEYWORD, parameter.VAR_POSITIONAL)]
+        given = {parameter.name: needed[parameter.name] for parameter in parameters
+                 if parameter.default is parameter.empty and parameter.name in needed and parameter.kind != parameter.POSITIONAL_ONLY}
         given.update({name: value for name, value in optional.get(short, {}).items() if name in {p.name for p in parameters}})
-        for one in parameters:
+        for parameter in parameters:
             for junk in FEW:
-                if one.kind == one.POSITIONAL_ONLY:
-                    tried(f"{words}: {one.name} is {junk!r:.60}", lambda: function(junk))
+                if parameter.kind == parameter.POSITIONAL_ONLY:
+                    tried(f"{call_label}: {parameter.name} is {junk!r:.60}", lambda: function(junk))
                 else:
-                    tried(f"{words}: {one.name} is {junk!r:.60}", lambda: function(**{**given, one.name: junk}))
+                    tried(f"{call_label}: {parameter.name} is {junk!r:.60}", lambda: function(**{**given, parameter.name: junk}))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ class TwoSeconds : public Controller {
   }
 };
 
-TEST(control_columns, tell_what_a_controller_asked_for_and_the_results_that_there_was_one) {
+TEST(control_columns, report_what_a_controller_asked_for_and_the_results_that_there_was_one) {
   Description d = testing::workable();
   d.dynamics->build_up = 0.0;
   d.dynamics->duration = 4.0;
@@ -42,7 +42,7 @@ TEST(control_columns, tell_what_a_controller_asked_for_and_the_results_that_ther
   EXPECT_NEAR(travel.back(), 0.2, 1e-12);
   EXPECT_EQ(sink.column("tensioner/set_tension").size(), time.size());
   EXPECT_TRUE(std::any_of(results.assumptions.begin(), results.assumptions.end(), [](const Assumption& assumption) {
-    return assumption.text.find("drove the tensioner") != std::string::npos;
+    return assumption.text.find("commanded the tensioner") != std::string::npos;
   }));
   EXPECT_EQ(results.tensioner.pay_out_count, 1);
 

@@ -1,4 +1,4 @@
-// What the screen of the design recorder passes over can have been no new largest utilisation.
+// Values skipped by the screen of the design recorder are never a new maximum utilisation.
 #include "recording/design_screen.h"
 
 #include <gtest/gtest.h>
@@ -26,18 +26,18 @@ class RandomLine {
     }
     for (std::size_t i = 0; i < kSafetyClasses; ++i) sections[i] = &capacities_[i];
     for (std::size_t node = 0; node < kNodes; ++node) {
-      still.tangent.set(node, direction());
-      still.moment.set(node, 200e3 * direction());
-      still.strain.set(node, 1e-3 * direction());
-      still.force[node] = 3e5;
+      rest_values.tangent.set(node, direction());
+      rest_values.moment.set(node, 200e3 * direction());
+      rest_values.strain.set(node, 1e-3 * direction());
+      rest_values.force[node] = 3e5;
     }
   }
 
   /// Overpressures are about `mean` [Pa].
   void next(double mean) {
     for (std::size_t node = 0; node < kNodes; ++node) {
-      tangents.set(node, (still.tangent[node] + 0.1 * direction()).normalized());
-      moments.set(node, still.moment[node] + 100e3 * normal_(generator_) * direction());
+      tangents.set(node, (rest_values.tangent[node] + 0.1 * direction()).normalized());
+      moments.set(node, rest_values.moment[node] + 100e3 * normal_(generator_) * direction());
       strain[node] = 1e-3 + 2e-4 * std::abs(normal_(generator_));
       force[node] = 3e5 + 2e5 * normal_(generator_);
       overpressure[node] = mean + 2e5 * normal_(generator_);
@@ -47,19 +47,19 @@ class RandomLine {
   PresentEffects now() const { return {moments, tangents, strain, force}; }
 
   double load_used(const LoadFactors& f, std::size_t of_class, std::size_t node) const {
-    const Vec3 functional = carried(still.moment[node], still.tangent[node], tangents[node]);
+    const Vec3 functional = transported(rest_values.moment[node], rest_values.tangent[node], tangents[node]);
     const double moment = design_size(f, functional, moments[node] - functional);
-    const double axial = design_value(f, still.force[node], force[node] - still.force[node]);
+    const double axial = design_value(f, rest_values.force[node], force[node] - rest_values.force[node]);
     return load_terms(sections[of_class]->load, moment, axial, overpressure[node], 0.0).utilisation();
   }
   double design_strain(const LoadFactors& f, std::size_t node) const {
-    const Vec3 functional = carried(still.strain[node], still.tangent[node], tangents[node]);
+    const Vec3 functional = transported(rest_values.strain[node], rest_values.tangent[node], tangents[node]);
     const Vec3 all = strain[node] / moments[node].norm() * moments[node];
     return sections[0]->strain_factor * design_size(f, functional, all - functional);
   }
 
   SectionOfClasses sections{};
-  FunctionalEffects still{kNodes};
+  FunctionalEffects rest_values{kNodes};
   std::vector<double> overpressure = std::vector<double>(kNodes);
 
  private:
@@ -78,19 +78,19 @@ TEST(design_screen, no_larger_utilisation_under_combined_load_is_passed_over) {
   for (const double mean : {9e5, 0.0}) {
     RandomLine line;
     DesignScreen screen(kNodes, kCombinations);
-    double largest[kSafetyClasses][kNodes] = {};
+    double max_value[kSafetyClasses][kNodes] = {};
     int looked = 0;
     for (int instant = 0; instant < 400; ++instant) {
       line.next(mean);
-      screen.find_loads(kAll, line.sections, line.still, line.now(), line.overpressure);
+      screen.find_loads(kAll, line.sections, line.rest_values, line.now(), line.overpressure);
       for (std::size_t node = 0; node < kNodes; ++node) {
         looked += screen.loads_more(node) && line.overpressure[node] >= 0.0 ? 1 : 0;
         for (std::size_t i = 0; i < kSafetyClasses; ++i) {
           for (const LoadFactors& f : kCombinations) {
             const double used = line.load_used(f, i, node);
-            if (used <= largest[i][node]) continue;
+            if (used <= max_value[i][node]) continue;
             ASSERT_TRUE(screen.loads_more(node)) << instant << " " << node;
-            largest[i][node] = used;
+            max_value[i][node] = used;
             screen.keep_load(i, node, used);
           }
         }
@@ -104,11 +104,11 @@ TEST(design_screen, no_larger_utilisation_by_strain_is_passed_over) {
   for (const double mean : {9e5, 0.0}) {
     RandomLine line;
     DesignScreen screen(kNodes, kCombinations);
-    double largest[kSafetyClasses][kNodes] = {};
+    double max_value[kSafetyClasses][kNodes] = {};
     int looked = 0;
     for (int instant = 0; instant < 400; ++instant) {
       line.next(mean);
-      screen.find_strains(kAll, line.sections, line.still, line.now(), line.overpressure);
+      screen.find_strains(kAll, line.sections, line.rest_values, line.now(), line.overpressure);
       for (std::size_t node = 0; node < kNodes; ++node) {
         looked += screen.strains_more(node) ? 1 : 0;
         for (std::size_t i = 0; i < kSafetyClasses; ++i) {
@@ -116,15 +116,15 @@ TEST(design_screen, no_larger_utilisation_by_strain_is_passed_over) {
             const double strain = line.design_strain(f, node);
             const StrainCapacity& capacity = line.sections[i]->strain;
             const double used = strain_terms(capacity, strain, line.overpressure[node], 0.0).utilisation();
-            if (used <= largest[i][node]) continue;
+            if (used <= max_value[i][node]) continue;
             ASSERT_TRUE(screen.strains_more(node)) << instant << " " << node;
-            largest[i][node] = used;
+            max_value[i][node] = used;
             screen.keep_strain(i, node, used, strain, capacity);
           }
         }
       }
     }
-    // Of 2800. Where inside and outside take turns in being the higher pressure the bound is wider.
+    // Number out of 2800. Where inside and outside take turns in being the higher pressure the bound is wider.
     EXPECT_LT(looked, mean > 0.0 ? 400 : 1400);
   }
 }
@@ -133,14 +133,14 @@ TEST(design_screen, forces_are_the_largest_of_all_combinations) {
   RandomLine line;
   line.next(9e5);
   DesignScreen screen(kNodes, kCombinations);
-  screen.find_loads(kAll, line.sections, line.still, line.now(), line.overpressure);
-  std::vector<double> largest(kNodes, 0.0);
-  screen.raise_forces(kAll, largest);
+  screen.find_loads(kAll, line.sections, line.rest_values, line.now(), line.overpressure);
+  std::vector<double> max_value(kNodes, 0.0);
+  screen.raise_forces(kAll, max_value);
   for (std::size_t node = 0; node < kNodes; ++node) {
-    const double still = line.still.force[node], added = line.now().force[node] - still;
-    const double one = std::abs(design_value(kCombinations[0], still, added));
-    const double two = std::abs(design_value(kCombinations[1], still, added));
-    EXPECT_DOUBLE_EQ(largest[node], std::max(one, two));  // kernels round a product and a sum once
+    const double at_rest = line.rest_values.force[node], added = line.now().force[node] - at_rest;
+    const double single = std::abs(design_value(kCombinations[0], at_rest, added));
+    const double two = std::abs(design_value(kCombinations[1], at_rest, added));
+    EXPECT_DOUBLE_EQ(max_value[node], std::max(single, two));  // kernels round a product and a sum once
   }
 }
 

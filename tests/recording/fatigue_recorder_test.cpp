@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "checks/check_rows.h"
-#include "recording/fatigue_remarks.h"
+#include "recording/fatigue_findings.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"
 #include "support/formula_value.h"
@@ -66,13 +66,13 @@ class TwoStations {
   }
 
  private:
-  DesignInstant at(double time) const { return {nodes_, moments_, tangents_, nodes_of_, contacts_, time}; }
+  DesignInstant at(double time) const { return {nodes_, moments_, tangents_, node_indices_, contacts_, time}; }
 
   Model model_;
   FatigueRecorder recorder_;
   NodeValues nodes_;
   VectorColumns moments_{2}, tangents_{2};
-  std::vector<int> nodes_of_ = {0, 1};
+  std::vector<int> node_indices_ = {0, 1};
   std::vector<RollerContact> contacts_;
 };
 
@@ -142,9 +142,9 @@ TEST(fatigue_recorder, the_sheet_of_the_check_gives_damage_rate_and_utilisation_
   EXPECT_LT(rates[0], 1.2 * rates[1]);
 }
 
-/// Of eight points one is never farther from the plane of bending than 22.5 degrees: 7.6 % of the range at most.
+/// One of eight points is never farther from the plane of bending than 22.5 degrees: 7.6 % of the range at most.
 TEST(fatigue_recorder, bending_in_any_plane_meets_a_point_of_the_section) {
-  double least = 1e300, most = 0.0;
+  double min_value = 1e300, max_value = 0.0;
   for (int degrees = 0; degrees < 180; degrees += 15) {
     const double angle = degrees * std::numbers::pi / 180.0;
     TwoStations line(standard());
@@ -152,16 +152,16 @@ TEST(fatigue_recorder, bending_in_any_plane_meets_a_point_of_the_section) {
         0.0, 100.0, [](double) { return 300e3; },
         [&](double t) { return Vec3(0.0, 50e3 * swing(t) * std::cos(angle), 50e3 * swing(t) * std::sin(angle)); });
     const double range = line.results().fatigue->spots[0].range[0];
-    least = std::min(least, range);
-    most = std::max(most, range);
+    min_value = std::min(min_value, range);
+    max_value = std::max(max_value, range);
     if (degrees % 45 == 0) {
       EXPECT_NEAR(range, 100e3 * 0.5 * line.section().steel_diameter / line.section().second_moment, 0.01 * range);
     }
   }
-  EXPECT_GT(least / most, std::cos(22.5 * std::numbers::pi / 180.0));
+  EXPECT_GT(min_value / max_value, std::cos(22.5 * std::numbers::pi / 180.0));
 }
 
-/// A moment that turns without growing bends every fibre to and fro.
+/// A moment that turns without growing bends every fibre back and forth.
 TEST(fatigue_recorder, a_moment_that_turns_round_the_pipe_is_a_cycle_at_every_point) {
   TwoStations line(standard());
   line.wave(
@@ -236,7 +236,7 @@ TEST(fatigue_recorder, a_line_that_nothing_moves_may_wait_a_hundred_years) {
   for (const FatigueSpot& spot : results.fatigue->spots) {
     EXPECT_EQ(spot.worst_rate, 0.0);
     EXPECT_EQ(spot.path_damage, 0.0);
-    EXPECT_EQ(spot.standby, kLongestStandby);
+    EXPECT_EQ(spot.standby, kMaxStandby);
   }
 }
 
@@ -247,11 +247,11 @@ TEST(fatigue_recorder, warns_of_few_cycles_and_of_a_standby_shorter_than_a_joint
   line.wave(
       0.0, 100.0, [](double t) { return 900e3 * (2.0 + swing(t)); }, [](double) { return Vec3(Vec3::Zero()); });
   const std::vector<std::string> warnings = messages(line.results().findings);
-  const auto says = [&](const char* words) {
+  const auto says = [&](const char* arguments) {
     return std::any_of(warnings.begin(), warnings.end(),
-                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+                       [&](const std::string& warning) { return warning.find(arguments) != std::string::npos; });
   };
-  EXPECT_TRUE(says("from 20 stress cycles"));
+  EXPECT_TRUE(says("on 20 stress cycles"));
   EXPECT_TRUE(says("of standby, less than the 360 s of one joint"));
 }
 
@@ -300,8 +300,9 @@ TEST(fatigue_recorder, a_run_taken_up_again_has_the_same_bits) {
   const TimedLay c(in_a_sea());
   MemorySink whole, first, second;
   const DynamicResults expected = c.results(whole);
-  c.run(first, dynamic_options(c.model), nullptr,
-        [](const DynamicProgress& at) { return at.time < 3.0 ? DynamicControl::checkpoint : DynamicControl::stop; });
+  c.run(first, dynamic_options(c.model), nullptr, [](const DynamicProgress& dynamic_progress) {
+    return dynamic_progress.time < 3.0 ? DynamicControl::checkpoint : DynamicControl::stop;
+  });
   ASSERT_FALSE(first.checkpoints.empty());
   const DynamicResults resumed = c.run(second, dynamic_options(c.model), &first.checkpoints.back()).results.value();
   for (std::size_t i = 0; i < expected.fatigue->spots.size(); ++i) {

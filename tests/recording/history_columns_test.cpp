@@ -42,11 +42,11 @@ TEST(history_columns, begin_with_time_and_have_a_name_of_their_own_a_unit_and_a_
 }
 
 TEST(history_columns, a_value_is_that_of_its_name) {
-  std::array<double, kKeyQuantities> now{}, largest{}, least{};
+  std::array<double, kKeyQuantities> current{}, max_value{}, min_value{};
   for (std::size_t i = 0; i < kKeyQuantities; ++i) {
-    now[i] = static_cast<double>(i);
-    largest[i] = 100.0 + now[i];
-    least[i] = -100.0 + now[i];
+    current[i] = static_cast<double>(i);
+    max_value[i] = 100.0 + current[i];
+    min_value[i] = -100.0 + current[i];
   }
   const std::size_t boxes = example().model.supports.boxes.size();
   std::vector<double> reaction(boxes, 7.0), separation(boxes, kNothing);
@@ -55,20 +55,20 @@ TEST(history_columns, a_value_is_that_of_its_name) {
   state.time = 12.0;
   AttachmentState tensioner;
   tensioner.machine.tension = 3e5;
-  Instant at;
-  at.state = &state;
-  at.tensioner = &tensioner;
-  at.step = 0.125;
-  const RowSource row{at, now, largest, least, reaction, separation};
+  Instant instant;
+  instant.state = &state;
+  instant.tensioner = &tensioner;
+  instant.step = 0.125;
+  const RowSource row{instant, current, max_value, min_value, reaction, separation};
   EXPECT_EQ(value("time", row), 12.0);
   EXPECT_EQ(value("step", row), 0.125);
   EXPECT_EQ(value("tensioner/tension", row), 3e5);
-  EXPECT_EQ(value("top_tension", row), now[kTopTension]);
-  EXPECT_EQ(value("top_tension_peak", row), largest[kTopTension]);
-  EXPECT_EQ(value("top_tension_low", row), least[kTopTension]);
-  EXPECT_EQ(value("smallest_tension", row), least[kSmallestTension]);
-  EXPECT_EQ(value("sagbend_bending_stress", row), now[std::size_t{kSagbend} + kBendingStress]);
-  EXPECT_EQ(value("overbend_strain_peak", row), largest[std::size_t{kUpper} + kStrain]);
+  EXPECT_EQ(value("top_tension", row), current[kTopTension]);
+  EXPECT_EQ(value("top_tension_peak", row), max_value[kTopTension]);
+  EXPECT_EQ(value("top_tension_low", row), min_value[kTopTension]);
+  EXPECT_EQ(value("smallest_tension", row), min_value[kMinLineTension]);
+  EXPECT_EQ(value("sagbend_bending_stress", row), current[std::size_t{kSagbend} + kBendingStress]);
+  EXPECT_EQ(value("overbend_strain_peak", row), max_value[std::size_t{kUpper} + kStrain]);
   const std::vector<SupportBox>& all = example().model.supports.boxes;
   EXPECT_EQ(value("support/" + all.back().name + "/separation", row), 0.25);
   EXPECT_TRUE(std::isnan(value("support/" + all.front().name + "/separation", row)));  // passed by no pipe

@@ -14,7 +14,7 @@ namespace {
 
 using Map = Eigen::Map<const Vec3>;
 
-RecoverKernel kernel_of(Isa isa) {
+RecoverKernel find_recover_kernel(Isa isa) {
 #if defined(__x86_64__)
   if (isa == Isa::avx512) return isa_avx512::recover_nodes;
   if (isa == Isa::avx2) return isa_avx2::recover_nodes;
@@ -60,7 +60,7 @@ TEST_P(node_recovery_kernel, finds_tension_and_moment_across_the_pipe_of_lines_o
     for (double& value : q) value = any(generator);
     for (double& value : cuts) value = 1e5 * any(generator);
     Recovered out(nodes);
-    kernel_of(GetParam())({q.data(), cuts.data()}, static_cast<int>(nodes), out.view());
+    find_recover_kernel(GetParam())({q.data(), cuts.data()}, static_cast<int>(nodes), out.view());
     for (std::size_t i = 0; i < nodes; ++i) {
       const Vec3 place = Map(q.data() + 6 * i), t = Map(q.data() + 6 * i + 3).normalized();
       const Vec3 force = Map(cuts.data() + 6 * i), moment = Map(cuts.data() + 6 * i + 3);
@@ -84,7 +84,7 @@ TEST_P(node_recovery_kernel, finds_tension_and_moment_across_the_pipe_of_lines_o
 TEST_P(node_recovery_kernel, an_upright_pipe_has_no_vertical_moment) {
   const std::vector<double> q{0.0, 0.0, 5.0, 0.0, 0.0, 1.001}, cuts{0.0, 0.0, 9.0, 3.0, 4.0, 0.0};
   Recovered out(1);
-  kernel_of(GetParam())({q.data(), cuts.data()}, 1, out.view());
+  find_recover_kernel(GetParam())({q.data(), cuts.data()}, 1, out.view());
   EXPECT_EQ(out.vertical[0], 0.0);
   EXPECT_NEAR(out.moment[0], 1.001 * 5.0, 1e-12);
   EXPECT_NEAR(out.tension[0], 9.0, 1e-12);

@@ -55,18 +55,18 @@ TEST(pipe_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time) {
   const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
-  const double least = *std::min_element(r.effective_tension.min.begin(), r.effective_tension.min.end());
-  EXPECT_DOUBLE_EQ(r.smallest_tension.over_time.min, least);
-  const auto at = std::find(r.station_s.begin(), r.station_s.end(), r.smallest_tension.s);
-  ASSERT_NE(at, r.station_s.end());
-  EXPECT_DOUBLE_EQ(r.effective_tension.min[static_cast<std::size_t>(at - r.station_s.begin())], least);
-  EXPECT_GT(r.smallest_tension.time, 0.0);
+  const double min_value = *std::min_element(r.effective_tension.min.begin(), r.effective_tension.min.end());
+  EXPECT_DOUBLE_EQ(r.min_effective_tension.over_time.min, min_value);
+  const auto sample = std::find(r.station_s.begin(), r.station_s.end(), r.min_effective_tension.s);
+  ASSERT_NE(sample, r.station_s.end());
+  EXPECT_DOUBLE_EQ(r.effective_tension.min[static_cast<std::size_t>(sample - r.station_s.begin())], min_value);
+  EXPECT_GT(r.min_effective_tension.time, 0.0);
   const std::vector<double> line = sink.column("smallest_tension"), top = sink.column("top_tension_low"),
-                            now = sink.column("top_tension");
-  EXPECT_LE(*std::min_element(line.begin(), line.end()), least);
+                            present = sink.column("top_tension");
+  EXPECT_LE(*std::min_element(line.begin(), line.end()), min_value);
   for (std::size_t i = 0; i < top.size(); ++i) {
     EXPECT_LE(line[i], top[i]);
-    EXPECT_LE(top[i], now[i]);
+    EXPECT_LE(top[i], present[i]);
   }
 }
 
@@ -80,8 +80,8 @@ TEST(pipe_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_i
   EXPECT_TRUE(std::any_of(r.assumptions.begin(), r.assumptions.end(), says));
 }
 
-// Beyond a metre or so the pipe touches no roller, whatever it does within a step; but clearances are wanted.
-TEST(pipe_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_statics_do) {
+// Beyond a metre or so the pipe touches no roller, for any motion within a step; but clearances are wanted.
+TEST(pipe_recorder, rollers_far_below_the_pipe_have_the_clearance_of_statics) {
   Description d = testing::workable();
   d.environment.waves = WavesDescription{};
   d.vessel.motion = VesselMotion::fixed;
@@ -120,7 +120,7 @@ TEST(pipe_recorder, horizontal_tension_of_a_stiff_pipe_at_rest_is_that_of_static
 }
 
 // The edge beyond which the bed falls away bends the pipe most where it lands, between two nodes.
-TEST(pipe_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_tell) {
+TEST(pipe_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_in_statics) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/validation/bed_cases/BP16-slope.yaml").description.value();
   d.environment.seabed.profile.at(4).depth = 118.0;
   d.dynamics = DynamicSettings{};
@@ -139,9 +139,9 @@ TEST(pipe_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_tell)
 }
 
 // Over a roller a cable has a kink, of which the tangent of its elements knows little.
-TEST(pipe_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_tell) {
+TEST(pipe_recorder, a_cable_leaves_its_last_roller_at_the_angle_of_statics) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-abandonment.yaml").description.value();
-  d = at_stage(d, lay_stages(d).at(2));
+  d = make_stage_description(d, lay_stages(d).at(2));
   d.environment.waves = WavesDescription{};
   d.vessel.motion = VesselMotion::fixed;
   d.dynamics->duration = 1.0;
@@ -156,10 +156,10 @@ TEST(pipe_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_tel
 
 TEST(pipe_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
   DynamicResults r;
-  r.smallest_tension.over_time.min = -8e3;
-  r.smallest_tension.time = 12.5;
+  r.min_effective_tension.over_time.min = -8e3;
+  r.min_effective_tension.time = 12.5;
   const TimedLay c(testing::workable());
-  r.smallest_tension.s = c.statics.touchdown.s;
+  r.min_effective_tension.s = c.statics.touchdown.s;
   warn_of_slack(c.statics, r);
   ASSERT_EQ(r.findings.size(), 1U);
   EXPECT_NE(messages(r.findings)[0].find("falls to -8.00 kN at t = 12.5 s"), std::string::npos)
@@ -204,7 +204,7 @@ TEST(pipe_recorder, a_pipe_under_the_last_roller_has_left_it_and_has_no_clearanc
   EXPECT_EQ(row->status, CheckStatus::exceeded);
 }
 
-TEST(pipe_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {
+TEST(pipe_recorder, boxes_that_the_pipe_left_are_reported_in_a_line_for_each_side) {
   DynamicResults r;
   r.supports.resize(4);
   for (std::size_t i = 0; i < 4; ++i) r.supports[i].name = "stinger " + std::to_string(i + 1);
@@ -213,11 +213,11 @@ TEST(pipe_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {
   r.supports[3].left_to_port = 3.0;
   r.supports[0].left_to_starboard = 40.0;
   warn_of_left_boxes(r);
-  const std::vector<std::string> told = {
+  const std::vector<std::string> reported = {
       "the pipe left 'stinger 4' and 2 more boxes over their sides to port, the first at t = 3.0 s, the last at t = "
       "9.2 s",
       "the pipe left 'stinger 1' over its side to starboard at t = 40.0 s"};
-  EXPECT_EQ(messages(r.findings), told);
+  EXPECT_EQ(messages(r.findings), reported);
 }
 
 }  // namespace

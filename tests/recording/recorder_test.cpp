@@ -38,14 +38,14 @@ TEST(recorder, keeps_the_largest_and_smallest_of_what_its_rows_show) {
   EXPECT_GT(r.run.real_time_ratio, 0.0);
   const std::vector<double> time = sink.column("time");
   const auto first = std::lower_bound(time.begin(), time.end(), 0.25) - time.begin();
-  const auto expect_within = [&](const std::string& name, const Spread& spread) {
+  const auto expect_within = [&](const std::string& name, const SummaryStatistics& spread) {
     const std::vector<double> values = sink.column(name);
     ASSERT_EQ(values.size(), time.size()) << name;
-    const auto [least, most] = std::minmax_element(values.begin() + first, values.end());
-    EXPECT_LE(spread.min, *least) << name;
-    EXPECT_GE(spread.max, *most) << name;
-    EXPECT_LT(*most - *least, 1.3 * (spread.max - spread.min)) << name;
-    EXPECT_GT(*most - *least, 0.5 * (spread.max - spread.min)) << name;
+    const auto [min_value, max_value] = std::minmax_element(values.begin() + first, values.end());
+    EXPECT_LE(spread.min, *min_value) << name;
+    EXPECT_GE(spread.max, *max_value) << name;
+    EXPECT_LT(*max_value - *min_value, 1.3 * (spread.max - spread.min)) << name;
+    EXPECT_GT(*max_value - *min_value, 0.5 * (spread.max - spread.min)) << name;
   };
   expect_within("vessel/heave", r.vessel->heave.whole);
   expect_within("vessel/pitch", r.vessel->pitch.whole);
@@ -60,8 +60,8 @@ TEST(recorder, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
   const testing::SolvedHull hull(in_a_sea());
   MemorySink whole, first, second;
   const DynamicResults expected = run(hull, whole).results.value();
-  const DynamicOutcome stopped = run(hull, first, nullptr, [](const DynamicProgress& at) {
-    return at.time >= 8.0 ? DynamicControl::stop : DynamicControl::go_on;
+  const DynamicOutcome stopped = run(hull, first, nullptr, [](const DynamicProgress& dynamic_progress) {
+    return dynamic_progress.time >= 8.0 ? DynamicControl::stop : DynamicControl::go_on;
   });
   ASSERT_TRUE(stopped.stopped);
   EXPECT_TRUE(stopped.results);  // so far
@@ -85,7 +85,7 @@ TEST(recorder, counts_quasi_static_lines_as_those_of_elements) {
   const DynamicResults r = run(hull, sink).results.value();
   ASSERT_EQ(r.moorings.size(), 8U);
   EXPECT_GT(r.moorings.front().fairlead_tension.whole.max, 1.001 * r.moorings.front().fairlead_tension.whole.min);
-  EXPECT_GT(r.moorings.front().least_on_bed, 300.0);
+  EXPECT_GT(r.moorings.front().min_on_seabed, 300.0);
   EXPECT_EQ(sink.snapshots.front().size(), 12U);
 }
 
@@ -95,7 +95,7 @@ TEST(recorder, warns_of_a_line_that_parts) {
   const testing::SolvedHull hull(d);
   MemorySink sink;
   const DynamicResults r = run(hull, sink).results.value();
-  EXPECT_NEAR(r.moorings[2].parted_at.value_or(0.0), 5.0, 0.125);  // told at the end of the step
+  EXPECT_NEAR(r.moorings[2].parted_at.value_or(0.0), 5.0, 0.125);  // reported at the end of the step
   EXPECT_TRUE(std::ranges::any_of(messages(r.findings), [](const std::string& warning) {
     return warning.find("\"port aft breast\" parted at its fairlead at t = 5.0 s") != std::string::npos;
   }));

@@ -40,7 +40,7 @@ TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
 }
 
 /// A pipe hanging from a guide that lets it turn, under a barge that heaves.
-Description hanging(TensionerMode mode) {
+Description suspended_lay(TensionerMode mode) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/validation/static_cases/J12-D400-T560.yaml").description.value();
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.harmonic["heave"] = {0.6, 10.0, 0.0};
@@ -58,7 +58,7 @@ Description hanging(TensionerMode mode) {
 
 TEST(tensioner_in_time, on_a_guide_that_lets_the_pipe_turn_it_acts_along_the_pipe) {
   for (const TensionerMode mode : {TensionerMode::constant, TensionerMode::controlled, TensionerMode::locked}) {
-    const TimedLay c(hanging(mode));
+    const TimedLay c(suspended_lay(mode));
     MemorySink sink;
     const DynamicResults r = c.results(sink);
     EXPECT_NEAR(r.tensioner.tension.max, r.top_tension.max, 1e-3 * r.top_tension.max);
@@ -119,7 +119,8 @@ TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
               0.02 * fine.sagbend.von_mises.over_time.max);
 }
 
-// Not foreseen, one in seven would be met by a step that is too long, which ends when the roller has stopped the pipe.
+// Without prediction, one in seven would be met by a step that is too long, which ends when the roller has stopped the
+// pipe.
 TEST(impacts_in_time, are_as_many_and_as_hard_as_with_steps_that_are_short_throughout) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-workable-sea.yaml").description.value();
   d.dynamics->duration = 120.0;
@@ -138,7 +139,7 @@ TEST(impacts_in_time, are_as_many_and_as_hard_as_with_steps_that_are_short_throu
   EXPECT_NEAR(sum(got), sum(expected), 0.1 * sum(expected));
 }
 
-/// Head waves that move the barge to and fro, rollers that carry and do not strike.
+/// Head waves that move the barge back and forth, rollers that carry and do not strike.
 Description hauling(TensionerMode mode) {
   Description d = workable();
   d.environment.waves = {};
@@ -213,19 +214,19 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   }));
 }
 
-TEST(tensioner_in_time, a_constant_one_that_goes_beyond_its_travel_is_told) {
+TEST(tensioner_in_time, a_constant_one_that_goes_beyond_its_travel_is_reported) {
   Description d = hauling(TensionerMode::constant);
-  const auto told = [&](double travel) {
+  const auto prescribed = [&](double travel) {
     d.tensioner.travel = travel;
     const TimedLay c(d);
     MemorySink sink;
     const DynamicResults r = c.results(sink);
     return std::ranges::any_of(messages(r.findings), [](const std::string& w) {
-      return w.find("more than tensioner.travel") != std::string::npos;
+      return w.find("more than its tensioner.travel") != std::string::npos;
     });
   };
-  EXPECT_TRUE(told(0.001));
-  EXPECT_FALSE(told(50.0));
+  EXPECT_TRUE(prescribed(0.001));
+  EXPECT_FALSE(prescribed(50.0));
 }
 
 TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
@@ -246,8 +247,8 @@ void expect_same_bits_when_taken_up(const Description& description, double stop)
   const DynamicOptions options = dynamic_options(c.model);
   MemorySink whole, first, second;
   const DynamicResults expected = c.run(whole, options).results.value();
-  const DynamicOutcome stopped = c.run(first, options, nullptr, [&](const DynamicProgress& at) {
-    return at.time >= stop ? DynamicControl::stop : DynamicControl::go_on;
+  const DynamicOutcome stopped = c.run(first, options, nullptr, [&](const DynamicProgress& dynamic_progress) {
+    return dynamic_progress.time >= stop ? DynamicControl::stop : DynamicControl::go_on;
   });
   ASSERT_TRUE(stopped.stopped);
   ASSERT_EQ(first.checkpoints.size(), 1u);
@@ -342,8 +343,8 @@ TEST(dynamics, the_time_loop_allocates_nothing) {
     const TimedLay c(d);
     EmptySink sink;
     long at_first = 0, at_last = 0;
-    c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {
-      (at.time < 0.0 ? at_first : at_last) = testing::allocation_count();
+    c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& dynamic_progress) {
+      (dynamic_progress.time < 0.0 ? at_first : at_last) = testing::allocation_count();
       return DynamicControl::go_on;
     });
     EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "checks/check_station.h"
-#include "recording/dynamic_stations.h"
+#include "recording/node_recovery.h"
 #include "recording/run_dynamics.h"
 #include "statics/equations/static_system.h"
 #include "support/bgl1_in_time.h"
@@ -28,7 +28,7 @@ Description with_arrestor() {
   return d;
 }
 
-TEST(sections_in_time, the_recovery_in_time_agrees_with_that_of_statics) {
+TEST(moving_sections, the_recovery_in_time_agrees_with_that_of_statics) {
   for (const Description& d : {workable(), with_arrestor()}) {
     const TimedLay c(d);
     MemorySink sink;
@@ -37,13 +37,13 @@ TEST(sections_in_time, the_recovery_in_time_agrees_with_that_of_statics) {
     const double moment = c.statics.overbend->bending_moment.value;
     int compared = 0;
     for (std::size_t i = 0; i < r.station_s.size(); ++i) {
-      for (const Station& at : c.statics.stations) {
-        if (std::abs(at.s - r.station_s[i]) > 1e-9) continue;
+      for (const Station& station : c.statics.stations) {
+        if (std::abs(station.s - r.station_s[i]) > 1e-9) continue;
         ++compared;
-        if (at.s < 20.0) continue;  // what statics holds at its far end goes on into the laid pipe
-        EXPECT_NEAR(r.static_tension[i], at.effective_tension, 1e-6 * c.statics.top_tension) << at.s;
+        if (station.s < 20.0) continue;  // what statics holds at its far end goes on into the laid pipe
+        EXPECT_NEAR(r.static_tension[i], station.effective_tension, 1e-6 * c.statics.top_tension) << station.s;
         // The moment under a roller inside an element stands at the nearer node.
-        EXPECT_GE(r.static_moment[i], at.bending_moment - 1e-6 * moment) << at.s;
+        EXPECT_GE(r.static_moment[i], station.bending_moment - 1e-6 * moment) << station.s;
       }
     }
     EXPECT_EQ(compared, static_cast<int>(r.station_s.size()));
@@ -54,20 +54,20 @@ TEST(sections_in_time, the_recovery_in_time_agrees_with_that_of_statics) {
   }
 }
 
-TEST(sections_in_time, tension_passes_a_change_of_section_without_a_ripple) {
+TEST(moving_sections, tension_passes_a_change_of_section_without_a_ripple) {
   const TimedLay c(with_arrestor());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
-  const std::vector<double>& largest = r.effective_tension.max;
+  const std::vector<double>& max_value = r.effective_tension.max;
   const double arrestor = r.station_s.back() - 61.0;
-  for (std::size_t i = 1; i + 1 < largest.size(); ++i) {
+  for (std::size_t i = 1; i + 1 < max_value.size(); ++i) {
     if (std::abs(r.station_s[i] - arrestor) < 10.0) {
-      EXPECT_NEAR(largest[i], 0.5 * (largest[i - 1] + largest[i + 1]), 0.02 * largest[i]) << r.station_s[i];
+      EXPECT_NEAR(max_value[i], 0.5 * (max_value[i - 1] + max_value[i + 1]), 0.02 * max_value[i]) << r.station_s[i];
     }
   }
 }
 
-TEST(sections_in_time, at_a_change_of_section_stresses_are_those_of_the_softer_side) {
+TEST(moving_sections, at_a_change_of_section_stresses_are_those_of_the_softer_side) {
   const TimedLay c(with_arrestor());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
@@ -83,7 +83,7 @@ TEST(sections_in_time, at_a_change_of_section_stresses_are_those_of_the_softer_s
   EXPECT_EQ(ends, 2);
 }
 
-TEST(sections_in_time, a_built_in_structure_is_in_no_maximum_and_the_pipe_at_its_ends_is) {
+TEST(moving_sections, a_built_in_structure_is_in_no_maximum_and_the_pipe_at_its_ends_is) {
   Description d = workable();
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
@@ -112,27 +112,28 @@ TEST(sections_in_time, a_built_in_structure_is_in_no_maximum_and_the_pipe_at_its
   EXPECT_NEAR(stress(run.checks), stress(c.statics.checks), 2e-3 * stress(c.statics.checks));
 }
 
-TEST(sections_in_time, the_checks_at_a_change_of_section_are_of_the_side_whose_stresses_are_told) {
+TEST(moving_sections, the_checks_at_a_change_of_section_are_of_the_side_whose_stresses_are_reported) {
   const TimedLay c(with_arrestor());
   EmptySink sink;
   const DynamicResults run = c.results(sink);
   const CheckStations all = dynamic_stations(c.model, c.statics, run);
   int ends = 0;
-  for (const CheckStation& at : all.stations) {
-    if (std::abs(at.from_top - 60.0) > 1e-6 && std::abs(at.from_top - 62.0) > 1e-6) continue;
+  for (const CheckStation& check_station : all.stations) {
+    if (std::abs(check_station.from_top - 60.0) > 1e-6 && std::abs(check_station.from_top - 62.0) > 1e-6) continue;
     ++ends;
-    EXPECT_EQ(all.section_of(at).wall.thickness, c.model.sections.front().wall_thickness) << at.from_top;
+    EXPECT_EQ(all.section_for(check_station).wall.thickness, c.model.sections.front().wall_thickness)
+        << check_station.from_top;
   }
   EXPECT_EQ(ends, 2);
 }
 
-TEST(sections_in_time, where_grades_of_the_same_wall_meet_stresses_are_held_against_the_lower) {
+TEST(moving_sections, where_grades_of_the_same_wall_meet_stresses_are_held_against_the_lower) {
   for (const double grade : {360e6, 450e6}) {
     Description d = with_arrestor();
     d.pipe.segments[1].section.steel = d.pipe.section.steel;
     d.pipe.segments[1].section.steel.yield_stress = grade;
     const TimedLay c(d);
-    const StaticSystem system = system_with_past(c.model, c.start.mesh, {});
+    const StaticSystem system = system_with_history(c.model, c.start.mesh, {});
     const NodeRecovery recovery(c.model, system.line());
     int ends = 0;
     for (std::size_t node = 0; node < c.start.mesh.s.size(); ++node) {

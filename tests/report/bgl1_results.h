@@ -9,7 +9,7 @@
 #include "model/model.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend::testing {
 

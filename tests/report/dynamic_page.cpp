@@ -44,7 +44,7 @@ void write_moorings(MooringResults moorings, const std::string& file) {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   const std::map<std::string, std::function<void(const std::string&)>> kinds = {
       {"rough", [](const std::string& file) { write_lay("rough", file); }},
       {"calm", [](const std::string& file) { write_lay("calm", file); }},
@@ -62,16 +62,16 @@ int main(int count, char** words) {
       {"start_up",
        [](const std::string& file) { write_operation_report(synthetic_start_up(), bgl1().model_text, file); }}};
   const std::string study = "study_";
-  if (count == 3 && std::string(words[2]).starts_with(study)) {
-    write_study_report(synthetic_study(std::string(words[2]).substr(study.size())), words[1]);
+  if (count == 3 && std::string(arguments[2]).starts_with(study)) {
+    write_study_report(synthetic_study(std::string(arguments[2]).substr(study.size())), arguments[1]);
     return 0;
   }
-  if (count != 3 || kinds.count(words[2]) == 0) {
+  if (count != 3 || kinds.count(arguments[2]) == 0) {
     std::cerr << "dynamic_page FILE.html "
                  "rough|calm|jlay|moored|moored_in_time|moorings|pull_ahead|lines|abandonment|start_up|"
                  "study_SHAPE\n";
     return 2;
   }
-  kinds.at(words[2])(words[1]);
+  kinds.at(arguments[2])(arguments[1]);
   return 0;
 }

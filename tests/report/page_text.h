@@ -11,13 +11,13 @@ namespace overbend::testing {
 
 inline std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+  for (std::size_t index = text.find(part); index != std::string::npos; index = text.find(part, index + part.size())) {
     ++found;
   }
   return found;
 }
 
-inline std::string cell_words(const Json& column, const Json& cell) {
+inline std::string cell_as_text(const Json& column, const Json& cell) {
   if (cell.is_number()) return fixed(cell.get<double>(), column.value("digits", 3));
   if (cell.is_object()) return cell.value("text", "");
   return cell.is_string() ? cell.get<std::string>() : "";
@@ -25,7 +25,7 @@ inline std::string cell_words(const Json& column, const Json& cell) {
 
 /// Title, groups of columns, heads "top tension [kN]", then a line for every row: "over: S1 | 12.3 | yes", its mark
 /// before it.
-inline std::string table_words(const Json& table) {
+inline std::string table_as_text(const Json& table) {
   std::string text = table.value("title", "") + "\n";
   for (const Json& group : table.contains("groups") ? table["groups"] : Json::array()) {
     if (group[0] != "") text += group[0].get<std::string>() + "\n";
@@ -40,18 +40,18 @@ inline std::string table_words(const Json& table) {
     const std::string mark = table.contains("marks") ? table["marks"][k].get<std::string>() : "";
     if (!mark.empty()) text += mark + ": ";
     const Json& row = table["rows"][k];
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : " | ") + cell_words(columns[i], row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : " | ") + cell_as_text(columns[i], row[i]);
     text += "\n";
   }
   return text;
 }
 
-/// Of the blocks of a body, those within others too. Sections and folded parts begin with a line "# heading".
+/// Text of the blocks of a body, including nested ones. Sections and folded parts begin with a line "# heading".
 inline std::string shown_text(const Json& body) {
   std::string text;
   for (const Json& block : body) {
     const std::string kind = block.value("kind", "");
-    if (kind == "table") text += table_words(block);
+    if (kind == "table") text += table_as_text(block);
     for (const char* key : {"heading", "summary"}) {
       if (block.contains(key)) text += "# " + block.value(key, "") + "\n";
     }
@@ -87,7 +87,7 @@ inline std::string shown_text(const Blocks& blocks) {
   return shown_text(blocks.json());
 }
 
-/// Of the first page: kind, title, entries, verdict, bars, findings "serious: text (code)".
+/// Text of the first page: kind, title, entries, verdict, bars, findings "serious: text (code)".
 inline std::string front_text(const Json& front) {
   std::string text = front.value("kind", "") + "\n" + front.value("title", "") + "\n";
   for (const char* key : {"control", "entries"}) {
@@ -133,12 +133,12 @@ inline Json section_body(const Document& document, const std::string& id) {
   return Json::array();
 }
 
-/// Of a section by its id; empty where there is none.
+/// Text of a section by its id; empty where there is none.
 inline std::string section_text(const Document& document, const std::string& id) {
   return shown_text(section_body(document, id));
 }
 
-/// Of all sections, in their order.
+/// Text of all sections, in their order.
 inline std::vector<std::string> section_ids(const Document& document) {
   std::vector<std::string> ids;
   for (const Json& section : document.body.json()) ids.push_back(section.value("id", ""));

@@ -34,7 +34,7 @@ def rendered(page, profile):
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
 
 
-def faults_of(document):
+def find_page_errors(document):
     """What is wrong with the drawn page."""
     if 'data-drawn="yes"' not in document:
         yield "the scripts did not run to their end"
@@ -52,22 +52,22 @@ def faults_of(document):
             yield f"'{word}' in: ...{drawn[max(0, found.start() - 80):found.end() + 20]!r}"
 
 
-def written_page(words, folder):
+def written_page(arguments, folder):
     """The page that the words of the command line ask for."""
-    if words[0] == "--made-by":
+    if arguments[0] == "--made-by":
         page = pathlib.Path(folder, "report.html")
-        subprocess.run([words[1], str(page), *words[2:]], check=True)
+        subprocess.run([arguments[1], str(page), *arguments[2:]], check=True)
         return page
-    if words[0] == "--compared":
-        _, program, model, what, duration = words
+    if arguments[0] == "--compared":
+        _, program, model, what, duration = arguments
         subprocess.run([program, "compare", model, "--of", what, "--duration", duration, "-o", folder + "/out"],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return pathlib.Path(folder, "out", "comparison.html")
-    if words[0] == "--lay-table":
-        _, program, model = words
+    if arguments[0] == "--lay-table":
+        _, program, model = arguments
         subprocess.run([program, "lay-table", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
         return pathlib.Path(folder, "out", "report.html")
-    program, model = words
+    program, model = arguments
     subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
     return pathlib.Path(folder, "out", "report.html")
 
@@ -78,10 +78,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         page = written_page(sys.argv[1:], folder)
         document, complaints = rendered(page, folder + "/profile")
-        faults = complaints + list(faults_of(document))
-    for fault in faults[:20]:
-        print(fault)
-    sys.exit(1 if faults else 0)
+        errors = complaints + list(find_page_errors(document))
+    for error in errors[:20]:
+        print(error)
+    sys.exit(1 if errors else 0)
 
 
 if __name__ == "__main__":

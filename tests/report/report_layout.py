@@ -31,12 +31,12 @@ DESK = 1200  # from here on tables have their room
 # Runs inside the page; what is wrong with it.
 LOOK = """
 (() => {
-  const faults = [];
+  const errors = [];
   const wide = window.innerWidth;
   const page = document.documentElement;
-  if (page.scrollWidth > wide + 1) faults.push(`the page is ${page.scrollWidth} px wide`);
+  if (page.scrollWidth > wide + 1) errors.push(`the page is ${page.scrollWidth} px wide`);
   if (wide >= DESK) for (const table of document.querySelectorAll('.table, .tile, .bar, #contents')) {
-    if (table.scrollWidth > table.clientWidth + 1) faults.push(`cut: ${table.className}, ${table.textContent.trim().slice(0, 40)}`);
+    if (table.scrollWidth > table.clientWidth + 1) errors.push(`cut: ${table.className}, ${table.textContent.trim().slice(0, 40)}`);
   }
   for (const panel of document.querySelectorAll('.panel')) {
     const id = `${panel.dataset.figure}/${panel.dataset.part}`;
@@ -54,16 +54,16 @@ LOOK = """
       });
       boxes.forEach((a, i) => boxes.slice(0, i).forEach((b) => {
         if (Math.abs(a.angle - b.angle) > 0.01) return;
-        if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) faults.push(`${id}: '${a.text}' covers '${b.text}'`);
+        if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) errors.push(`${id}: '${a.text}' covers '${b.text}'`);
       }));
       const frame = svg.getBoundingClientRect();
       for (const text of svg.querySelectorAll('g[text-anchor=end] .tick text')) {
-        if (text.getBoundingClientRect().left < frame.left - 1) faults.push(`${id}: '${text.textContent}' is cut`);
+        if (text.getBoundingClientRect().left < frame.left - 1) errors.push(`${id}: '${text.textContent}' is cut`);
       }
       for (const level of svg.querySelectorAll('text.level')) {
         const y = Number(level.getAttribute('y'));
         const lines = [...svg.querySelectorAll('path[stroke-dasharray="8 4"]')].map((p) => Number(p.getAttribute('d').split(',')[1].split(/[A-Z]/)[0]));
-        if (!lines.some((line) => line - y > 0 && line - y < 8)) faults.push(`${id}: '${level.textContent}' stands away from its line`);
+        if (!lines.some((line) => line - y > 0 && line - y < 8)) errors.push(`${id}: '${level.textContent}' stands away from its line`);
       }
     }
   }
@@ -72,13 +72,13 @@ LOOK = """
     const data = JSON.parse(document.getElementById('results-data').textContent);
     const st = data.stations;
     const all = st.effective_tension.concat(st.wall_tension);
-    if (data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
+    if (data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) errors.push('the tension axis begins at zero');
   }
-  return faults;
+  return errors;
 })()
 """.replace("DESK", str(DESK))
 
-# What stays on one page, and a link to both of its ends: a printed link tells on which page its aim lies.
+# Blocks that stay on one page, and a link to both of their ends: a printed link shows the page of its target.
 MARK = """
 document.querySelectorAll('.table:has(table.checks), .table:has(table.plain), .table:has(table.summary), .verdict, .card, #contents').forEach((whole, i) => {
   const parts = whole.querySelectorAll('tr, .bar, li');
@@ -99,8 +99,8 @@ document.querySelectorAll('.table:has(table.checks), .table:has(table.plain), .t
 """
 
 
-def chromium(words, profile, fonts):
-    done = subprocess.run(["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=8000", *words],
+def chromium(arguments, profile, fonts):
+    done = subprocess.run(["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=8000", *arguments],
                           capture_output=True, encoding="utf-8", timeout=180, check=True, env=environment(fonts))
     return done.stdout
 
@@ -113,22 +113,22 @@ def with_script(page, script, name):
     return copy
 
 
-def faults_on_screens(page, profile, fonts):
-    """A frame of each width holds the page and tells what it saw."""
-    look = with_script(page, f"parent.postMessage({{wide: window.innerWidth, faults: {LOOK.strip()}}}, '*');", "look.html")
+def screen_errors(page, profile, fonts):
+    """A frame of each width holds the page and reports its errors."""
+    look = with_script(page, f"parent.postMessage({{wide: window.innerWidth, errors: {LOOK.strip()}}}, '*');", "look.html")
     frames = "".join(f'<iframe src="{look.as_uri()}" style="width:{w}px;height:900px;border:0"></iframe>' for w in WIDTHS)
     outer = page.with_name("frames.html")
-    outer.write_text("<body><pre id=told></pre><script>const all = [];"
-                     "onmessage = (e) => { all.push(e.data); told.textContent = JSON.stringify(all); };"
+    outer.write_text("<body><pre id=reported></pre><script>const all = [];"
+                     "onmessage = (e) => { all.push(e.data); reported.textContent = JSON.stringify(all); };"
                      f"</script>{frames}</body>", encoding="utf-8")
     document = chromium(["--dump-dom", outer.as_uri()], profile, fonts)
-    told = re.search(r'<pre id="told">(.*?)</pre>', document, flags=re.S)[1]
-    seen = json.loads(told.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&") or "[]")
-    if sorted(one["wide"] for one in seen) != sorted(WIDTHS):
-        yield f"looked at {[one['wide'] for one in seen]} only"
-    for one in seen:
-        for fault in one["faults"]:
-            yield f"at {one['wide']} px: {fault}"
+    reported = re.search(r'<pre id="reported">(.*?)</pre>', document, flags=re.S)[1]
+    seen = json.loads(reported.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&") or "[]")
+    if sorted(item["wide"] for item in seen) != sorted(WIDTHS):
+        yield f"looked at {[item['wide'] for item in seen]} only"
+    for item in seen:
+        for error in item["errors"]:
+            yield f"at {item['wide']} px: {error}"
 
 
 class Printed:
@@ -152,7 +152,7 @@ class Printed:
         return found
 
 
-def faults_on_paper(page, profile, fonts):
+def paper_errors(page, profile, fonts):
     pdf = page.with_name("page.pdf")
     marked = with_script(page, MARK, "marked.html")
     chromium(["--no-pdf-header-footer", f"--print-to-pdf={pdf}", marked.as_uri()], profile, fonts)
@@ -177,18 +177,18 @@ def faults_on_paper(page, profile, fonts):
 
 
 def main():
-    words, fonts = sys.argv[1:], "dejavu"
-    if words[0] == "--fonts":
-        fonts, words = words[1], words[2:]
+    arguments, fonts = sys.argv[1:], "dejavu"
+    if arguments[0] == "--fonts":
+        fonts, arguments = arguments[1], arguments[2:]
         if not installed(fonts):
             print(f"skipped: this machine has no {fonts} fonts (scripts/install.sh test)")
             sys.exit(SKIPPED)
     with tempfile.TemporaryDirectory() as folder:
-        page, profile = written_page(words, folder), folder + "/profile"
-        faults = [*faults_on_screens(page, profile, fonts), *faults_on_paper(page, profile, fonts)]
-    for fault in faults[:25]:
-        print(fault)
-    sys.exit(1 if faults else 0)
+        page, profile = written_page(arguments, folder), folder + "/profile"
+        errors = [*screen_errors(page, profile, fonts), *paper_errors(page, profile, fonts)]
+    for error in errors[:25]:
+        print(error)
+    sys.exit(1 if errors else 0)
 
 
 if __name__ == "__main__":

@@ -101,7 +101,7 @@ TEST(report_objects, judged_lines_have_their_checks_and_calculation_sheet_and_no
   EXPECT_EQ(shown_text(document).find("Along pipe"), std::string::npos);
 }
 
-TEST(report_objects, a_goal_seek_on_a_hull_is_told_as_that_on_a_lay) {
+TEST(report_objects, a_goal_seek_on_a_hull_is_reported_as_that_on_a_lay) {
   SeekResults seek;
   seek.unknowns.emplace_back();
   seek.goals.emplace_back();

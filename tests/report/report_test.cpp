@@ -12,7 +12,7 @@
 #include "report/page/html.h"
 #include "report/page_text.h"
 #include "report/studies/report_data.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
@@ -95,7 +95,7 @@ TEST(report, marks_the_tile_of_stress_beyond_yield_and_only_then) {
   EXPECT_NE(text.find("200.0 % of yield, at "), std::string::npos);
 }
 
-TEST(report, hostile_words_of_the_user_are_harmless) {
+TEST(report, hostile_text_of_the_user_is_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   StaticResults results = bgl1().results;
   results.title = attack;
@@ -138,7 +138,7 @@ TEST(report, without_supports_shows_no_empty_overbend) {
   EXPECT_NE(text.find("Suspended length"), std::string::npos);
 }
 
-TEST(report, is_written_beside_and_renamed) {
+TEST(report, is_written_to_a_neighbouring_file_and_renamed) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "overbend_report_test";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -170,11 +170,11 @@ TEST(report_data, thins_a_very_long_line_but_keeps_its_peaks) {
   const std::vector<Station> few = results.stations;
   results.stations.clear();
   for (std::size_t i = 0; i < 20'000; ++i) {
-    Station at = few.front();
-    at.s = 0.1 * static_cast<double>(i);
-    at.von_mises = i == 12'345 ? 300e6 : 50e6;
-    at.region = Region::sagbend;
-    results.stations.push_back(at);
+    Station station = few.front();
+    station.s = 0.1 * static_cast<double>(i);
+    station.von_mises = i == 12'345 ? 300e6 : 50e6;
+    station.region = Region::sagbend;
+    results.stations.push_back(station);
   }
   const Json data = report_data(results);
   const std::vector<double> mises = data["stations"]["von_mises"];

@@ -12,7 +12,7 @@
 #include "report/report.h"
 #include "report/stages/operation_report.h"
 #include "report/studies/lay_table_page.h"
-#include "report/studies/seek_words.h"
+#include "report/studies/seek_texts.h"
 #include "report/studies/study_page.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
@@ -27,7 +27,7 @@ namespace {
 using testing::bgl1;
 
 /// Without what is in the words of others: messages, assumptions, places of checks, the model's text and its title.
-std::string own_words(const Document& document) {
+std::string labels_without_values(const Document& document) {
   std::string text;
   for (const Json& entry : document.front["entries"]) text += entry[1].get<std::string>() + "\n";
   for (const Json& section : document.body.json()) {
@@ -42,12 +42,13 @@ std::set<std::string> metric_units(const std::string& text) {
   static const std::regex kMetric(
       R"((\d ?(kN|MPa|kJ|mm|m)\b|[\[(/, ](kN|MPa|MN|kJ|mm2?|cm4)\b|\[(m|m/s|t|kg/m|N/m|N s)\]|\[m\b)[^\n]{0,30})");
   std::set<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), kMetric), none; at != none; ++at) found.insert(at->str());
+  for (std::sregex_iterator sample(text.begin(), text.end(), kMetric), none; sample != none; ++sample)
+    found.insert(sample->str());
   return found;
 }
 
 void expect_us(const Document& document) {
-  const std::string text = own_words(document);
+  const std::string text = labels_without_values(document);
   EXPECT_TRUE(std::regex_search(text, std::regex("\\b(kip|ft|ksi)\\b")));
   for (const std::string& place : metric_units(text)) ADD_FAILURE() << place;
 }
@@ -134,18 +135,18 @@ TEST(report_units, of_keys_are_those_they_are_written_in_or_customary) {
   SeekUnknown key;
   key.unit = "N";
   key.show = "kN";
-  EXPECT_EQ(quantity_words(4448.2216152605, key, 4), "4.448 kN");
+  EXPECT_EQ(quantity_text(4448.2216152605, key, 4), "4.448 kN");
   const UsUnits units;
-  EXPECT_EQ(quantity_words(4448.2216152605, key, 4), "1 kip");
+  EXPECT_EQ(quantity_text(4448.2216152605, key, 4), "1 kip");
   key.unit = "m";
   key.show = "mm";
-  EXPECT_EQ(quantity_words(0.0254, key, 4), "1 in");
+  EXPECT_EQ(quantity_text(0.0254, key, 4), "1 in");
   key.unit = "N*m";
   key.show = "kN*m";
-  EXPECT_EQ(quantity_words(1355.8179483314, key, 4), "1 kip ft");
+  EXPECT_EQ(quantity_text(1355.8179483314, key, 4), "1 kip ft");
   key.unit = "kg/m^3";  // has no customary unit here
   key.show = "kg/m^3";
-  EXPECT_EQ(quantity_words(1025.0, key, 4), "1025 kg/m^3");
+  EXPECT_EQ(quantity_text(1025.0, key, 4), "1025 kg/m^3");
 }
 
 }  // namespace

@@ -36,12 +36,12 @@ double waves(double time, double shift) {
   return ramp * sum / std::sqrt(variance);
 }
 
-Spread around(double mean, double std) {
+SummaryStatistics around(double mean, double std) {
   return {mean - 3.1 * std, mean + 3.4 * std, mean, std};
 }
 
 /// Greatest of the region at each instant lies above the static value.
-Spread above(double value, double share) {
+SummaryStatistics above(double value, double share) {
   return {value * (1.0 - 0.2 * share), value * (1.0 + share), value * (1.0 + 0.2 * share), 0.25 * share * value};
 }
 
@@ -88,14 +88,14 @@ void add_spectrum(DynamicResults& r, const std::string& name, const std::string&
 }
 
 void fill_stations(DynamicResults& r, const StaticResults& statics) {
-  for (const Station& at : statics.stations) {
-    r.station_s.push_back(at.s);
-    r.static_tension.push_back(at.effective_tension);
-    r.static_moment.push_back(at.bending_moment);
-    r.static_bending_stress.push_back(at.bending_stress);
-    r.static_von_mises.push_back(at.von_mises);
-    r.static_strain.push_back(at.strain);
-    r.static_place.push_back(at.p_W);
+  for (const Station& station : statics.stations) {
+    r.station_s.push_back(station.s);
+    r.static_tension.push_back(station.effective_tension);
+    r.static_moment.push_back(station.bending_moment);
+    r.static_bending_stress.push_back(station.bending_stress);
+    r.static_von_mises.push_back(station.von_mises);
+    r.static_strain.push_back(station.strain);
+    r.static_place.push_back(station.p_W);
   }
   r.effective_tension = envelope(r.static_tension, 0.12, 3e3);
   r.bending_moment = envelope(r.static_moment, 0.09, 4e3);
@@ -104,7 +104,7 @@ void fill_stations(DynamicResults& r, const StaticResults& statics) {
   r.strain = envelope(r.static_strain, 0.09, 2e-5);
   const auto places = [&](int axis) {
     std::vector<double> values;
-    for (const Station& at : statics.stations) values.push_back(at.p_W(axis));
+    for (const Station& station : statics.stations) values.push_back(station.p_W(axis));
     return envelope(values, 0.0, 0.4);
   };
   r.x = places(0);
@@ -152,9 +152,9 @@ RollerDynamics roller_dynamics(const RollerResult& before, int index, int box, i
                   before.separation + 0.002, 0.004};
   if (r.contact_share > 0.0 && r.contact_share < 1.0) {
     r.impact_count = 20 + index;
-    r.largest_approach_velocity = 0.1 + 0.002 * index;
-    r.largest_impact_force = 0.9 * r.reaction.max;
-    r.largest_impulse = 0.08 * r.largest_impact_force;
+    r.max_approach_velocity = 0.1 + 0.002 * index;
+    r.max_impact_force = 0.9 * r.reaction.max;
+    r.max_impulse = 0.08 * r.max_impact_force;
   }
   r.dent_depth = 1e-4 * std::pow(r.reaction.max / 50e3, 2.0);
   r.line_load = r.reaction.max / 0.35;
@@ -244,23 +244,23 @@ void fill_extremes(DynamicResults& r, bool calm) {
     if (history.name.find("_peak") == std::string::npos && history.name.find("/reaction") == std::string::npos) {
       continue;
     }
-    const double most = history.over_time.max;
+    const double max_value = history.over_time.max;
     ExtremeEstimate e;
     e.name = history.name;
     e.units = history.units;
     e.peaks = 281;
-    e.observed = most;
+    e.observed = max_value;
     e.enough = !calm && history.over_time.std > 0.0;
     if (e.enough) {
       const double std = history.over_time.std;
       e.method = "Weibull";
       e.quality = "good";
-      e.estimate = e.weibull = most + 0.4 * std;
-      e.low = e.weibull_low = most + 0.1 * std;
-      e.high = e.weibull_high = most + 0.9 * std;
-      e.gumbel = most + 0.6 * std;
-      e.gumbel_low = most + 0.2 * std;
-      e.gumbel_high = most + 1.1 * std;
+      e.estimate = e.weibull = max_value + 0.4 * std;
+      e.low = e.weibull_low = max_value + 0.1 * std;
+      e.high = e.weibull_high = max_value + 0.9 * std;
+      e.gumbel = max_value + 0.6 * std;
+      e.gumbel_low = max_value + 0.2 * std;
+      e.gumbel_high = max_value + 1.1 * std;
     } else {
       e.peaks = 7;
       e.quality = "none";
@@ -279,7 +279,7 @@ DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm) {
   r.output_step = 0.5;
   r.seed = 7;
   r.assumptions = {{AssumptionRank::other, "The sea is long-crested."},
-                   {AssumptionRank::other, "Water moves as linear waves with Wheeler stretching tell."}};
+                   {AssumptionRank::other, "Water moves as linear waves with Wheeler stretching."}};
   r.findings = {{FindingCode::tension_drifts, "the tension left the operational range"}};
   fill_stations(r, statics);
   r.top_tension = around(statics.top_tension, 9e3);

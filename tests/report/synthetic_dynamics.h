@@ -6,7 +6,7 @@
 
 namespace overbend::testing {
 
-/// An hour of a sea with a peak period of 12.9 s. `calm`: nobody loses contact, no impacts, too few peaks.
+/// An hour of a sea with a peak period of 12.9 s. `calm`: no support loses contact, no impacts, too few peaks.
 DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm = false);
 
 }  // namespace overbend::testing

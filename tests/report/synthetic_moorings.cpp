@@ -15,21 +15,21 @@ namespace {
 constexpr std::array<const char*, 8> kNames = {
     "port bow",        "port forward breast",  "port aft breast",          "port stern",
     "starboard stern", "starboard aft breast", "starboard forward breast", "starboard bow"};
-/// Of the bow, anticlockwise; the bow points east.
+/// Heading of the bow, anticlockwise; the bow points east.
 constexpr std::array<double, 8> kAngles = {25.0, 65.0, 115.0, 155.0, 205.0, 245.0, 295.0, 335.0};
 constexpr std::array<double, 8> kTensions = {346.6, 321.7, 278.3, 253.4, 253.4, 278.3, 321.7, 346.6};
 constexpr std::array<double, 8> kLengths = {1006.40, 1006.88, 1007.83, 1008.45, 1008.45, 1007.83, 1006.88, 1006.40};
 constexpr double kWeight = 139.6, kHeight = 92.0, kBreaking = 2594e3, kHolding = 1500e3;
 
 /// An inextensible catenary from the fairlead to touchdown, then straight on the bed.
-void hang(MooringLineResult& line) {
+void suspend_mooring_line(MooringLineResult& line) {
   const double a = line.horizontal / kWeight;
   const double reach = a * std::acosh(1.0 + kHeight / a);
-  const Vec3 way = (line.anchor_W - line.fairlead_W).cwiseProduct(Vec3(1.0, 1.0, 0.0));
-  line.horizontal_distance = way.norm();
+  const Vec3 direction = (line.anchor_W - line.fairlead_W).cwiseProduct(Vec3(1.0, 1.0, 0.0));
+  line.horizontal_distance = direction.norm();
   for (int i = 0; i <= 40; ++i) {
     const double x = reach * i / 40.0;
-    Vec3 point = line.fairlead_W + way.normalized() * x;
+    Vec3 point = line.fairlead_W + direction.normalized() * x;
     point.z() = -89.0 + a * (std::cosh((reach - x) / a) - 1.0);
     line.shape_W.push_back(point);
   }
@@ -39,7 +39,7 @@ void hang(MooringLineResult& line) {
   line.on_bed = line.length - line.suspended_length;
 }
 
-MooringLineResult line_of(std::size_t i, const Vec3& shift, double more) {
+MooringLineResult make_line_result(std::size_t i, const Vec3& shift, double more) {
   MooringLineResult line;
   line.name = kNames[i];
   line.length = line.first_segment_length = kLengths[i];
@@ -54,11 +54,11 @@ MooringLineResult line_of(std::size_t i, const Vec3& shift, double more) {
   line.azimuth = std::remainder(90.0 - kAngles[i] - 180.0, 360.0) * kDegree + std::numbers::pi;
   line.utilisation = line.fairlead_tension / kBreaking;
   line.anchor_utilisation = line.anchor_tension / kHolding;
-  hang(line);
+  suspend_mooring_line(line);
   return line;
 }
 
-MooredState state_of(const std::string& name, double surge, double sway, double stiffness) {
+MooredState make_moored_state(const std::string& name, double surge, double sway, double stiffness) {
   MooredState state;
   state.name = name;
   state.vessel.surge = surge;
@@ -66,26 +66,26 @@ MooredState state_of(const std::string& name, double surge, double sway, double 
   state.vessel.yaw = 0.01 * sway;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const double pull = -std::cos(kAngles[i] * kDegree) * surge - std::sin(kAngles[i] * kDegree) * sway;
-    state.moorings.push_back(line_of(i, {surge, sway, 0.0}, stiffness * pull));
+    state.moorings.push_back(make_line_result(i, {surge, sway, 0.0}, stiffness * pull));
   }
   return state;
 }
 
-/// Of low and high rows that swing slowly and with the waves.
-HistorySummary history_of(const std::string& name, const char* units, double mean, double slow, double wave) {
+/// History of low and high rows that swing slowly and with the waves.
+HistorySummary make_history(const std::string& name, const char* units, double mean, double slow, double wave) {
   HistorySummary history{name, units, name, {mean - 2.0 * (slow + wave), mean + 2.0 * (slow + wave), mean, slow},
                          {},   {}};
   for (int i = 0; i < 1000; ++i) {
-    const double at = mean + slow * (std::sin(0.19 * i) + 0.6 * std::sin(0.217 * i + 1.0));
+    const double position = mean + slow * (std::sin(0.19 * i) + 0.6 * std::sin(0.217 * i + 1.0));
     const double swing = wave * (1.0 + 0.4 * std::sin(1.7 * i));
-    history.low.push_back(at - swing);
-    history.high.push_back(at + swing);
+    history.low.push_back(position - swing);
+    history.high.push_back(position + swing);
   }
   return history;
 }
 
-MotionSpread motion_of(double mean, double slow, double wave) {
-  MotionSpread motion;
+MotionStatistics make_motion_statistics(double mean, double slow, double wave) {
+  MotionStatistics motion;
   motion.whole = {mean - 2.4 * (slow + wave), mean + 2.6 * (slow + wave), mean, std::hypot(slow, wave)};
   motion.slow = {mean - 2.1 * slow, mean + 2.3 * slow, mean, slow};
   motion.wave = {-3.2 * wave, 3.3 * wave, 0.0, wave};
@@ -100,7 +100,7 @@ MotionSpread motion_of(double mean, double slow, double wave) {
 
 MooringResults synthetic_moorings() {
   MooringResults results;
-  results.rest = state_of("static", 0.0, 0.0, 0.0);
+  results.rest = make_moored_state("static", 0.0, 0.0, 0.0);
   results.rest.vessel.natural_periods = {{"sway", 77.1}, {"surge", 66.9}, {"yaw", 44.6}};
   results.rest.vessel.stiffness.assign(36, 0.0);
   for (std::size_t i = 0; i < 6; ++i) results.rest.vessel.stiffness[7 * i] = 1.848e5 * std::pow(10.0, i);
@@ -119,8 +119,9 @@ StaticResults synthetic_hull_alone(MooringResults moorings) {
 MooringResults synthetic_stages() {
   MooringResults results = synthetic_moorings();
   results.operation = "moored";
-  results.stages = {state_of("still", 0.0, 0.0, 0.0), state_of("current to port", -0.012, 2.593, 40e3),
-                    state_of("the same, starboard forward breast parted", -0.79, 7.92, 25e3)};
+  results.stages = {make_moored_state("still", 0.0, 0.0, 0.0),
+                    make_moored_state("current to port", -0.012, 2.593, 40e3),
+                    make_moored_state("the same, starboard forward breast parted", -0.79, 7.92, 25e3)};
   results.stages[2].moorings[6].parted = true;
   return results;
 }
@@ -130,7 +131,7 @@ MooringResults synthetic_pull_ahead() {
   results.operation = "pull_ahead";
   results.distance = 12.0;
   for (int i = 0; i <= 24; ++i) {
-    MooredState state = state_of(i == 0 ? "before" : "after", 0.5 * i, 0.0, 200.0);
+    MooredState state = make_moored_state(i == 0 ? "before" : "after", 0.5 * i, 0.0, 200.0);
     MoveStep step;
     step.advance = 0.5 * i;
     step.vessel.surge = 0.5 * i;
@@ -144,8 +145,8 @@ MooringResults synthetic_pull_ahead() {
     pipe.overbend_bending_stress = 290e6 - 1e5 * i;
     pipe.overbend_strain = 0.0014;
     pipe.sagbend_bending_stress = 150e6 - 2e5 * i;
-    pipe.largest_reaction = 60e3;
-    pipe.largest_reaction_support = "ramp 3";
+    pipe.max_reaction = 60e3;
+    pipe.max_reaction_support = "ramp 3";
     pipe.lay_back = 410.0;
     pipe.stinger_tip_clearance = 0.42;
     step.pipe = pipe;
@@ -173,44 +174,44 @@ HullResults synthetic_hull() {
                   {"yaw", 44.6, 1.1e9, 0.0002, 0.01, 0.08, 0.0, 0.0, 0.0902, 0.0002}};
   hull.drift = {-45.4e3, 12.0e3, 1.2e6};
   hull.current = {1.0e3, 265.3e3, -3.0e5};
-  hull.current_least = 146.0e3;
-  hull.current_most = 398.0e3;
+  hull.min_current_force = 146.0e3;
+  hull.max_current_force = 398.0e3;
   hull.above_table = 0.004;
   return hull;
 }
 
 void add_moored_dynamics(DynamicResults& results) {
   VesselDynamics vessel;
-  vessel.surge = motion_of(0.1, 0.4, 0.2);
-  vessel.sway = motion_of(1.2, 1.1, 0.3);
-  vessel.heave = motion_of(0.0, 0.001, 0.25);
-  vessel.roll = motion_of(0.0, 0.0005, 0.02);
-  vessel.pitch = motion_of(0.0, 0.0002, 0.01);
-  vessel.yaw = motion_of(0.002, 0.004, 0.002);
-  vessel.along = motion_of(0.1, 0.4, 0.2);
-  vessel.across = motion_of(1.2, 1.1, 0.3);
-  vessel.offset = motion_of(1.3, 1.0, 0.3);
+  vessel.surge = make_motion_statistics(0.1, 0.4, 0.2);
+  vessel.sway = make_motion_statistics(1.2, 1.1, 0.3);
+  vessel.heave = make_motion_statistics(0.0, 0.001, 0.25);
+  vessel.roll = make_motion_statistics(0.0, 0.0005, 0.02);
+  vessel.pitch = make_motion_statistics(0.0, 0.0002, 0.01);
+  vessel.yaw = make_motion_statistics(0.002, 0.004, 0.002);
+  vessel.along = make_motion_statistics(0.1, 0.4, 0.2);
+  vessel.across = make_motion_statistics(1.2, 1.1, 0.3);
+  vessel.offset = make_motion_statistics(1.3, 1.0, 0.3);
   vessel.covariance = 0.2;
   vessel.cut_off = 28.0;
   vessel.confidence = "The run holds 46 slow cycles of sway.";
   results.vessel = vessel;
   for (const auto& [name, units, mean, slow, wave] :
        {std::tuple{"surge", "m", 0.1, 0.4, 0.2}, {"sway", "m", 1.2, 1.1, 0.3}, {"yaw", "rad", 0.002, 0.004, 0.002}}) {
-    results.histories.push_back(history_of(std::string("vessel/") + name, units, mean, slow, wave));
-    results.histories.push_back(history_of(std::string("vessel/slow_") + name, units, mean, slow, 0.0));
+    results.histories.push_back(make_history(std::string("vessel/") + name, units, mean, slow, wave));
+    results.histories.push_back(make_history(std::string("vessel/slow_") + name, units, mean, slow, 0.0));
   }
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     MooringLineDynamics line;
     line.name = kNames[i];
     line.start_fairlead_tension = 1e3 * kTensions[i];
-    line.fairlead_tension = motion_of(1e3 * kTensions[i], 18e3, 9e3);
-    line.anchor_tension = motion_of(0.75e3 * kTensions[i], 17e3, 7e3);
+    line.fairlead_tension = make_motion_statistics(1e3 * kTensions[i], 18e3, 9e3);
+    line.anchor_tension = make_motion_statistics(0.75e3 * kTensions[i], 17e3, 7e3);
     line.utilisation = line.fairlead_tension.whole.max / kBreaking;
     line.most_probable_utilisation = *line.fairlead_tension.most_probable_max / kBreaking;
     line.anchor_utilisation = line.anchor_tension.whole.max / kHolding;
-    line.least_on_bed = 310.0;
+    line.min_on_seabed = 310.0;
     results.histories.push_back(
-        history_of("mooring/" + line.name + "/fairlead_tension", "N", 1e3 * kTensions[i], 18e3, 9e3));
+        make_history("mooring/" + line.name + "/fairlead_tension", "N", 1e3 * kTensions[i], 18e3, 9e3));
     results.moorings.push_back(std::move(line));
   }
   results.moorings[6].events = {{1234.5, "brake renders"}};
@@ -232,7 +233,7 @@ Document moored_document_in_time() {
   results.run = {52'000, 12, 121'000, 24'000, 0.0008, 0.125, 8.1, 474.0, "generalized-alpha, spectral radius 0.6"};
   for (const auto& [name, units, slow, wave] :
        {std::tuple{"elevation", "m", 0.0, 1.0}, {"heave", "m", 0.001, 0.25}, {"pitch", "rad", 0.0002, 0.01}}) {
-    results.histories.push_back(history_of(name, units, 0.0, slow, wave));
+    results.histories.push_back(make_history(name, units, 0.0, slow, wave));
   }
   results.spectra.push_back({"heave", "m", {0.0, 0.05, 0.1, 0.15, 0.2}, {0.0, 0.1, 0.9, 0.2, 0.0}});
   results.spectra.push_back({"mooring/starboard forward breast/fairlead_tension",
@@ -280,8 +281,8 @@ StaticResults synthetic_lines() {
     node.tension = 12e3 + 60e3 * std::abs(share - 0.35);
     line.nodes.push_back(node);
   }
-  line.least_tension = 12e3;
-  line.largest_tension = 51e3;
+  line.min_tension = 12e3;
+  line.max_tension = 51e3;
   line.first.tension = 33e3;
   line.second.tension = 51e3;
   results.lines.push_back(line);
@@ -295,13 +296,13 @@ DynamicResults synthetic_lines_in_time() {
   results.output_step = 1.0;
   LineDynamics line;
   line.name = "jumper";
-  line.least_tension = 9.6e3;
-  line.largest_tension = 66.3e3;
+  line.min_tension = 9.6e3;
+  line.max_tension = 66.3e3;
   line.first_tension = {26e3, 43e3, 33e3, 5e3};
   line.second_tension = {41e3, 66e3, 51e3, 8e3};
   for (const LineNodeResult& node : synthetic_lines().lines.front().nodes) {
-    line.least_at_nodes.push_back(0.8 * node.tension);
-    line.largest_at_nodes.push_back(1.3 * node.tension);
+    line.min_tension_at_nodes.push_back(0.8 * node.tension);
+    line.max_tension_at_nodes.push_back(1.3 * node.tension);
   }
   results.lines.push_back(line);
   HistorySummary first{"line/jumper/first_tension", "N", "", line.first_tension, {}, {}};

@@ -23,7 +23,7 @@ MooringResults synthetic_pull_ahead();
 /// Radiation, damping and steady loads.
 HullResults synthetic_hull();
 
-/// Adds what a run of an hour tells of vessel and moorings, with histories.
+/// Adds the results of a run of an hour for vessel and moorings, with histories.
 void add_moored_dynamics(DynamicResults& results);
 
 /// The report of such a run of the barge without a pipe.

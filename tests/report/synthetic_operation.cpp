@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "report/bgl1_results.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend::testing {
 namespace {
@@ -15,10 +15,10 @@ void stretch(StaticResults& lay, double factor) {
   const Vec3 astern = -lay.R_WV.col(0);
   const double tip = ship_point(lay, lay.supports.back().p_W).x();
   const auto moved = [&](double x) { return x > tip ? (factor - 1.0) * (x - tip) : 0.0; };
-  for (Station& at : lay.stations) {
-    const double by = moved(at.astern);
-    at.p_W += by * astern;
-    at.astern += by;
+  for (Station& station : lay.stations) {
+    const double by = moved(station.astern);
+    station.p_W += by * astern;
+    station.astern += by;
   }
   const double by = moved(lay.touchdown.astern);
   lay.touchdown.p_W += by * astern;
@@ -27,19 +27,19 @@ void stretch(StaticResults& lay, double factor) {
 }
 
 HeadResult head_at(const StaticResults& lay, double s) {
-  const Station at = station_at(lay, s);
+  const Station station = station_at(lay, s);
   HeadResult head;
-  head.p_W = at.p_W;
-  head.astern = ship_point(lay, at.p_W).x();
-  head.inclination = at.inclination;
-  head.cable_inclination = at.inclination + 0.02;
-  head.tension = at.effective_tension;
-  head.clearance = at.p_W.z() - 0.5 * lay.pipe_outer_diameter + lay.water_depth;
+  head.p_W = station.p_W;
+  head.astern = ship_point(lay, station.p_W).x();
+  head.inclination = station.inclination;
+  head.cable_inclination = station.inclination + 0.02;
+  head.tension = station.effective_tension;
+  head.clearance = station.p_W.z() - 0.5 * lay.pipe_outer_diameter + lay.water_depth;
   head.s = s;
   return head;
 }
 
-StageResult stage_of(double cable_out, double share) {
+StageResult make_stage(double cable_out, double share) {
   StageResult stage;
   stage.stage.cable_out = cable_out;
   stage.lay = bgl1().results;
@@ -65,7 +65,7 @@ OperationResults synthetic_abandonment() {
   results.version = "1.0";
   results.assumptions = {{AssumptionRank::other, "the cable has no bending stiffness"}};
   for (const double out : {40.0, 75.0, 110.0, 160.0, 260.0}) {
-    results.stages.push_back(stage_of(out, (out - 40.0) / 220.0));
+    results.stages.push_back(make_stage(out, (out - 40.0) / 220.0));
   }
   StageResult& failed = results.stages.emplace_back();
   failed.stage.cable_out = 300.0;

@@ -12,7 +12,7 @@ StudyInput axis(const std::string& key, const std::string& unit, const std::stri
                 const std::vector<double>& shown) {
   StudyInput input{key, unit, show, "", false, {}, {}};
   for (const double value : shown) {
-    input.words.push_back(fmt::format("{:g} {}", value, show));
+    input.value_texts.push_back(fmt::format("{:g} {}", value, show));
     input.values.push_back(value * factor);
   }
   return input;
@@ -46,48 +46,50 @@ StudyResults headed(const std::string& title) {
 }
 
 /// A response that grows with the wave height and has a period of resonance.
-void fill(StudyCase& one, double height, double period, double noise) {
-  one.state = StudyCaseState::done;
+void fill(StudyCase& study_case, double height, double period, double noise) {
+  study_case.state = StudyCaseState::done;
   const double answer = height / (1.0 + 0.2 * (period - 9.0) * (period - 9.0)) + 0.3 * height + noise;
-  one.values = {(250.0 + 60.0 * answer) * 1e6, (200.0 - 35.0 * answer) * 1e3, 0.0014 + 2e-4 * answer, std::nullopt};
-  one.texts = {"", "", "", "laying criterion I, overbend"};
-  one.utilisation = (250.0 + 60.0 * answer) / 400.0;
-  one.governing = "laying criterion I, overbend";
-  one.verdict = *one.utilisation <= 1.0 ? VerdictKind::passed : VerdictKind::exceeded;
+  study_case.values = {(250.0 + 60.0 * answer) * 1e6, (200.0 - 35.0 * answer) * 1e3, 0.0014 + 2e-4 * answer,
+                       std::nullopt};
+  study_case.texts = {"", "", "", "laying criterion I, overbend"};
+  study_case.utilisation = (250.0 + 60.0 * answer) / 400.0;
+  study_case.governing = "laying criterion I, overbend";
+  study_case.verdict = *study_case.utilisation <= 1.0 ? VerdictKind::passed : VerdictKind::exceeded;
 }
 
-void fail(StudyCase& one) {
-  one.state = StudyCaseState::failed;
-  one.verdict = VerdictKind::not_judged;
-  one.values.assign(4, std::nullopt);
-  one.texts.assign(4, "");
-  one.reason = "no equilibrium: the tension 150 kN is below the suspended weight, 163 kN";
+void fail(StudyCase& study_case) {
+  study_case.state = StudyCaseState::failed;
+  study_case.verdict = VerdictKind::not_judged;
+  study_case.values.assign(4, std::nullopt);
+  study_case.texts.assign(4, "");
+  study_case.reason = "no equilibrium: the tension 150 kN is below the suspended weight, 163 kN";
 }
 
 /// All combinations of the inputs, each with so many seeds.
 void cross(StudyResults& results, std::size_t seeds) {
   std::size_t all = 1;
-  for (const StudyInput& input : results.inputs) all *= input.words.size();
+  for (const StudyInput& input : results.inputs) all *= input.value_texts.size();
   for (std::size_t group = 0; group < all; ++group) {
     for (std::size_t seed = 1; seed <= seeds; ++seed) {
-      StudyCase one;
-      one.number = results.cases.size();
-      one.group = group;
+      StudyCase study_case;
+      study_case.number = results.cases.size();
+      study_case.group = group;
       std::size_t rest = group;
-      one.at.resize(results.inputs.size());
+      study_case.value_indices.resize(results.inputs.size());
       for (std::size_t i = results.inputs.size(); i-- > 0;) {
-        one.at[i] = rest % results.inputs[i].words.size();
-        rest /= results.inputs[i].words.size();
+        study_case.value_indices[i] = rest % results.inputs[i].value_texts.size();
+        rest /= results.inputs[i].value_texts.size();
       }
-      for (std::size_t i = 0; i < one.at.size(); ++i) {
-        one.words.push_back(results.inputs[i].words[one.at[i]]);
-        one.inputs.push_back(results.inputs[i].values[one.at[i]]);
+      for (std::size_t i = 0; i < study_case.value_indices.size(); ++i) {
+        study_case.value_texts.push_back(results.inputs[i].value_texts[study_case.value_indices[i]]);
+        study_case.inputs.push_back(results.inputs[i].values[study_case.value_indices[i]]);
       }
-      if (seeds > 1) one.seed = seed;
-      const double noise = 0.08 * std::sin(12.9 * static_cast<double>(one.number));
-      fill(one, one.inputs[0], one.inputs.size() > 1 ? one.inputs[1] : 9.0, noise);
-      if (one.at.size() > 1 && one.at[0] == 5 && one.at[1] == 3) fail(one);
-      results.cases.push_back(one);
+      if (seeds > 1) study_case.seed = seed;
+      const double noise = 0.08 * std::sin(12.9 * static_cast<double>(study_case.number));
+      fill(study_case, study_case.inputs[0], study_case.inputs.size() > 1 ? study_case.inputs[1] : 9.0, noise);
+      if (study_case.value_indices.size() > 1 && study_case.value_indices[0] == 5 && study_case.value_indices[1] == 3)
+        fail(study_case);
+      results.cases.push_back(study_case);
     }
   }
 }
@@ -98,18 +100,19 @@ StudyResults swings() {
                     axis("environment.water_depth", "m", "m", 1.0, {48, 50, 52}),
                     axis("pipe.coating.concrete.density", "kg/m^3", "kg/m^3", 1.0, {2950, 3040, 3130})};
   for (std::size_t i = 0; i < 7; ++i) {
-    StudyCase one;
-    one.number = one.group = i;
-    one.at = {1, 1, 1};
-    if (i > 0) one.at[(i - 1) / 2] = i % 2 == 1 ? 0 : 2;
+    StudyCase study_case;
+    study_case.number = study_case.group = i;
+    study_case.value_indices = {1, 1, 1};
+    if (i > 0) study_case.value_indices[(i - 1) / 2] = i % 2 == 1 ? 0 : 2;
     for (std::size_t k = 0; k < 3; ++k) {
-      one.words.push_back(results.inputs[k].words[one.at[k]]);
-      one.inputs.push_back(results.inputs[k].values[one.at[k]]);
+      study_case.value_texts.push_back(results.inputs[k].value_texts[study_case.value_indices[k]]);
+      study_case.inputs.push_back(results.inputs[k].values[study_case.value_indices[k]]);
     }
-    const double change = 0.9 * (1.0 - static_cast<double>(one.at[0])) + 0.4 * static_cast<double>(one.at[1]) +
-                          0.1 * static_cast<double>(one.at[2]);
-    fill(one, 1.0 + change, 9.0, 0.0);
-    results.cases.push_back(one);
+    const double change = 0.9 * (1.0 - static_cast<double>(study_case.value_indices[0])) +
+                          0.4 * static_cast<double>(study_case.value_indices[1]) +
+                          0.1 * static_cast<double>(study_case.value_indices[2]);
+    fill(study_case, 1.0 + change, 9.0, 0.0);
+    results.cases.push_back(study_case);
   }
   return results;
 }
@@ -123,14 +126,15 @@ StudyResults sample() {
     const double a = std::fmod(0.618034 * static_cast<double>(i), 1.0),
                  b = std::fmod(0.754878 * static_cast<double>(i), 1.0),
                  c = std::fmod(0.569840 * static_cast<double>(i), 1.0);
-    StudyCase one;
-    one.number = one.group = i;
-    one.inputs = {180e3 + 60e3 * a, 0.5 + 2.5 * b, 0.4 + 0.4 * c};
-    one.words = {fmt::format("{:.1f} kN", one.inputs[0] / 1e3), fmt::format("{:.3f} m", one.inputs[1]),
-                 fmt::format("{:.3f}", one.inputs[2])};
-    fill(one, one.inputs[1], 9.0, 1.2 * (0.5 - a));
-    if (i == 77) fail(one);
-    results.cases.push_back(one);
+    StudyCase study_case;
+    study_case.number = study_case.group = i;
+    study_case.inputs = {180e3 + 60e3 * a, 0.5 + 2.5 * b, 0.4 + 0.4 * c};
+    study_case.value_texts = {fmt::format("{:.1f} kN", study_case.inputs[0] / 1e3),
+                              fmt::format("{:.3f} m", study_case.inputs[1]),
+                              fmt::format("{:.3f}", study_case.inputs[2])};
+    fill(study_case, study_case.inputs[1], 9.0, 1.2 * (0.5 - a));
+    if (i == 77) fail(study_case);
+    results.cases.push_back(study_case);
   }
   return results;
 }
@@ -142,19 +146,19 @@ StudyResults operability() {
   all.over = "environment.waves.hs";
   all.unit = all.show = "m";
   all.axes = {heading(), axis("environment.waves.tp", "s", "s", 1.0, {6, 8, 10, 12})};
-  all.least = 0.5;
-  all.largest = 4.0;
+  all.min_value = 0.5;
+  all.max_value = 4.0;
   all.resolution = 0.25;
   all.seeds = {1, 2, 3};
   for (std::size_t i = 0; i < 12; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
       OperabilityCell cell;
-      cell.at = {i, j};
+      cell.value_indices = {i, j};
       const double beam = std::abs(std::sin(all.axes[0].values[i])), period = all.axes[1].values[j];
       const double limit = std::floor(4.0 * (4.9 - 2.4 * beam - 0.25 * (period - 6.0))) / 4.0;
-      cell.beyond = limit >= all.largest;
-      if (limit >= all.least && !cell.beyond) cell.limit = limit;
-      if (cell.beyond) cell.limit = all.largest;
+      cell.beyond = limit >= all.max_value;
+      if (limit >= all.min_value && !cell.beyond) cell.limit = limit;
+      if (cell.beyond) cell.limit = all.max_value;
       cell.governing = cell.beyond ? "" : beam > 0.6 ? "clearance at the stinger tip" : "laying criterion I, overbend";
       cell.below = 0.96;
       cell.above = 1.04;
@@ -184,7 +188,7 @@ void add_extremes(StudyResults& results) {
     extreme.runs = 12;
     extreme.mean = group % 2 == 0 ? 300e6 : 150e3;
     extreme.std = 0.03 * extreme.mean;
-    extreme.worst = extreme.largest ? 1.05 * extreme.mean : 0.95 * extreme.mean;
+    extreme.worst = extreme.is_maximum ? 1.05 * extreme.mean : 0.95 * extreme.mean;
     extreme.enough = group < 4;
     extreme.gumbel = {1.06 * extreme.mean, 1.02 * extreme.mean, 1.11 * extreme.mean};
     if (group != 1) extreme.acer = StudyEstimate{1.05 * extreme.mean, 1.03 * extreme.mean, 1.08 * extreme.mean};

@@ -32,7 +32,7 @@ StingerSectionResult section_with_tank(const std::string& name, double angle) {
   return section;
 }
 
-std::string bits_of(const std::vector<StingerSectionResult>& stinger) {
+std::string result_bits(const std::vector<StingerSectionResult>& stinger) {
   BitsVisitor bits;
   for (const StingerSectionResult& section : stinger) {
     visit_stinger_section(section, bits);
@@ -58,10 +58,10 @@ TEST(results_reader, gives_back_a_stinger_with_its_tanks) {
   const StaticResults stored = read_static_results(folder / "results.h5").results;
   ASSERT_EQ(stored.stinger.size(), 2U);
   ASSERT_EQ(stored.stinger[0].tanks.size(), 2U);
-  EXPECT_EQ(bits_of(stored.stinger), bits_of(results.stinger));
+  EXPECT_EQ(result_bits(stored.stinger), result_bits(results.stinger));
 }
 
-TEST(summary, tells_a_stinger_of_one_section_as_an_object) {
+TEST(summary, reports_a_stinger_of_one_section_as_an_object) {
   StaticResults results = solved_case("BGL1-T250").results;
   EXPECT_FALSE(static_summary_json(results)["static"].contains("stinger"));
   results.stinger = {section_with_tank("", -0.1)};

@@ -38,7 +38,7 @@ PassageResults passed() {
   operation.type = OperationType::passage;
   operation.stages = {stage("stage 1", 10.0, 30e3, 40e3, 1e-3), stage("stage 2", 20.0, 50e3, 35e3, 2e-3)};
   operation.stages.emplace_back().stage.name = "stage 3";  // without an equilibrium
-  return passage_of(operation).value();
+  return find_passage_maxima(operation).value();
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ TEST(passage, is_none_of_another_operation) {
   OperationResults operation;
   operation.type = OperationType::move;
   operation.stages = {stage("stage 1", 10.0, 30e3, 40e3, 1e-3)};
-  EXPECT_FALSE(passage_of(operation));
+  EXPECT_FALSE(find_passage_maxima(operation));
 }
 
 TEST(passage, speaks_of_the_structure_that_passes) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a process that claims the task in a folder and is killed leaves behind.
+/// Files left by a process that claims the task in a folder and is killed.
 void claim_and_die(const fs::path& folder) {
   const pid_t id = fork();
   if (id == 0) {

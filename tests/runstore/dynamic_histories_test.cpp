@@ -45,7 +45,7 @@ TEST(history_summary, gives_a_sine_its_known_statistics) {
   for (std::size_t i = 0; i < rows; ++i) {
     values[i] = 1e6 + 2.0 * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 120.0);
   }
-  const Spread spread = summarise_history(kHeave, clock(rows, 0.0, 0.1), values).over_time;
+  const SummaryStatistics spread = summarise_history(kHeave, clock(rows, 0.0, 0.1), values).over_time;
   // Whole periods: exact but for rounding of 1e6, which has steps of 1.2e-10.
   EXPECT_NEAR(spread.mean, 1e6, 1e-8);
   EXPECT_NEAR(spread.std, std::sqrt(2.0), 1e-8);

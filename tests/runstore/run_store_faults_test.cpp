@@ -21,8 +21,10 @@ using testing::TemporaryFolder;
 
 /// Bytes of a data file that the checkpoint knows.
 std::uint64_t stored_bytes(const fs::path& folder, const std::string& name) {
-  const RunCheckpoint at = read_checkpoint(folder / ".run/checkpoint");
-  return name == "rows" ? at.row_bytes : name == "snapshots" ? at.snapshot_bytes : at.impact_bytes;
+  const RunCheckpoint run_checkpoint = read_checkpoint(folder / ".run/checkpoint");
+  return name == "rows"        ? run_checkpoint.row_bytes
+         : name == "snapshots" ? run_checkpoint.snapshot_bytes
+                               : run_checkpoint.impact_bytes;
 }
 
 void append_garbage(const fs::path& file) {
@@ -100,57 +102,57 @@ TEST(run_store, shrugs_off_half_written_tails_and_a_checkpoint_that_was_not_rena
   expect_run(RunStore::resume(folder.path(), kModel, kSeed).value().store, 110);
 }
 
-TEST(run_store, refuses_another_model_and_another_seed) {
+TEST(run_store, rejects_another_model_and_another_seed) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
-  EXPECT_NE(fault_of(folder.path(), kModel + " ").find("the model file has changed"), std::string::npos);
-  EXPECT_NE(fault_of(folder.path(), kModel, 7).find("this one 7"), std::string::npos);
-  EXPECT_EQ(fault_of(folder.path()), "");
+  EXPECT_NE(find_run_error(folder.path(), kModel + " ").find("the model file has changed"), std::string::npos);
+  EXPECT_NE(find_run_error(folder.path(), kModel, 7).find("this one 7"), std::string::npos);
+  EXPECT_EQ(find_run_error(folder.path()), "");
 }
 
-TEST(run_store, refuses_a_damaged_checkpoint_wherever_it_is_damaged) {
+TEST(run_store, rejects_a_damaged_checkpoint_wherever_it_is_damaged) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   const fs::path file = folder / ".run/checkpoint";
   const std::string sound = testing::file_text(file);
-  for (std::size_t at = 0; at < sound.size(); at += 7) {
+  for (std::size_t index = 0; index < sound.size(); index += 7) {
     std::string bytes = sound;
-    bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+    bytes[index] = static_cast<char>(bytes[index] ^ 0x10);
     testing::write_file(file, bytes);
-    ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << at;
-    testing::write_file(file, sound.substr(0, at));
-    ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << at;
+    ASSERT_NE(find_run_error(folder.path()).find("damaged"), std::string::npos) << index;
+    testing::write_file(file, sound.substr(0, index));
+    ASSERT_NE(find_run_error(folder.path()).find("damaged"), std::string::npos) << index;
   }
-  EXPECT_NE(RunStore::find(folder.path()).value().fault, "");
+  EXPECT_NE(RunStore::find(folder.path()).value().error, "");
   testing::write_file(file, sound);
-  EXPECT_EQ(fault_of(folder.path()), "");
+  EXPECT_EQ(find_run_error(folder.path()), "");
 }
 
-TEST(run_store, refuses_data_that_are_shorter_than_the_checkpoint_knows) {
+TEST(run_store, rejects_data_that_are_shorter_than_the_checkpoint_knows) {
   for (const char* name : {"rows", "snapshots", "impacts"}) {
     const TemporaryFolder folder;
     stop_a_run(folder.path());
     fs::resize_file(folder / ".run" / name, 100);
-    EXPECT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << name;
+    EXPECT_NE(find_run_error(folder.path()).find("damaged"), std::string::npos) << name;
   }
 }
 
-TEST(run_store, refuses_data_with_a_single_changed_bit) {
+TEST(run_store, rejects_data_with_a_single_changed_bit) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   for (const char* name : {"rows", "snapshots", "impacts"}) {
     const fs::path file = folder / ".run" / name;
     const std::string sound = testing::file_text(file);
     const std::uint64_t stored = stored_bytes(folder.path(), name);  // what came after the checkpoint does not count
-    for (std::uint64_t at = 0; at < stored; at += 1 + stored / 50) {
+    for (std::uint64_t sample = 0; sample < stored; sample += 1 + stored / 50) {
       std::string bytes = sound;
-      bytes[at] = static_cast<char>(bytes[at] ^ 0x80);
+      bytes[sample] = static_cast<char>(bytes[sample] ^ 0x80);
       testing::write_file(file, bytes);
-      ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << name << " " << at;
+      ASSERT_NE(find_run_error(folder.path()).find("damaged"), std::string::npos) << name << " " << sample;
     }
     testing::write_file(file, sound);
   }
-  EXPECT_EQ(fault_of(folder.path()), "");
+  EXPECT_EQ(find_run_error(folder.path()), "");
 }
 
 TEST(run_store, does_not_hand_on_data_that_changed_on_disk) {
@@ -190,32 +192,32 @@ TEST(block_sums, do_not_depend_on_how_the_numbers_come) {
   EXPECT_EQ(at_once.all().size(), 4U);
 }
 
-TEST(run_store, refuses_a_checkpoint_of_another_build_or_instruction_set) {
+TEST(run_store, rejects_a_checkpoint_of_another_build_or_instruction_set) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
-  RunCheckpoint other = read_checkpoint(folder / ".run/checkpoint");
-  EXPECT_EQ(other.version, program_identity());
+  RunCheckpoint second_run_checkpoint = read_checkpoint(folder / ".run/checkpoint");
+  EXPECT_EQ(second_run_checkpoint.version, program_identity());
   EXPECT_NE(program_identity().find(source_digest()), std::string::npos);
   for (const std::string& part :
        {std::string(source_digest()), std::string(", avx2"), std::string(", avx512"), std::string(", baseline")}) {
-    const std::size_t at = program_identity().find(part);
-    if (at == std::string::npos) continue;
-    other.version = program_identity().replace(at, part.size(), ", another");
-    write_checkpoint(other, folder / ".run/checkpoint");
-    EXPECT_NE(fault_of(folder.path()).find("--restart"), std::string::npos) << part;
+    const std::size_t index = program_identity().find(part);
+    if (index == std::string::npos) continue;
+    second_run_checkpoint.version = program_identity().replace(index, part.size(), ", another");
+    write_checkpoint(second_run_checkpoint, folder / ".run/checkpoint");
+    EXPECT_NE(find_run_error(folder.path()).find("--restart"), std::string::npos) << part;
   }
 }
 
-TEST(run_store, refuses_a_checkpoint_of_another_version) {
+TEST(run_store, rejects_a_checkpoint_of_another_version) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
-  RunCheckpoint other = read_checkpoint(folder / ".run/checkpoint");
-  other.version = "0.0.1";
-  write_checkpoint(other, folder / ".run/checkpoint");
-  EXPECT_NE(fault_of(folder.path()).find("version 0.0.1"), std::string::npos);
+  RunCheckpoint second_run_checkpoint = read_checkpoint(folder / ".run/checkpoint");
+  second_run_checkpoint.version = "0.0.1";
+  write_checkpoint(second_run_checkpoint, folder / ".run/checkpoint");
+  EXPECT_NE(find_run_error(folder.path()).find("version 0.0.1"), std::string::npos);
 }
 
-/// Fills the disk, as far as this process is concerned; true when it is told so in time and in words.
+/// Fills the disk for this process; true if that is reported in time and with a message.
 bool fill_the_disk(const fs::path& folder) {
   const rlimit limit = {3'000'000, 3'000'000};
   setrlimit(RLIMIT_FSIZE, &limit);
@@ -223,8 +225,8 @@ bool fill_the_disk(const fs::path& folder) {
   RunStore store = std::move(RunStore::resume(folder, kModel, kSeed).value().store);
   try {
     for (int i = 100; i < 1'000'000; ++i) give_row(store, i);
-  } catch (const std::runtime_error& fault) {
-    return std::string(fault.what()).find("rows' cannot be written: File too large") != std::string::npos;
+  } catch (const std::runtime_error& error) {
+    return std::string(error.what()).find("rows' cannot be written: File too large") != std::string::npos;
   }
   return false;
 }

@@ -24,11 +24,11 @@ TEST(run_store, takes_up_at_the_checkpoint_and_drops_what_came_after) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   EXPECT_EQ(RunStore::find(folder.path()).value().time, 50.0);
-  EXPECT_EQ(RunStore::find(folder.path()).value().fault, "");
+  EXPECT_EQ(RunStore::find(folder.path()).value().error, "");
   EXPECT_FALSE(RunStore::find(folder.path()).value().active);
   std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
   ASSERT_TRUE(run);
-  EXPECT_TRUE(RunStore::find(folder.path()).value().active);  // somebody is at work on it
+  EXPECT_TRUE(RunStore::find(folder.path()).value().active);  // another process writes it
   expect_run(run->store, 100);
   ASSERT_EQ(run->state.arrays.size(), 2U);
   EXPECT_EQ(run->state.time, 50.0);
@@ -54,7 +54,7 @@ TEST(run_store, has_nothing_to_take_up_before_the_first_checkpoint) {
   EXPECT_FALSE(RunStore::resume(folder.path(), kModel, kSeed));
 }
 
-TEST(run_store, refuses_other_histories_than_it_holds) {
+TEST(run_store, rejects_other_histories_than_it_holds) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   RunStore store = std::move(RunStore::resume(folder.path(), kModel, kSeed).value().store);
@@ -67,10 +67,10 @@ TEST(run_store, is_held_by_one_at_a_time) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
-  EXPECT_NE(fault_of(folder.path()).find("another run is active"), std::string::npos);
+  EXPECT_NE(find_run_error(folder.path()).find("another run is active"), std::string::npos);
   EXPECT_THROW(RunStore::create(folder.path(), kModel, kSeed), std::runtime_error);
   run.reset();
-  EXPECT_EQ(fault_of(folder.path()), "");
+  EXPECT_EQ(find_run_error(folder.path()), "");
 }
 
 TEST(run_store, begins_anew_over_an_older_run) {
@@ -100,8 +100,8 @@ TEST(run_store, says_why_it_can_not_write) {
   try {
     RunStore::create(folder / "file/results", kModel, kSeed);
     ADD_FAILURE() << "a folder inside a file";
-  } catch (const std::runtime_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("cannot be written: Not a directory"), std::string::npos);
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot be written: Not a directory"), std::string::npos);
   }
   EXPECT_EQ(testing::file_text(folder / "file"), "mine");
 }

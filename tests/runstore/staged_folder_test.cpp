@@ -148,7 +148,7 @@ TEST(staged_folder, killed_at_work_it_leaves_the_old_folder_and_the_next_run_cle
   EXPECT_EQ(names_in(folder.path()).size(), 2U);  // what the killed one left
   const StagedFolder at_work(folder / "other");
   write_results(folder / "out", {"summary.json"}, "new");
-  EXPECT_TRUE(fs::exists(at_work.path()));  // not of somebody who lives
+  EXPECT_TRUE(fs::exists(at_work.path()));  // not that of a live process
   EXPECT_EQ(names_in(folder.path()).size(), 3U);
 }
 

@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-std::string fault_of_table(const std::string& text) {
+std::string table_error(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_depth_table(text, "bed.csv", diagnostics).has_value());
   const std::vector<std::string> lines = diagnostics.lines(Severity::error);
@@ -34,12 +34,12 @@ TEST(bathymetry_reader, takes_points_with_a_gap_for_scattered) {
   EXPECT_EQ(depths->depth.size(), 5U);
 }
 
-TEST(bathymetry_reader, says_line_and_reason_of_a_fault) {
-  EXPECT_NE(fault_of_table("x,y,z\n0,0,5\n").find("'east,north,depth'"), std::string::npos);
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,deep\n").find("bed.csv:3"), std::string::npos);
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,-5\n0,9,-5\n30,0,-4\n").find("no depth above 0"), std::string::npos);
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,5\n").find("at least three"), std::string::npos);
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,5\n0,2,5\n").find("points on one line"), std::string::npos);
+TEST(bathymetry_reader, says_line_and_reason_of_an_error) {
+  EXPECT_NE(table_error("x,y,z\n0,0,5\n").find("'east,north,depth'"), std::string::npos);
+  EXPECT_NE(table_error("east,north,depth\n0,0,5\n0,1,deep\n").find("bed.csv:3"), std::string::npos);
+  EXPECT_NE(table_error("east,north,depth\n0,0,-5\n0,9,-5\n30,0,-4\n").find("no depth above 0"), std::string::npos);
+  EXPECT_NE(table_error("east,north,depth\n0,0,5\n0,1,5\n").find("at least three"), std::string::npos);
+  EXPECT_NE(table_error("east,north,depth\n0,0,5\n0,1,5\n0,2,5\n").find("points on one line"), std::string::npos);
 }
 
 TEST(bathymetry_reader, takes_an_ascii_grid_from_its_north_west_corner) {
@@ -71,8 +71,8 @@ TEST(bathymetry_reader, knows_cells_without_data_however_the_head_spells_them) {
   EXPECT_EQ(of_none->depth, of_gdal->depth);
 }
 
-TEST(bathymetry_reader, refuses_depths_that_no_sea_has) {
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,50\n0,1,99999\n1,0,50\n").find("at most 12000"), std::string::npos);
+TEST(bathymetry_reader, rejects_depths_that_no_sea_has) {
+  EXPECT_NE(table_error("east,north,depth\n0,0,50\n0,1,99999\n1,0,50\n").find("at most 12000"), std::string::npos);
   Diagnostics diagnostics;
   EXPECT_FALSE(read_ascii_grid(kHead + "1 2 3\n4 5 99999\n", "bed.asc", diagnostics).has_value());
   EXPECT_TRUE(diagnostics.has_errors());
@@ -95,12 +95,12 @@ TEST(bathymetry_reader, a_grid_may_reach_the_shore_and_the_land_behind_it) {
 TEST(bathymetry_reader, values_that_stand_for_none_are_no_land) {
   for (const char* value : {"-999", "-9999", "-32768", "9999"}) {
     const std::string table = std::string("east,north,depth\n0,0,50\n0,20,") + value + "\n20,0,50\n";
-    EXPECT_NE(fault_of_table(table).find("places without data"), std::string::npos) << value;
+    EXPECT_NE(table_error(table).find("places without data"), std::string::npos) << value;
   }
 }
 
-TEST(bathymetry_reader, an_area_of_millimetres_is_refused) {
-  const std::string degrees = fault_of_table("east,north,depth\n5.001,60.002,50\n5.005,60.002,51\n5.001,60.006,52\n");
+TEST(bathymetry_reader, an_area_of_millimetres_is_rejected) {
+  const std::string degrees = table_error("east,north,depth\n5.001,60.002,50\n5.005,60.002,51\n5.001,60.006,52\n");
   EXPECT_NE(degrees.find("an area of 0.004 m by 0.004 m"), std::string::npos) << degrees;
   EXPECT_NE(degrees.find("longitude and latitude in degrees?"), std::string::npos) << degrees;
   std::string wide = "ncols 4000\nnrows 2\nxllcorner 5\nyllcorner 60\ncellsize 0.00417\n";
@@ -110,15 +110,15 @@ TEST(bathymetry_reader, an_area_of_millimetres_is_refused) {
   EXPECT_NE(diagnostics.lines(Severity::error)[0].find("in cells of 4.17 mm"), std::string::npos);
 }
 
-TEST(bathymetry_reader, refuses_grids_that_are_not_whole) {
-  const auto refused = [](const std::string& text) {
+TEST(bathymetry_reader, rejects_grids_that_are_not_whole) {
+  const auto rejected = [](const std::string& text) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_ascii_grid(text, "bed.asc", diagnostics).has_value()) << text;
     return diagnostics.has_errors();
   };
-  EXPECT_TRUE(refused(kHead + "1 2 3\n4 5\n"));
-  EXPECT_TRUE(refused("ncols 3\n1 2 3\n"));
-  EXPECT_TRUE(refused(""));
+  EXPECT_TRUE(rejected(kHead + "1 2 3\n4 5\n"));
+  EXPECT_TRUE(rejected("ncols 3\n1 2 3\n"));
+  EXPECT_TRUE(rejected(""));
 }
 
 TEST(bathymetry_reader, says_how_to_convert_a_geotiff) {

@@ -36,7 +36,7 @@ class Writer {
       attach(name, dimensions[k], k);
     }
   }
-  void words(const std::string& name, const std::vector<const char*>& texts) const {
+  void write_texts(const std::string& name, const std::vector<const char*>& texts) const {
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, H5T_VARIABLE);
     const hsize_t count = texts.size();
@@ -83,9 +83,9 @@ void write_barge(const std::string& path, double density, const std::map<std::st
     for (std::size_t b = 0; b < headings && !infinite; ++b) {
       for (std::size_t d = 0; d < 6; ++d) {
         const std::complex<double> value = data.force[data.excitation.index(k, b)](kModeOfDof[d]);
-        const std::size_t at = (k * headings + b) * 6 + d;
-        force[at] = value.real();
-        force[at + (count + 1) * headings * 6] = -value.imag();  // exp(-i omega t)
+        const std::size_t index = (k * headings + b) * 6 + d;
+        force[index] = value.real();
+        force[index + (count + 1) * headings * 6] = -value.imag();  // exp(-i omega t)
       }
     }
   }
@@ -94,9 +94,9 @@ void write_barge(const std::string& path, double density, const std::map<std::st
       stiffness.push_back(data.hydrostatic_stiffness(i, j));
     }
   }
-  writer.words("radiating_dof", {std::begin(kDofs), std::end(kDofs)});
-  writer.words("influenced_dof", {std::begin(kDofs), std::end(kDofs)});
-  writer.words("complex", {"re", "im"});
+  writer.write_texts("radiating_dof", {std::begin(kDofs), std::end(kDofs)});
+  writer.write_texts("influenced_dof", {std::begin(kDofs), std::end(kDofs)});
+  writer.write_texts("complex", {"re", "im"});
   writer.numbers("omega", {"omega"}, {count + 1}, omega);
   writer.numbers("wave_direction", {"wave_direction"}, {headings},
                  {data.excitation.heading.begin(), data.excitation.heading.begin() + headings});
@@ -146,7 +146,7 @@ TEST(capytaine_reader, a_file_says_what_wamits_files_of_the_same_hull_say) {
   EXPECT_TRUE(data->drift.omega.empty());
 }
 
-TEST(capytaine_reader, faults_name_what_was_found_and_expected) {
+TEST(capytaine_reader, errors_name_what_was_found_and_expected) {
   HydrodynamicsSource source;
   source.path = scratch_file();
   write_barge(source.path, 1000.0);
@@ -200,21 +200,22 @@ TEST(capytaine_reader, values_about_a_rotation_centre_are_moved_to_the_centre_of
   EXPECT_EQ(moved.data->hydrostatic_stiffness(3, 3), given.hydrostatic_stiffness(3, 3));
 }
 
-TEST(capytaine_reader, another_centre_of_mass_than_the_models_is_refused_with_both_points) {
+TEST(capytaine_reader, another_centre_of_mass_than_the_models_is_rejected_with_both_points) {
   const std::map<std::string, std::vector<double>> aft = {{"rotation_center", {-60.0, 0.0, -5.182}},
                                                           {"center_of_mass", {-60.0, 0.0, -5.0}}};
-  const StatedReading refused = read_with(aft);
-  EXPECT_FALSE(refused.data);
-  ASSERT_EQ(refused.errors.size(), 1U);
-  for (const char* words : {"center_of_mass (-60, 0, -5) m", "rotation_center (-60, 0, -5.182) m", "(0, 0, 0.818) m"}) {
-    EXPECT_NE(refused.errors[0].find(words), std::string::npos) << refused.errors[0];
+  const StatedReading rejected = read_with(aft);
+  EXPECT_FALSE(rejected.data);
+  ASSERT_EQ(rejected.errors.size(), 1U);
+  for (const char* arguments :
+       {"center_of_mass (-60, 0, -5) m", "rotation_center (-60, 0, -5.182) m", "(0, 0, 0.818) m"}) {
+    EXPECT_NE(rejected.errors[0].find(arguments), std::string::npos) << rejected.errors[0];
   }
   HydrodynamicsSource source;
   source.file_origin = Vec3(60.0, 0.0, 5.818);
   EXPECT_TRUE(read_with(aft, source).data);
 }
 
-TEST(capytaine_reader, a_file_of_another_condition_is_refused_or_warned_of) {
+TEST(capytaine_reader, a_file_of_another_condition_is_rejected_or_warned_of) {
   EXPECT_NE(read_with({{"forward_speed", {2.0}}}).errors.at(0).find("forward_speed = 2 m/s"), std::string::npos);
   EXPECT_TRUE(read_with({{"forward_speed", {0.0}}, {"water_depth", {89.0}}}).warnings.empty());
   EXPECT_NE(read_with({{"water_depth", {400.0}}}).warnings.at(0).find("a water depth of 400 m, the model has 89 m"),

@@ -41,11 +41,11 @@ TEST(coefficient_table, a_whole_circle_stays_as_it_is) {
   EXPECT_EQ(r.rows.size(), 6U);
 }
 
-TEST(coefficient_table, every_slip_is_told_with_its_line) {
-  const auto expect = [](const std::string& text, const std::string& words) {
+TEST(coefficient_table, every_slip_is_reported_with_its_line) {
+  const auto expect = [](const std::string& text, const std::string& message) {
     const Reading r = read(text);
-    ASSERT_EQ(r.errors.size(), 1U) << words;
-    EXPECT_NE(r.errors[0].find(words), std::string::npos) << r.errors[0];
+    ASSERT_EQ(r.errors.size(), 1U) << message;
+    EXPECT_NE(r.errors[0].find(message), std::string::npos) << r.errors[0];
     EXPECT_TRUE(r.rows.empty());
   };
   const std::string head = "angle_deg,cx,cy,cz\n";

@@ -16,7 +16,7 @@ TEST(displaced_volume, of_a_box_is_length_times_beam_times_draught) {
   EXPECT_LT(estimate->uncertainty, 0.01);
 }
 
-TEST(displaced_volume, is_not_known_without_waves_that_are_long_beside_the_hull) {
+TEST(displaced_volume, is_not_known_without_waves_that_are_long_relative_to_the_hull) {
   HydrodynamicData data = testing::bgl1_data();
   EXPECT_FALSE(displaced_volume(data, {800.0, 5.182, 89.0}));
   data.excitation.heading.assign(data.excitation.heading.size(), 1.0);

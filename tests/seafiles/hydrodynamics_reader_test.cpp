@@ -159,17 +159,17 @@ TEST(hydrodynamics_reader, headings_are_wrapped_sorted_and_mirrored_where_the_hu
 }
 
 TEST(hydrodynamics_reader, every_bad_file_is_one_error_with_line_found_and_expected) {
-  struct Fault {
-    const char *ending, *text, *place, *words;
+  struct BadInput {
+    const char *ending, *text, *place, *expected_text;
   };
-  const Fault faults[] = {
+  const BadInput errors[] = {
       {".1", "", "hull.1: ", "no numbers"},
       {".1", "6 3 3 1 x\n", "hull.1:1: ", "found 'x', expected a number"},
       {".1", "6 3 3 1 0.1\n5 3 3 1\n", "hull.1:2: ", "5 columns at a finite frequency"},
       {".1", "6 3 9 1 0.1\n", "hull.1:1: ", "two modes from 1 to 6"},
-      {".1", "6 3 3 1 0.1\n6 3 3 1 0.1\n", "hull.1:2: ", "a second time"},
-      {".1", "6 3 3 1 0.1\n5 3 3 1 0.1\n5 1 1 1 0\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:2: ", "other pairs"},
-      {".1", "0 1 1 1\n6 3 3 1 1\n5 3 3 1 1\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:1: ", "other pairs"},
+      {".1", "6 3 3 1 0.1\n6 3 3 1 0.1\n", "hull.1:2: ", "twice"},
+      {".1", "6 3 3 1 0.1\n5 3 3 1 0.1\n5 1 1 1 0\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:2: ", "pairs of modes that differ"},
+      {".1", "0 1 1 1\n6 3 3 1 1\n5 3 3 1 1\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:1: ", "pairs of modes that differ"},
       {".1", "6 3 3 1 1\n6.000001 3 3 1 1\n5 3 3 1 1\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:2: ", "each frequency once"},
       {".1", "6 3 3 1 0.1\n5 3 3 1 0.1\n", "hull.1: ", "four or more"},
       {".1", "0 3 3 1\n", "hull.1: ", "no finite frequency"},
@@ -182,15 +182,15 @@ TEST(hydrodynamics_reader, every_bad_file_is_one_error_with_line_found_and_expec
       {".8", "6 0 90 1 1 0 1 0\n", "hull.8: ", "equal headings"},
       {".hst", "0 3 1\n", "hull.hst:1: ", "two modes"},
   };
-  for (const Fault& fault : faults) {
+  for (const BadInput& damage : errors) {
     const Files files;
-    files.write(fault.ending, fault.text);
+    files.write(damage.ending, damage.text);
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_hydrodynamics(files.source(), diagnostics)) << fault.text;
-    ASSERT_EQ(diagnostics.error_count(), 1) << fault.text;
+    EXPECT_FALSE(read_hydrodynamics(files.source(), diagnostics)) << damage.text;
+    ASSERT_EQ(diagnostics.error_count(), 1) << damage.text;
     const std::string line = diagnostics.lines(Severity::error)[0];
-    EXPECT_NE(line.find(fault.place), std::string::npos) << line;
-    EXPECT_NE(line.find(fault.words), std::string::npos) << line;
+    EXPECT_NE(line.find(damage.place), std::string::npos) << line;
+    EXPECT_NE(line.find(damage.expected_text), std::string::npos) << line;
   }
 }
 

@@ -32,31 +32,31 @@ TEST(motion_history_reader, a_hole_in_a_record_is_warned_of) {
   EXPECT_NE(warnings[0].find("a gap of 21 s"), std::string::npos) << warnings[0];
 }
 
-TEST(motion_history_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {
-  struct Fault {
+TEST(motion_history_reader, errors_are_reported_with_file_line_what_was_found_and_what_was_expected) {
+  struct BadInput {
     std::string text;
     int line;
-    const char* words;
+    const char* expected_text;
   };
-  const std::vector<Fault> faults = {
+  const std::vector<BadInput> errors = {
       {"", 0, "no rows"},
       {"time_s,heave\n0,1\n", 1, "a column 'heave', expected one of time_s, surge_m"},
       {"heave_m\n1\n", 1, "without time_s"},
-      {"time_s,heave_m,heave_m\n0,1,1\n", 1, "a second time"},
+      {"time_s,heave_m,heave_m\n0,1,1\n", 1, "twice"},
       {"time_s,heave_m\n0,1\n1,x\n", 3, "'x', expected a number for heave_m"},
       {"time_s,heave_m\n0,1\n1,inf\n", 3, "'inf'"},
       {"time_s,heave_m\n0,1\n1\n", 3, "1 cells, expected 2"},
-      {"time_s,heave_m\n1,1\n1,2\n", 3, "more than in the row before"},
+      {"time_s,heave_m\n1,1\n1,2\n", 3, "a later time than in the previous row"},
       {"time_s,heave_m\n0,1\n", 2, "at least two"},
   };
-  for (const Fault& fault : faults) {
-    const WrittenFile file("motion.csv", fault.text);
+  for (const BadInput& damage : errors) {
+    const WrittenFile file("motion.csv", damage.text);
     Diagnostics diagnostics;
     EXPECT_FALSE(read_motion_history(file.path(), 0.0, diagnostics).has_value());
-    ASSERT_EQ(diagnostics.error_count(), 1) << fault.words;
+    ASSERT_EQ(diagnostics.error_count(), 1) << damage.expected_text;
     const Diagnostic first = diagnostics.sorted().front();
-    EXPECT_EQ(first.line, fault.line) << render(first);
-    EXPECT_NE(render(first).find(fault.words), std::string::npos) << render(first);
+    EXPECT_EQ(first.line, damage.line) << render(first);
+    EXPECT_NE(render(first).find(damage.expected_text), std::string::npos) << render(first);
   }
 }
 

@@ -61,9 +61,9 @@ Reading read(const Motion& motion, const Sampling& sampling = {}, double heading
   return read(written(motion, sampling), heading);
 }
 
-bool says(const std::vector<std::string>& lines, const std::string& words) {
+bool says(const std::vector<std::string>& lines, const std::string& message) {
   return std::any_of(lines.begin(), lines.end(),
-                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+                     [&](const std::string& line) { return line.find(message) != std::string::npos; });
 }
 
 std::string joined(const std::vector<std::string>& lines) {
@@ -150,7 +150,7 @@ TEST(motion_record_checks, a_spike_is_warned_of_with_row_and_value) {
     const Reading reading = read(spiked);
     ASSERT_TRUE(reading.history);
     ASSERT_EQ(reading.warnings.size(), 1U) << joined(reading.warnings);
-    EXPECT_TRUE(says(reading.warnings, "motion.csv:102: heave_m leaps by")) << reading.warnings[0];
+    EXPECT_TRUE(says(reading.warnings, "motion.csv:102: heave_m jumps by")) << reading.warnings[0];
     EXPECT_TRUE(says(reading.warnings, "at t = 50 s")) << reading.warnings[0];
   }
 }
@@ -163,18 +163,18 @@ TEST(motion_record_checks, steps_between_rows_beyond_a_vessel_are_warned_of_in_e
       if (t > 60.0) row[k] += steps[k];
       return row;
     };
-    EXPECT_TRUE(says(read(shifted).warnings, std::string(kMotionColumns[k]) + " leaps by")) << k;
+    EXPECT_TRUE(says(read(shifted).warnings, std::string(kMotionColumns[k]) + " jumps by")) << k;
   }
 }
 
-TEST(motion_record_checks, values_that_stand_for_none_are_refused_with_the_row) {
+TEST(motion_record_checks, values_that_stand_for_none_are_rejected_with_the_row) {
   for (const char* value : {"999", "-999", "9999", "1e20", "-999.25", "32767"}) {
     const Reading reading =
         read(std::string("time_s,heave_m,roll_deg\n0,0.1,1\n0.5,0.2,2\n1,") + value + ",2\n1.5,0.1,1\n");
     EXPECT_FALSE(reading.history.has_value()) << value;
     ASSERT_EQ(reading.errors.size(), 1U);
     EXPECT_TRUE(says(reading.errors, "motion.csv:4: found heave_m of ")) << reading.errors[0];
-    EXPECT_TRUE(says(reading.errors, "where they have no value")) << reading.errors[0];
+    EXPECT_TRUE(says(reading.errors, "write for missing values")) << reading.errors[0];
   }
 }
 
@@ -186,11 +186,11 @@ TEST(motion_record_checks, a_recorder_that_stops_is_warned_of) {
       return row;
     };
     const Reading reading = read(frozen);
-    EXPECT_TRUE(says(reading.warnings, "in 24 rows, from t = 41 s to 52.5 s")) << joined(reading.warnings);
+    EXPECT_TRUE(says(reading.warnings, "for 24 rows, from t = 41 s to 52.5 s")) << joined(reading.warnings);
   }
 }
 
-TEST(motion_record_checks, a_few_rows_that_stand_still_are_told_by_the_digits_of_the_record) {
+TEST(motion_record_checks, a_few_constant_rows_are_distinguished_by_the_digits_of_the_record) {
   const auto held_for = [](double time, int decimals) {
     const Motion motion = random_motion();
     const auto held = [=](double t) {
@@ -198,7 +198,7 @@ TEST(motion_record_checks, a_few_rows_that_stand_still_are_told_by_the_digits_of
       if (t >= 100.0 && t < 100.0 + time) row[2] = 0.0;
       return row;
     };
-    return says(read(held, {0.5, 1200, decimals}).warnings, "heave_m is 0 m in ");
+    return says(read(held, {0.5, 1200, decimals}).warnings, "heave_m stays at 0 m for ");
   };
   EXPECT_TRUE(held_for(4.0, 4));
   EXPECT_TRUE(held_for(4.0, 3));
@@ -209,7 +209,7 @@ TEST(motion_record_checks, a_few_rows_that_stand_still_are_told_by_the_digits_of
 TEST(motion_record_checks, a_row_of_zeros_in_every_column_is_warned_of) {
   const Motion motion = random_motion();
   const auto blank = [&](double t) { return t == 60.0 ? Row{} : motion(t); };
-  EXPECT_TRUE(says(read(blank).warnings, "motion.csv:122: all columns are 0 at t = 60 s: did"))
+  EXPECT_TRUE(says(read(blank).warnings, "motion.csv:122: all columns are 0 at t = 60 s; did"))
       << joined(read(blank).warnings);
   const auto from_rest = [&](double t) { return t < 60.0 ? Row{} : motion(t); };
   EXPECT_FALSE(says(read(from_rest).warnings, "all columns are 0"));
@@ -218,7 +218,7 @@ TEST(motion_record_checks, a_row_of_zeros_in_every_column_is_warned_of) {
 TEST(motion_record_checks, values_that_are_held_over_several_rows_are_warned_of) {
   const Motion motion = random_motion();
   const auto stairs = [&](double t) { return motion(std::floor(t)); };
-  EXPECT_TRUE(says(read(stairs, {0.25, 2400, 4}).warnings, "heave_m repeats the value before in 75 % of its rows"))
+  EXPECT_TRUE(says(read(stairs, {0.25, 2400, 4}).warnings, "heave_m repeats the previous value in 75 % of its rows"))
       << joined(read(stairs, {0.25, 2400, 4}).warnings);
 }
 
@@ -261,9 +261,8 @@ TEST(motion_record_checks, a_time_step_that_changes_or_is_too_long_is_warned_of)
     const double t = i < 200 ? 0.5 * i : 100.0 + 0.1 * (i - 200);
     text += fmt::format("{:.2f},{:.4f}\n", t, swell(t)[2]);
   }
-  EXPECT_TRUE(says(read(text).warnings, "the time step changes between 0.1 s and 0.5 s"))
-      << joined(read(text).warnings);
-  EXPECT_TRUE(says(read(swell, {3.0, 200, 4}).warnings, "rows in its mean period"));
+  EXPECT_TRUE(says(read(text).warnings, "the time step varies between 0.1 s and 0.5 s")) << joined(read(text).warnings);
+  EXPECT_TRUE(says(read(swell, {3.0, 200, 4}).warnings, "rows per mean period"));
   EXPECT_TRUE(says(read(swell, {500.0, 50, 4}).warnings, "is the time in s?"));
 }
 

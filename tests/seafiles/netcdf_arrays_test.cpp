@@ -20,7 +20,7 @@ class ClassicWriter {
 
   std::string file(std::uint64_t records) {
     const std::size_t length = head(records, 0).size();
-    std::string values = words() + numbers();
+    std::string values = dof_names() + numbers();
     for (std::uint64_t i = 0; i < records; ++i) values += record(i);
     return head(records, length) + values;
   }
@@ -59,7 +59,7 @@ class ClassicWriter {
            variable("level", {0}, 5, records_begin + 4, no_attributes());
   }
   static std::string number(double value) { return big_endian(std::bit_cast<std::uint64_t>(value), 8); }
-  static std::string words() { return std::string("bow\0\0stern\0\0", 12); }
+  static std::string dof_names() { return std::string("bow\0\0stern\0\0", 12); }
   static std::string numbers() { return number(89.0) + number(-1.5); }
   static std::string record(std::uint64_t i) {
     return big_endian(i, 2) + big_endian(static_cast<std::uint16_t>(-3), 2) +
@@ -86,19 +86,19 @@ class NetcdfFiles : public ::testing::Test {
     const hid_t set = H5Dopen2(file, "depth", H5P_DEFAULT);
     H5DSset_scale(set, "depth");
     H5Dclose(set);
-    make_words(file);
+    make_string_attribute(file);
     make_pieces(file, "pieces", true);
     make_pieces(file, "gap", false);
     H5Fclose(file);
     return path;
   }
-  /// How the file is refused; empty where it is read.
-  static std::string refusal(const std::string& path) {
+  /// Message of rejection of the file; empty if it is read.
+  static std::string rejection(const std::string& path) {
     try {
       const NetcdfFile file(path);
       for (const char* name : {"depth", "short", "level", "pieces"}) look_at(file, name);
-    } catch (const std::runtime_error& fault) {
-      return fault.what();
+    } catch (const std::runtime_error& error) {
+      return error.what();
     }
     return {};
   }
@@ -111,7 +111,7 @@ class NetcdfFiles : public ::testing::Test {
     EXPECT_EQ(count_values(array->sizes), array->values.size());
     EXPECT_EQ(array->dimensions.size(), array->sizes.size());
   }
-  static void make_words(hid_t file) {
+  static void make_string_attribute(hid_t file) {
     const std::vector<const char*> texts = {"bow", "stern"};
     const hsize_t count = texts.size();
     const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate_simple(1, &count, nullptr);
@@ -144,7 +144,7 @@ class NetcdfFiles : public ::testing::Test {
 TEST_F(NetcdfFiles, of_every_classic_format_are_read) {
   for (const unsigned version : {1U, 2U, 5U}) {
     const NetcdfFile file(written(ClassicWriter(version).file(3)));
-    EXPECT_EQ(file.words("place_name"), (std::vector<std::string>{"bow", "stern"}));
+    EXPECT_EQ(file.texts("place_name"), (std::vector<std::string>{"bow", "stern"}));
     const auto depth = file.numbers("depth"), packed = file.numbers("short"), level = file.numbers("level");
     ASSERT_TRUE(depth && packed && level);
     EXPECT_EQ(depth->values, (std::vector<double>{89.0, -1.5}));
@@ -158,42 +158,42 @@ TEST_F(NetcdfFiles, of_every_classic_format_are_read) {
 
 TEST_F(NetcdfFiles, that_are_cut_short_say_which_variable_is_not_whole) {
   const std::string whole = ClassicWriter(2).file(3);
-  EXPECT_EQ(refusal(written(whole.substr(0, whole.size() - 1))),
-            "the variable level, which lies beyond the end of the file");
-  EXPECT_EQ(refusal(written(whole.substr(0, 60))), "a damaged netCDF file: its head ends early");
-  EXPECT_EQ(refusal(written("CDF\x03")), "a damaged netCDF file: its format is number 3");
-  EXPECT_NE(refusal(written("")), "");
+  EXPECT_EQ(rejection(written(whole.substr(0, whole.size() - 1))),
+            "a variable level that lies beyond the end of the file");
+  EXPECT_EQ(rejection(written(whole.substr(0, 60))), "a damaged netCDF file: its header is truncated");
+  EXPECT_EQ(rejection(written("CDF\x03")), "a damaged netCDF file: its format version is 3");
+  EXPECT_NE(rejection(written("")), "");
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_NE(refusal(written(whole.substr(0, length))), "") << length;
+    EXPECT_NE(rejection(written(whole.substr(0, length))), "") << length;
   }
 }
 
-TEST_F(NetcdfFiles, whose_variables_lie_in_one_place_are_refused) {
+TEST_F(NetcdfFiles, whose_variables_lie_in_one_place_are_rejected) {
   std::string whole = ClassicWriter(1).file(3);
   const std::size_t name = whole.find("depth"), begin = name + 8 + 4 + 4 + 8 + 4 + 4;  // rank, dimension, no attributes
-  ASSERT_EQ(refusal(written(whole)), "");
+  ASSERT_EQ(rejection(written(whole)), "");
   whole[begin + 3] = static_cast<char>(whole[begin + 3] - 4);
-  EXPECT_EQ(refusal(written(whole)), "a damaged netCDF file: values of its variables overlap");
+  EXPECT_EQ(rejection(written(whole)), "a damaged netCDF file: values of its variables overlap");
   whole[begin + 3] = 4;
-  EXPECT_EQ(refusal(written(whole)), "a damaged netCDF file: values of its variables overlap");  // with the head
+  EXPECT_EQ(rejection(written(whole)), "a damaged netCDF file: values of its variables overlap");  // with the head
 }
 
 TEST_F(NetcdfFiles, with_changed_bytes_are_read_within_their_bounds) {
   const std::string whole = ClassicWriter(5).file(3);
   std::mt19937 draw(1);
-  int refused = 0;
+  int rejected = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string changed = whole;
     for (int k = 0; k <= i % 3; ++k) changed[draw() % changed.size()] = static_cast<char>(draw());
-    refused += refusal(written(changed)).empty() ? 0 : 1;
+    rejected += rejection(written(changed)).empty() ? 0 : 1;
   }
-  EXPECT_GT(refused, 100);
-  EXPECT_LT(refused, 2900);
+  EXPECT_GT(rejected, 100);
+  EXPECT_LT(rejected, 2900);
 }
 
 TEST_F(NetcdfFiles, of_hdf5_are_read) {
   const NetcdfFile file(hdf5_file());
-  EXPECT_EQ(file.words("place_name"), (std::vector<std::string>{"bow", "stern"}));
+  EXPECT_EQ(file.texts("place_name"), (std::vector<std::string>{"bow", "stern"}));
   ASSERT_TRUE(file.numbers("depth") && file.numbers("pieces"));
   EXPECT_EQ(file.numbers("depth")->values, (std::vector<double>{89.0, -1.5}));
   EXPECT_EQ(file.numbers("pieces")->values, std::vector<double>(20, 0.75));
@@ -205,8 +205,8 @@ TEST_F(NetcdfFiles, of_hdf5_with_missing_chunks_are_no_zeros) {
       {
         try {
           file.numbers("gap");
-        } catch (const std::runtime_error& fault) {
-          EXPECT_STREQ(fault.what(), "the variable gap, which has 1 of its 4 chunks");
+        } catch (const std::runtime_error& error) {
+          EXPECT_STREQ(error.what(), "a variable gap that has 1 of its 4 chunks");
           throw;
         }
       },
@@ -216,16 +216,16 @@ TEST_F(NetcdfFiles, of_hdf5_with_missing_chunks_are_no_zeros) {
 TEST_F(NetcdfFiles, of_hdf5_with_changed_bytes_do_not_end_the_program) {
   const std::string whole = testing::file_text(hdf5_file());
   std::mt19937 draw(1);
-  int refused = 0;
+  int rejected = 0;
   for (int i = 0; i < 150; ++i) {  // among them those that end the process which reads
     std::string changed = whole;
     for (int k = 0; k <= i % 16; ++k) changed[draw() % changed.size()] = static_cast<char>(draw());
-    refused += refusal(written(changed)).empty() ? 0 : 1;
+    rejected += rejection(written(changed)).empty() ? 0 : 1;
   }
-  EXPECT_GT(refused, 10);
-  EXPECT_LT(refused, 140);
-  EXPECT_NE(refusal(written(whole.substr(0, whole.size() / 2))), "");
-  EXPECT_EQ(refusal(written("no such file")), "no netCDF file");
+  EXPECT_GT(rejected, 10);
+  EXPECT_LT(rejected, 140);
+  EXPECT_NE(rejection(written(whole.substr(0, whole.size() / 2))), "");
+  EXPECT_EQ(rejection(written("no such file")), "a file that is not netCDF");
 }
 
 }  // namespace

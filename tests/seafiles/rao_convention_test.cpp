@@ -16,9 +16,9 @@ constexpr double kDepth = 89.0;
 
 /// The convention of the house with one word changed.
 RaoTranslation with(const std::string& key, const std::string& word, double length_scale = 1.0) {
-  ConventionWords words = convention_set("house");
-  words[key] = word;
-  return {words, length_scale, kDepth};
+  ConventionValues convention = convention_set("house");
+  convention[key] = word;
+  return {convention, length_scale, kDepth};
 }
 
 RaoRecord record(int freedom, double amplitude, double phase) {
@@ -29,21 +29,22 @@ void expect_near(std::complex<double> a, std::complex<double> b) {
   EXPECT_NEAR(std::abs(a - b), 0.0, 1e-14 * std::max(1.0, std::abs(b)));
 }
 
-TEST(rao_convention, every_set_settles_every_key_with_one_of_its_words) {
+TEST(rao_convention, every_set_settles_every_key_with_one_of_its_names) {
   for (const std::string& set : convention_sets()) {
-    const ConventionWords words = convention_set(set);
-    EXPECT_EQ(words.size(), convention_keys().size()) << set;
+    const ConventionValues convention = convention_set(set);
+    EXPECT_EQ(convention.size(), convention_keys().size()) << set;
     for (const ConventionKey& key : convention_keys()) {
-      EXPECT_NE(std::find(key.words.begin(), key.words.end(), words.at(key.key)), key.words.end()) << set << key.key;
+      EXPECT_NE(std::find(key.values.begin(), key.values.end(), convention.at(key.key)), key.values.end())
+          << set << key.key;
     }
   }
 }
 
 TEST(rao_convention, a_key_that_is_not_settled_is_a_broken_promise) {
   for (const ConventionKey& key : convention_keys()) {
-    ConventionWords words = convention_set("house");
-    words.erase(key.key);
-    EXPECT_THROW(RaoTranslation(words, 1.0, kDepth), std::logic_error) << key.key;
+    ConventionValues convention = convention_set("house");
+    convention.erase(key.key);
+    EXPECT_THROW(RaoTranslation(convention, 1.0, kDepth), std::logic_error) << key.key;
   }
 }
 
@@ -85,7 +86,7 @@ TEST(rao_convention, rotations_come_in_rad_per_metre) {
   EXPECT_NEAR(with("rotation", "rad_per_steepness").response(pitch).real(), 2.0 * k / kPi, 1e-14);
   EXPECT_NEAR(with("rotation", "deg_per_steepness").response(pitch).real(), 2.0 * kDegree * k / kPi, 1e-15);
   EXPECT_NEAR(with("rotation", "rad_per_m", 4.0).response(pitch).real(), 0.5, 1e-15);
-  // Translations are per metre whatever the rotations are.
+  // Translations are per metre for any unit of the rotations.
   EXPECT_NEAR(with("rotation", "per_slope", 4.0).response(record(0, 2.0, 0.0)).real(), 2.0, 1e-15);
 }
 
@@ -93,10 +94,10 @@ TEST(rao_convention, the_other_word_for_positive_turns_the_sign_of_its_freedom_a
   int freedom = 0;
   for (const ConventionKey& key : convention_keys()) {
     if (key.key.rfind("positive.", 0) != 0) continue;
-    for (int other = 0; other < 6; ++other) {
-      const double sign = other == freedom ? -1.0 : 1.0;
-      const RaoRecord motion = record(other, 1.0, 0.4);
-      expect_near(with(key.key, key.words[1]).response(motion), sign * with(key.key, key.words[0]).response(motion));
+    for (int second = 0; second < 6; ++second) {
+      const double sign = second == freedom ? -1.0 : 1.0;
+      const RaoRecord motion = record(second, 1.0, 0.4);
+      expect_near(with(key.key, key.values[1]).response(motion), sign * with(key.key, key.values[0]).response(motion));
     }
     ++freedom;
   }

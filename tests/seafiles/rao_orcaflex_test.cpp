@@ -55,7 +55,7 @@ double difference(const RaoTable& a, const RaoTable& b) {
   return worst;
 }
 
-/// The first error of a file that must be refused.
+/// The first error of a file that must be rejected.
 std::string first_error(const std::string& text, const RaoSettings& given = {}) {
   const WrittenFile file("vessel.yml", text);
   Diagnostics diagnostics;
@@ -106,7 +106,7 @@ TEST(rao_orcaflex, several_vessel_types_are_chosen_by_name) {
   EXPECT_NE(first_error(text, given).find("none called 'ferry'"), std::string::npos);
 }
 
-TEST(rao_orcaflex, what_is_not_understood_is_refused) {
+TEST(rao_orcaflex, what_is_not_understood_is_rejected) {
   EXPECT_NE(
       first_error(with("leads", "behind")).find("RAOPhaseConvention: found 'behind', expected one of lags or leads"),
       std::string::npos);

@@ -60,12 +60,12 @@ TEST(rao_reader, a_file_that_does_not_name_its_point_becomes_an_assumption) {
 }
 
 /// The barge's table as a CSV file in the convention of `words`, written from their definition.
-std::string csv_in_other_words(const ConventionWords& words, double depth) {
+std::string csv_with_other_labels(const ConventionValues& convention, double depth) {
   const RaoTable& table = bgl1_raos();
   std::string text = "# reference: 0 0 0.818\nheading_deg,period_s,dof,amplitude,phase_rad\n";
   const auto is = [&](const char* key, const char* word) {
-    const auto found = words.find(key);
-    return found != words.end() && found->second == word;
+    const auto found = convention.find(key);
+    return found != convention.end() && found->second == word;
   };
   for (std::size_t i = 0; i < table.headings.size(); ++i) {
     double heading = table.headings[i] / kDegree;
@@ -75,14 +75,14 @@ std::string csv_in_other_words(const ConventionWords& words, double depth) {
       const double slope = linear_wave_number(table.omegas[j], depth);  // of unit amplitude
       for (std::size_t k = 0; k < 6; ++k) {
         std::complex<double> z = table.value(i, j, k);
-        for (const char* other : {"aft", "starboard", "down", "port_down", "bow_up", "bow_to_starboard"}) {
-          if (is((std::string("positive.") + kFreedomNames[k]).c_str(), other)) z = -z;
+        for (const char* second : {"aft", "starboard", "down", "port_down", "bow_up", "bow_to_starboard"}) {
+          if (is((std::string("positive.") + kFreedomNames[k]).c_str(), second)) z = -z;
         }
         double amplitude = std::abs(z);
         if (k >= 3) {
           if (is("rotation", "per_slope")) amplitude /= slope;
           if (is("rotation", "rad_per_steepness")) amplitude /= slope / kPi;  // H/L = 2a/L = k a/pi
-          if (words.count("rotation") == 0) amplitude /= kDegree;
+          if (convention.count("rotation") == 0) amplitude /= kDegree;
         }
         // The event comes when omega t = 0, pi, pi/2, 3 pi/2; the motion peaks at omega t = lag.
         const double event = is("phase_zero", "trough")          ? kPi
@@ -100,7 +100,7 @@ std::string csv_in_other_words(const ConventionWords& words, double depth) {
 }
 
 TEST(rao_reader, every_convention_brings_the_same_motions_back) {
-  const std::vector<ConventionWords> all = {
+  const std::vector<ConventionValues> all = {
       {},
       {{"phase", "lead"}},
       {{"phase_zero", "trough"}},
@@ -115,25 +115,25 @@ TEST(rao_reader, every_convention_brings_the_same_motions_back) {
       {{"positive.surge", "aft"}, {"positive.sway", "starboard"}, {"positive.heave", "down"}},
       {{"positive.roll", "port_down"}, {"positive.pitch", "bow_up"}, {"positive.yaw", "bow_to_starboard"}},
   };
-  for (const ConventionWords& words : all) {
-    const WrittenFile file("other.csv", csv_in_other_words(words, 89.0));
+  for (const ConventionValues& convention : all) {
+    const WrittenFile file("other.csv", csv_with_other_labels(convention, 89.0));
     RaoSettings given;
-    given.words = words;
+    given.values = convention;
     const RaoTable table = good_raos(file.path(), given);
-    EXPECT_LT(difference(table, bgl1_raos()), 1e-8) << ::testing::PrintToString(words);
-    if (!words.empty()) {
+    EXPECT_LT(difference(table, bgl1_raos()), 1e-8) << ::testing::PrintToString(convention);
+    if (!convention.empty()) {
       EXPECT_GT(difference(good_raos(file.path()), bgl1_raos()), 1e-2) << "unstated, it would have gone wrong";
     }
   }
 }
 
-TEST(rao_reader, a_named_set_is_the_sum_of_its_words) {
-  const WrittenFile file("moses.csv", csv_in_other_words({{"phase", "lead"},
-                                                          {"positive.surge", "aft"},
-                                                          {"positive.sway", "starboard"},
-                                                          {"positive.roll", "port_down"},
-                                                          {"positive.pitch", "bow_up"}},
-                                                         89.0));
+TEST(rao_reader, a_named_set_is_the_sum_of_its_names) {
+  const WrittenFile file("moses.csv", csv_with_other_labels({{"phase", "lead"},
+                                                             {"positive.surge", "aft"},
+                                                             {"positive.sway", "starboard"},
+                                                             {"positive.roll", "port_down"},
+                                                             {"positive.pitch", "bow_up"}},
+                                                            89.0));
   RaoSettings given;
   given.set = "moses";
   EXPECT_LT(difference(good_raos(file.path(), given), bgl1_raos()), 1e-8);
@@ -141,12 +141,12 @@ TEST(rao_reader, a_named_set_is_the_sum_of_its_words) {
 
 TEST(rao_reader, remarks_at_the_head_of_a_csv_settle_its_convention_and_the_user_overrules_them) {
   const WrittenFile file("remarks.csv",
-                         "# phase: lead\n# wave_origin: 3 0\n" + csv_in_other_words({{"phase", "lead"}}, 89.0));
+                         "# phase: lead\n# wave_origin: 3 0\n" + csv_with_other_labels({{"phase", "lead"}}, 89.0));
   const RaoTable table = good_raos(file.path());
   EXPECT_LT(difference(table, bgl1_raos()), 1e-8);
   EXPECT_EQ(table.wave_origin_V, Vec3(3.0, 0.0, 0.0));
   RaoSettings given;
-  given.words["phase"] = "lag";
+  given.values["phase"] = "lag";
   EXPECT_GT(difference(good_raos(file.path(), given), bgl1_raos()), 0.1);
 }
 
@@ -216,16 +216,16 @@ TEST(rao_reader, one_side_of_a_point_off_the_centreline_is_mirrored_on_the_centr
   }
 }
 
-TEST(rao_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {
+TEST(rao_reader, errors_are_reported_with_file_line_what_was_found_and_what_was_expected) {
   const std::string head = "heading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
   const std::string good = "0,0.5,heave,1,0\n0,0.6,heave,1,0\n90,0.5,heave,1,0\n90,0.6,heave,1,0\n";
-  struct Fault {
+  struct BadInput {
     const char* name;
     std::string text;
     int line;
-    const char* words;
+    const char* expected_text;
   };
-  const std::vector<Fault> faults = {
+  const std::vector<BadInput> errors = {
       {"a.csv", "", 0, "no rows"},
       {"a.csv", "heading,omega\n1,2\n", 1, "without a column heading_deg"},
       {"a.csv", head + "0,0.5,heave,one,0\n", 2, "'one', expected a number for amplitude"},
@@ -234,29 +234,29 @@ TEST(rao_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expe
       {"a.csv", head + "0,-0.5,heave,1,0\n", 2, "more than 0"},
       {"a.csv", head + "0,0.5,heave,-1,0\n", 2, "below zero"},
       {"a.csv", head + "0,0.5,heave,nan,0\n", 2, "'nan'"},
-      {"a.csv", head + good + "0,0.5,heave,1.5,0\n", 6, "a second time"},
-      {"a.csv", head + good + "45,0.5,heave,1,0\n", 0, "nothing on heave for waves travelling towards 45 deg at 0.6"},
+      {"a.csv", head + good + "0,0.5,heave,1.5,0\n", 6, "twice"},
+      {"a.csv", head + good + "45,0.5,heave,1,0\n", 0, "no value of heave for waves travelling towards 45 deg at 0.6"},
       {"a.csv", "# phase: behind\n" + head + good, 1, "'behind' for phase"},
       {"a.csv", "# reference: 0 0 high\n" + head + good, 1, "coordinates in metres"},
       {"a.4", "  10. 0. 3 1. 0. 1. 0.\n  10. 0. 3 1. 0.\n", 2, "seven: PER BETA I MOD PHA RE IM"},
       {"a.4", "  10. 0. 7 1. 0. 1. 0.\n", 1, "a mode from 1 to 6"},
       {"a.rao", "1 2 3", 0, "'.rao', expected .csv, .4 (WAMIT) or .yml (OrcaFlex)"},
-      {"a.yml", "VesselTypes: []\n", 1, "a list of groups with their names"},
+      {"a.yml", "VesselTypes: []\n", 1, "a list of named groups"},
       {"a.yml", "VesselTypes: [\n", 2, "invalid YAML"},
   };
-  for (const Fault& fault : faults) {
-    const WrittenFile file(fault.name, fault.text);
+  for (const BadInput& damage : errors) {
+    const WrittenFile file(damage.name, damage.text);
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_raos(file.path(), {}, 89.0, diagnostics).has_value()) << fault.words;
-    ASSERT_GE(diagnostics.error_count(), 1) << fault.words;
+    EXPECT_FALSE(read_raos(file.path(), {}, 89.0, diagnostics).has_value()) << damage.expected_text;
+    ASSERT_GE(diagnostics.error_count(), 1) << damage.expected_text;
     const Diagnostic first = diagnostics.sorted().front();
-    EXPECT_EQ(first.line, fault.line) << render(first);
-    EXPECT_NE(render(first).find(fault.words), std::string::npos) << render(first);
+    EXPECT_EQ(first.line, damage.line) << render(first);
+    EXPECT_NE(render(first).find(damage.expected_text), std::string::npos) << render(first);
     EXPECT_NE(render(first).find(file.path()), std::string::npos);
   }
 }
 
-TEST(rao_reader, a_table_spoilt_in_every_row_is_not_told_row_by_row) {
+TEST(rao_reader, a_table_spoilt_in_every_row_is_not_reported_row_by_row) {
   std::string text = "heading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
   for (int i = 0; i < 1000; ++i) text += "0;0.5;heave;1;0\n";
   const WrittenFile file("spoilt.csv", text);
@@ -290,7 +290,7 @@ TEST(rao_reader, the_model_file_states_conventions_and_reads_the_table) {
   EXPECT_TRUE(reading.description->vessel.raos->assumptions.empty());
 }
 
-TEST(rao_reader, a_spoilt_motion_file_refuses_the_model) {
+TEST(rao_reader, a_model_with_a_spoilt_motion_file_is_rejected) {
   const WrittenFile file("spoilt.csv", "heading_deg,omega_rad_s,dof,amplitude,phase_deg\n0,0,heave,1,0\n");
   std::string text = testing::file_text(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml");
   text.replace(text.find("../data/bgl1/rao.csv"), 20, file.path());

@@ -111,7 +111,7 @@ TEST(rao_symmetry, half_a_circle_without_a_statement_is_mirrored_as_an_assumptio
   EXPECT_NE(reading.table->assumptions[0].text.find("mirror image"), std::string::npos);
 }
 
-TEST(rao_symmetry, points_off_the_planes_of_symmetry_are_refused) {
+TEST(rao_symmetry, points_off_the_planes_of_symmetry_are_rejected) {
   std::string text = orcaflex_text("xz and yz planes", headings(0.0, 90.0, 15.0), raft);
   text.replace(text.find("[0, 0, 0]"), 9, "[5, 0, 0]");
   const Reading reading = read(text);
@@ -123,7 +123,7 @@ TEST(rao_symmetry, a_vessel_of_another_length_is_warned_of) {
   EXPECT_TRUE(read(orcaflex_text("xz plane", headings(0.0, 180.0, 15.0), raft), 100.0).warnings.empty());
   const Reading reading = read(orcaflex_text("xz plane", headings(0.0, 180.0, 15.0), raft, "103"), 100.0);
   ASSERT_EQ(reading.warnings.size(), 1U);
-  EXPECT_NE(reading.warnings[0].find("103 m long and that of the model 100 m"), std::string::npos);
+  EXPECT_NE(reading.warnings[0].find("103 m long, the vessel of the model 100 m"), std::string::npos);
 }
 
 }  // namespace

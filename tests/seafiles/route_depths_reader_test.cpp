@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-std::string fault_of(const std::string& text) {
+std::string read_error(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_TRUE(read_route_depths_text(text, "route.csv", diagnostics).empty());
   const std::vector<std::string> lines = diagnostics.lines(Severity::error);
@@ -25,13 +25,13 @@ TEST(route_depths_reader, takes_kilometre_points_and_distances) {
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
-TEST(route_depths_reader, says_line_and_reason_of_a_fault) {
-  EXPECT_NE(fault_of("kp,depth\n0,60\n").find("route.csv:1"), std::string::npos);
-  EXPECT_NE(fault_of("kp_km,depth_m\n0,60\n0,61\n").find("more than the distance before it"), std::string::npos);
-  EXPECT_NE(fault_of("kp_km,depth_m\n0,deep\n").find("route.csv:2"), std::string::npos);
-  EXPECT_NE(fault_of("kp_km,depth_m\n0,-3\n").find("more than 0"), std::string::npos);
-  EXPECT_NE(fault_of("kp_km,depth_m\n").find("a row per point"), std::string::npos);
-  EXPECT_NE(fault_of("").find("empty"), std::string::npos);
+TEST(route_depths_reader, says_line_and_reason_of_an_error) {
+  EXPECT_NE(read_error("kp,depth\n0,60\n").find("route.csv:1"), std::string::npos);
+  EXPECT_NE(read_error("kp_km,depth_m\n0,60\n0,61\n").find("more than the previous distance"), std::string::npos);
+  EXPECT_NE(read_error("kp_km,depth_m\n0,deep\n").find("route.csv:2"), std::string::npos);
+  EXPECT_NE(read_error("kp_km,depth_m\n0,-3\n").find("more than 0"), std::string::npos);
+  EXPECT_NE(read_error("kp_km,depth_m\n").find("a row per point"), std::string::npos);
+  EXPECT_NE(read_error("").find("empty"), std::string::npos);
 }
 
 }  // namespace overbend

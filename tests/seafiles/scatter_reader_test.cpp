@@ -15,7 +15,7 @@ std::optional<ScatterDiagram> taken(const std::string& text) {
   return diagram;
 }
 
-std::string fault_of(const std::string& text) {
+std::string read_error(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_scatter_text(text, "seas.csv", diagnostics));
   const std::vector<std::string> lines = diagnostics.lines(Severity::error);
@@ -28,8 +28,8 @@ double total(const ScatterDiagram& diagram, std::size_t month) {
 }
 
 void expect_part(const std::string& text, const std::string& part) {
-  const std::string fault = fault_of(text);
-  EXPECT_NE(fault.find(part), std::string::npos) << fault;
+  const std::string error = read_error(text);
+  EXPECT_NE(error.find(part), std::string::npos) << error;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ TEST(scatter_reader, takes_months_and_directions) {
   for (std::size_t month = 0; month < 12; ++month) EXPECT_NEAR(total(*diagram, month), 1.0, 1e-15);
 }
 
-TEST(scatter_reader, says_line_column_and_reason_of_a_fault) {
+TEST(scatter_reader, says_line_column_and_reason_of_an_error) {
   expect_part("", "an empty file");
   expect_part("height,5,7\n", "seas.csv:1: found 'height'");
   expect_part("hs_m\n0.5\n", "no peak periods");
@@ -88,7 +88,7 @@ TEST(scatter_reader, says_line_column_and_reason_of_a_fault) {
   expect_part("hs_m,5,7\n0.5,1\n", "seas.csv:2: found 2 columns");
   expect_part("hs_m,5,7\n0.5,1,-1\n", "seas.csv:2: column 3: found '-1'");
   expect_part("hs_m,5,7\n0.5,1,1\n1.5,1,1\n2,1,1\n", "wave heights that are not even");
-  expect_part("hs_m,5,7\n0.5,1,1\n0.5,1,1\n", "a second time");
+  expect_part("hs_m,5,7\n0.5,1,1\n0.5,1,1\n", "twice");
   expect_part("hs_m,5,7\n", "a header without rows");
   expect_part("hs_m,5,7\n0.5,0,0\n1,0,0\n", "no seas");
   expect_part("month,hs_m,5,7\n13,0.5,1,1\n", "1 to 12");

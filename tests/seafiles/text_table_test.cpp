@@ -26,7 +26,7 @@ TEST(text_table, a_blank_splits_at_white_space_of_any_length) {
   EXPECT_EQ(table.rows[0].cells, (Cells{"1", "2", "3"}));
 }
 
-TEST(text_table, remarks_are_keys_with_values_or_plain_words) {
+TEST(text_table, remarks_are_keys_with_values_or_plain_text) {
   const TextTable table = split_table("# phase: lag\nx,y\n  # by the yard\n# time: 12:30\n", ',');
   ASSERT_EQ(table.remarks.size(), 3U);
   EXPECT_EQ(table.remarks[0].cells, (Cells{"phase", "lag"}));
@@ -57,7 +57,7 @@ TEST(read_text_file, leaves_out_the_byte_order_mark) {
   EXPECT_EQ(read_text_file(file.path(), diagnostics), "a,b\n");
 }
 
-TEST(read_text_file, refuses_what_is_not_a_file) {
+TEST(read_text_file, rejects_what_is_not_a_file) {
   for (const std::string& path : {std::string("/nowhere/a.csv"), std::filesystem::temp_directory_path().string()}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_text_file(path, diagnostics)) << path;

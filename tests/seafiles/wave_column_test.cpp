@@ -1,4 +1,4 @@
-// What the first column of WAMIT's files holds.
+// Content of the first column of WAMIT's files.
 #include "seafiles/wave_column.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ double written(WaveColumn column, double omega) {
 
 /// Files of BGL-1 with another first column; 0 and -1 change places where it does not hold periods.
 std::string rewritten_files(WaveColumn column) {
-  const std::string from = testing::bgl1_file("bgl1"), stem = ::testing::TempDir() + "column_" + word_of(column);
+  const std::string from = testing::bgl1_file("bgl1"), stem = ::testing::TempDir() + "column_" + enum_name(column);
   for (const char* ending : {".1", ".3", ".8", ".hst"}) {
     std::ifstream in(from + ending);
     std::ofstream out(stem + ending);
@@ -53,7 +53,7 @@ std::string rewritten_files(WaveColumn column) {
   return stem;
 }
 
-HydrodynamicsSource source_of(const std::string& stem) {
+HydrodynamicsSource make_source(const std::string& stem) {
   HydrodynamicsSource source;
   source.path = stem;
   source.water_depth = kDepth;
@@ -63,7 +63,7 @@ HydrodynamicsSource source_of(const std::string& stem) {
 TEST(wave_column, each_kind_gives_the_same_coefficients) {
   const HydrodynamicData& given = testing::bgl1_data();
   for (const WaveColumn column : {WaveColumn::rad_per_s, WaveColumn::deep_wavenumbers, WaveColumn::wavenumbers}) {
-    HydrodynamicsSource source = source_of(rewritten_files(column));
+    HydrodynamicsSource source = make_source(rewritten_files(column));
     source.frequencies = column;
     Diagnostics diagnostics;
     const auto data = read_hydrodynamics(source, diagnostics);
@@ -72,7 +72,7 @@ TEST(wave_column, each_kind_gives_the_same_coefficients) {
     EXPECT_TRUE(data->has_infinite);
     EXPECT_EQ(data->added_mass_infinite, given.added_mass_infinite);
     for (std::size_t k = 0; k < given.radiation.size(); ++k) {
-      EXPECT_NEAR(data->radiation[k].omega, given.radiation[k].omega, 1e-9) << word_of(column);
+      EXPECT_NEAR(data->radiation[k].omega, given.radiation[k].omega, 1e-9) << enum_name(column);
       EXPECT_EQ(data->radiation[k].added_mass, given.radiation[k].added_mass);
       EXPECT_LT((data->radiation[k].damping - given.radiation[k].damping).norm(),
                 1e-9 * given.radiation[k].damping.norm());
@@ -82,10 +82,10 @@ TEST(wave_column, each_kind_gives_the_same_coefficients) {
   }
 }
 
-TEST(wave_column, frequencies_that_are_not_said_to_be_some_are_refused) {
+TEST(wave_column, frequencies_that_are_not_said_to_be_some_are_rejected) {
   for (const WaveColumn column : {WaveColumn::rad_per_s, WaveColumn::deep_wavenumbers}) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_hydrodynamics(source_of(rewritten_files(column)), diagnostics));
+    EXPECT_FALSE(read_hydrodynamics(make_source(rewritten_files(column)), diagnostics));
     ASSERT_TRUE(diagnostics.has_errors());
     const std::string first = diagnostics.lines(Severity::error)[0];
     EXPECT_NE(first.find("expected wave periods in s"), std::string::npos) << first;
@@ -94,12 +94,12 @@ TEST(wave_column, frequencies_that_are_not_said_to_be_some_are_refused) {
 }
 
 TEST(wave_column, periods_said_to_be_frequencies_are_warned_of) {
-  HydrodynamicsSource source = source_of(testing::bgl1_file("bgl1"));
+  HydrodynamicsSource source = make_source(testing::bgl1_file("bgl1"));
   source.frequencies = WaveColumn::rad_per_s;
   Diagnostics diagnostics;
   read_hydrodynamics(source, diagnostics);
   ASSERT_FALSE(diagnostics.lines(Severity::warning).empty());
-  EXPECT_NE(diagnostics.lines(Severity::warning)[0].find("they look like periods"), std::string::npos);
+  EXPECT_NE(diagnostics.lines(Severity::warning)[0].find("look like periods"), std::string::npos);
 }
 
 TEST(wave_column, raos_of_wamit_may_be_by_frequency_too) {
@@ -111,7 +111,7 @@ TEST(wave_column, raos_of_wamit_may_be_by_frequency_too) {
   };
   const testing::WrittenFile periods("p.4", file(kTurn / 0.5, kTurn)), frequencies("f.4", file(0.5, 1.0));
   RaoSettings by_frequency;
-  by_frequency.words["frequencies"] = "rad_per_s";
+  by_frequency.values["frequencies"] = "rad_per_s";
   const RaoTable a = testing::good_raos(periods.path()), b = testing::good_raos(frequencies.path(), by_frequency);
   EXPECT_NEAR(a.omegas[0], b.omegas[0], 1e-5);  // six digits
   Diagnostics diagnostics;

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "serve/http/connection.h"
-#include "serve/http/doorkeeper.h"
-#include "serve/http/peer.h"
+#include "serve/http/connection_limiter.h"
+#include "serve/http/peer_uid.h"
 #include "serve/raw_client.h"
 #include "serve/serving.h"
 
@@ -22,10 +22,12 @@ std::string head(const Serving& serving, const std::string& line, const std::str
          "\r\nX-Overbend-Token: " + serving.server->token() + "\r\n" + more + "\r\n";
 }
 
-/// How many answers there are in it.
+/// Number of answers in it.
 int answers(const std::string& text) {
   int count = 0;
-  for (std::size_t at = text.find("HTTP/1.1 "); at != std::string::npos; at = text.find("HTTP/1.1 ", at + 1)) ++count;
+  for (std::size_t index = text.find("HTTP/1.1 "); index != std::string::npos;
+       index = text.find("HTTP/1.1 ", index + 1))
+    ++count;
   return count;
 }
 
@@ -87,7 +89,7 @@ TEST(serve_door, a_length_beyond_the_limit_is_413_before_it_is_read) {
 }
 
 // The body is a whole request with the right token, which a page of another origin could not have sent by itself.
-TEST(serve_door, the_body_of_a_refused_request_is_no_request) {
+TEST(serve_door, the_body_of_a_rejected_request_is_no_request) {
   const Serving serving;
   const std::string hidden = head(serving, "GET /api/info");
   const std::string length = "Content-Length: " + std::to_string(hidden.size()) + "\r\n";
@@ -128,24 +130,24 @@ TEST(serve_door, a_head_without_end_ends_the_connection) {
   EXPECT_LT(sent, 100000);  // 100 MB
 }
 
-TEST(serve_door, an_address_beyond_reason_is_refused) {
+TEST(serve_door, an_address_beyond_reason_is_rejected) {
   const Serving serving;
   const std::string answer =
       converse(serving, head(serving, "GET /api/" + std::string(5000, 'x'), "Connection: close\r\n"));
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 414 ")) << answer;
 }
 
-TEST(serve_door, dripping_connections_keep_nobody_out) {
+TEST(serve_door, dripping_connections_keep_no_user_out) {
   const Serving serving(kSmallLay);
-  std::vector<std::unique_ptr<RawClient>> strangers;
+  std::vector<std::unique_ptr<RawClient>> unauthenticated_clients;
   for (int i = 0; i < 100; ++i) {
-    strangers.push_back(std::make_unique<RawClient>(serving.server->port()));
-    strangers.back()->send("GET / HTTP/1.1\r\nX-Slow: ");
+    unauthenticated_clients.push_back(std::make_unique<RawClient>(serving.server->port()));
+    unauthenticated_clients.back()->send("GET / HTTP/1.1\r\nX-Slow: ");
   }
   std::atomic<bool> enough = false;
   std::thread dripping([&] {
     while (!enough) {
-      for (const auto& stranger : strangers) stranger->send("x");
+      for (const auto& unauthenticated_client : unauthenticated_clients) unauthenticated_client->send("x");
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   });
@@ -155,15 +157,15 @@ TEST(serve_door, dripping_connections_keep_nobody_out) {
   dripping.join();
 }
 
-TEST(serve_door, a_crowd_of_strangers_does_not_end_a_connection_with_the_token) {
+TEST(serve_door, a_crowd_of_unauthenticated_connections_does_not_end_a_connection_with_the_token) {
   const Serving serving(kSmallLay);
   const RawClient listener(serving.server->port());
   listener.send(head(serving, "GET /api/events"));
   ASSERT_NE(listener.read("welcome").find("200 OK"), std::string::npos);
-  std::vector<std::unique_ptr<RawClient>> strangers;
+  std::vector<std::unique_ptr<RawClient>> unauthenticated_clients;
   for (int i = 0; i < 100; ++i) {
-    strangers.push_back(std::make_unique<RawClient>(serving.server->port()));
-    strangers.back()->send("GET / HTTP/1.1\r\n");
+    unauthenticated_clients.push_back(std::make_unique<RawClient>(serving.server->port()));
+    unauthenticated_clients.back()->send("GET / HTTP/1.1\r\n");
   }
   serving.put("/api/model", {{"text", kSmallLay + "# more\n"}, {"revision", 1}});
   EXPECT_NE(listener.read("event: model").find("event: model"), std::string::npos);
@@ -214,7 +216,7 @@ TEST(serve_door, an_opening_address_opens_for_its_own_user_alone) {
   EXPECT_FALSE(OneTimeCode().take("", ::geteuid()));
 }
 
-TEST(serve_door, the_system_tells_whose_a_connection_is) {
+TEST(serve_door, the_system_reports_whose_a_connection_is) {
   const Serving serving;
   const RawClient client(serving.server->port());
   EXPECT_EQ(owner_of_connection(client.port(), serving.server->port()), ::geteuid());

@@ -1,4 +1,4 @@
-// What a page can send keeps the server busy for seconds at most, and nobody else waiting.
+// Requests of a page keep the server busy for seconds at most, and no other user waiting.
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -56,7 +56,7 @@ TEST(serve_limits, fields_are_those_of_the_first_items_of_a_long_list) {
   EXPECT_GT(count, 500U);
 }
 
-TEST(serve_limits, of_many_errors_the_first_are_told_and_the_number_of_the_others) {
+TEST(serve_limits, of_many_errors_the_first_are_reported_and_the_number_of_the_others) {
   const Serving serving(kSmallLay);
   const auto line = [](int i) { return "unknown" + std::to_string(i) + ": 3\n"; };
   const Json diagnostics = put(serving, kSmallLay + repeated(5000, line))["diagnostics"];
@@ -64,7 +64,7 @@ TEST(serve_limits, of_many_errors_the_first_are_told_and_the_number_of_the_other
   EXPECT_EQ(diagnostics.back()["message"], "and 4800 more");
 }
 
-TEST(serve_limits, paths_deeper_than_any_key_are_refused) {
+TEST(serve_limits, paths_deeper_than_any_key_are_rejected) {
   const Serving serving(kSmallLay);
   const std::string deep = repeated(30000, [](int) { return std::string("a."); }) + "b";
   const std::string stars = "supports.stinger.boxes[" + std::string(300, '*') + "x].z";
@@ -106,11 +106,11 @@ TEST(serve_limits, the_server_closes_though_answers_are_on_their_way) {
   asking.join();
 }
 
-TEST(serve_limits, bodies_nested_deeply_are_refused_also_behind_brackets_in_texts) {
+TEST(serve_limits, bodies_nested_deeply_are_rejected_also_behind_brackets_in_texts) {
   const HttpRequest shallow{"POST", "/", {}, R"({"a": "[[[[[\"[{", "b": [1, {"c": 2}]})", {}};
   EXPECT_EQ(shallow.json()["b"][1]["c"], 2);
   const HttpRequest deep{"POST", "/", {}, "{\"a\": " + std::string(100, '[') + std::string(100, ']') + "}", {}};
-  EXPECT_THROW(deep.json(), HttpFault);
+  EXPECT_THROW(deep.json(), HttpError);
 }
 
 TEST(serve_limits, a_long_solution_keeps_no_other_tab_waiting) {
@@ -119,7 +119,7 @@ TEST(serve_limits, a_long_solution_keeps_no_other_tab_waiting) {
   const Serving serving(
       with(kSmallLay, coarse, "overbend_element: 20 mm, touchdown_element: 20 mm, longest_element: 40 mm"));
   std::atomic<bool> ended{false};
-  std::thread other([&] {
+  std::thread second([&] {
     serving.post("/api/static", {{"full", true}});
     ended = true;
   });
@@ -130,7 +130,7 @@ TEST(serve_limits, a_long_solution_keeps_no_other_tab_waiting) {
   }
   const Json answer = serving.post("/api/static", {{"full", true}, {"changes", changes}}).json;
   const bool waited = ended;
-  other.join();
+  second.join();
   EXPECT_EQ(answer["status"], "converged") << answer;
   EXPECT_FALSE(waited);
 }
@@ -159,14 +159,14 @@ TEST(serve_limits, changes_of_a_long_text_keep_no_other_tab_waiting) {
   }
   std::atomic<bool> ended{false};
   Reply set;
-  std::thread other([&] {
+  std::thread second([&] {
     set = serving.post("/api/model/set", {{"changes", changes}, {"revision", revision}});
     ended = true;
   });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   const Json seen = serving.get("/api/model").json["revision"];
   const bool waited = ended;
-  other.join();
+  second.join();
   EXPECT_EQ(seen, revision);
   EXPECT_FALSE(waited);
   EXPECT_EQ(set.status, 200) << set.body;

@@ -10,23 +10,23 @@ using testing::Serving;
 using testing::with;
 
 Json field(const Json& fields, const std::string& path) {
-  for (const Json& one : fields) {
-    if (one["path"] == path) return one;
+  for (const Json& item : fields) {
+    if (item["path"] == path) return item;
   }
   return nullptr;
 }
 
-TEST(serve_model, a_fault_is_told_at_its_line_and_column) {
+TEST(serve_model, an_error_is_reported_at_its_line_and_column) {
   const Serving serving(kSmallLay);
   const std::string text = with(kSmallLay, "wall_thickness: 12.7 mm", "wall_thickness: 12.7 kN");
   const Reply reply = serving.put("/api/model", {{"text", text}, {"revision", 1}});
   ASSERT_EQ(reply.json["diagnostics"].size(), 1u) << reply.body;
-  const Json fault = reply.json["diagnostics"][0];
-  EXPECT_EQ(fault["severity"], "error");
-  EXPECT_EQ(fault["line"], 8);
-  EXPECT_EQ(fault["column"], 55);
-  EXPECT_EQ(fault["key"], "pipe.steel.wall_thickness");
-  EXPECT_NE(fault["message"].get<std::string>().find("a length"), std::string::npos) << fault;
+  const Json error = reply.json["diagnostics"][0];
+  EXPECT_EQ(error["severity"], "error");
+  EXPECT_EQ(error["line"], 8);
+  EXPECT_EQ(error["column"], 55);
+  EXPECT_EQ(error["key"], "pipe.steel.wall_thickness");
+  EXPECT_NE(error["message"].get<std::string>().find("a length"), std::string::npos) << error;
 }
 
 TEST(serve_model, a_text_that_is_no_yaml_is_diagnosed_too) {
@@ -38,7 +38,7 @@ TEST(serve_model, a_text_that_is_no_yaml_is_diagnosed_too) {
   EXPECT_TRUE(reply.json["fields"].empty());
 }
 
-TEST(serve_model, fields_tell_what_is_written_and_what_could_be) {
+TEST(serve_model, fields_report_what_is_written_and_what_could_be) {
   const Serving serving(kSmallLay);
   const Json fields = serving.get("/api/model").json["fields"];
   const Json tension = field(fields, "tensioner.tension");
@@ -115,7 +115,7 @@ TEST(serve_model, a_text_that_is_again_that_of_its_file_is_saved) {
   EXPECT_EQ(serving.put("/api/model", unnamed).json["saved"], false);
 }
 
-TEST(serve_model, an_example_opens_without_a_fault_and_with_its_data) {
+TEST(serve_model, an_example_opens_without_an_error_and_with_its_data) {
   const Serving serving;
   const Json info = serving.get("/api/info").json;
   EXPECT_EQ(info["has_model"], false);

@@ -23,7 +23,7 @@ const std::string kMooredLay = with(kSmallLay, "tensioner:", R"(moorings:
     - {name: starboard, fairlead: {x: 0 m, y: -15 m, z: 3 m}, bearing: 90 deg, anchor_distance: 400 m, type: wire, tension: 200 kN}
 tensioner:)");
 
-Model model_of(const std::string& text) {
+Model read_moored_model(const std::string& text) {
   return build_model(read_model_text(text, "model.yaml").description.value());
 }
 
@@ -34,18 +34,18 @@ TEST(serve_moored, a_hull_without_a_pipe_has_its_lines_and_no_pipe) {
   EXPECT_TRUE(answer["key"].is_null() && answer["touchdown"].is_null() && answer["tensioner"].is_null());
   EXPECT_TRUE(answer["pipe"]["s"].empty() && answer["supports"].empty() && answer["lines"].empty());
 
-  Model model = model_of(kMoored);
+  Model model = read_moored_model(kMoored);
   const MooringResults expected = solve_moored_hull(model).moorings.value();
   const Json& rest = answer["moorings"]["rest"];
   EXPECT_NEAR(rest["vessel"]["surge"].get<double>(), expected.rest.vessel.surge, 1e-6);
   ASSERT_EQ(rest["moorings"].size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const MooringLineResult& line = expected.rest.moorings[i];
-    const Json& told = rest["moorings"][i];
-    EXPECT_EQ(told["name"], line.name);
-    EXPECT_NEAR(told["fairlead_tension"].get<double>(), line.fairlead_tension, 1e-6 * line.fairlead_tension);
-    EXPECT_EQ(told["shape"].size(), line.shape_W.size());
-    EXPECT_NEAR(told["shape"].back()[0].get<double>(), line.anchor_W.x(), 1e-3);
+    const Json& prescribed = rest["moorings"][i];
+    EXPECT_EQ(prescribed["name"], line.name);
+    EXPECT_NEAR(prescribed["fairlead_tension"].get<double>(), line.fairlead_tension, 1e-6 * line.fairlead_tension);
+    EXPECT_EQ(prescribed["shape"].size(), line.shape_W.size());
+    EXPECT_NEAR(prescribed["shape"].back()[0].get<double>(), line.anchor_W.x(), 1e-3);
   }
   ASSERT_EQ(answer["moorings"]["stages"].size(), 2u);
   EXPECT_EQ(answer["moorings"]["stages"][1]["name"], "one parted");
@@ -65,7 +65,7 @@ TEST(serve_moored, lines_by_themselves_are_answered_with_their_nodes) {
   const Json answer = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(answer["status"], "converged") << answer;
   EXPECT_TRUE(answer["key"].is_null() && answer["moorings"].is_null());
-  const std::vector<LineResult> expected = solve_lines(model_of(kLines)).lines;
+  const std::vector<LineResult> expected = solve_lines(read_moored_model(kLines)).lines;
   ASSERT_EQ(answer["lines"].size(), 2u);
   const Json& jumper = answer["lines"][0];
   EXPECT_EQ(jumper["name"], "jumper");
@@ -141,8 +141,8 @@ TEST(serve_moored, a_run_of_lines_is_looked_at_as_it_was_computed) {
   const Serving serving(kLines);
   const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
-  Json now = serving.post("/api/static", Json::object()).json;
-  EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["lines"], now["lines"]);
+  Json current = serving.post("/api/static", Json::object()).json;
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["lines"], current["lines"]);
   EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json, serving.get("/api/scene").json);
   EXPECT_TRUE(serving.get("/api/runs/" + id + "/envelopes").json["s"].empty());
 }

@@ -71,7 +71,7 @@ TEST(serve_operation, a_run_may_be_of_one_stage) {
   EXPECT_EQ(serving.post("/api/runs", {{"kind", "seeds"}, {"stage", "2"}, {"seeds", {1, 2}}}).status, 422);
 }
 
-TEST(serve_operation, is_refused_where_the_model_has_none) {
+TEST(serve_operation, is_rejected_where_the_model_has_none) {
   const Serving serving(kSmallLay);
   const Reply reply = serving.post("/api/operation", Json::object());
   EXPECT_EQ(reply.status, 422);

@@ -82,25 +82,25 @@ TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(run["title"], "small lay");
   EXPECT_EQ(run["progress"], 1.0);
-  const std::string at = "/api/runs/" + id;
+  const std::string text_place = "/api/runs/" + id;
 
-  const Json columns = serving.get(at + "/columns").json;
+  const Json columns = serving.get(text_place + "/columns").json;
   EXPECT_GT(columns.size(), 20u);
-  const Json series = serving.get(at + "/series?name=top_tension&px=5").json;
+  const Json series = serving.get(text_place + "/series?name=top_tension&px=5").json;
   ASSERT_EQ(series["t"].size(), 5u);
-  const Json all = serving.get(at + "/series?name=top_tension&name=support/ramp%201/reaction&t0=0&t1=2").json;
+  const Json all = serving.get(text_place + "/series?name=top_tension&name=support/ramp%201/reaction&t0=0&t1=2").json;
   EXPECT_EQ(all["series"]["top_tension"]["t"].size(), 5u);  // every half second from 0 to 2
   EXPECT_TRUE(all["series"].contains("support/ramp 1/reaction"));
-  EXPECT_EQ(serving.get(at + "/series?name=nothing").status, 404);
-  EXPECT_EQ(serving.get(at + "/spectrum?name=nothing").status, 404);
-  EXPECT_GT(serving.get(at + "/spectrum?name=top_tension").json["frequency"].size(), 100u);
+  EXPECT_EQ(serving.get(text_place + "/series?name=nothing").status, 404);
+  EXPECT_EQ(serving.get(text_place + "/spectrum?name=nothing").status, 404);
+  EXPECT_GT(serving.get(text_place + "/spectrum?name=top_tension").json["frequency"].size(), 100u);
 
-  const Json envelopes = serving.get(at + "/envelopes").json;
+  const Json envelopes = serving.get(text_place + "/envelopes").json;
   EXPECT_EQ(envelopes["von_mises"]["max"].size(), envelopes["s"].size());
   EXPECT_EQ(envelopes["x"].size(), envelopes["s"].size());
   EXPECT_EQ(envelopes["s"].front(), 0.0);
 
-  const Json frames = serving.get(at + "/frames?from=1&count=2").json;
+  const Json frames = serving.get(text_place + "/frames?from=1&count=2").json;
   EXPECT_EQ(frames["time"].size(), 2u);
   EXPECT_EQ(frames["pose"][0].size(), 12u);
   EXPECT_GT(frames["total"].get<int>(), 2);
@@ -108,13 +108,14 @@ TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
   const std::size_t bytes = 2 * 3 * 4 * frames["stations"].get<std::size_t>();
   EXPECT_EQ(frames["place"].get<std::string>().size(), (bytes + 2) / 3 * 4);
 
-  EXPECT_TRUE(serving.get(at + "/impacts").json["impacts"].is_array());
-  EXPECT_TRUE(serving.get(at + "/summary").json.contains("dynamic"));
-  const httplib::Result report = serving.client().Get(at + "/report.html?token=" + serving.server->token());
+  EXPECT_TRUE(serving.get(text_place + "/impacts").json["impacts"].is_array());
+  EXPECT_TRUE(serving.get(text_place + "/summary").json.contains("dynamic"));
+  const httplib::Result report = serving.client().Get(text_place + "/report.html?token=" + serving.server->token());
   ASSERT_TRUE(report);
   EXPECT_NE(report->body.find("small lay"), std::string::npos);
   EXPECT_NE(report->get_header_value("Content-Disposition").find("attachment"), std::string::npos);
-  const httplib::Result shown = serving.client().Get(at + "/report.html?show=1&token=" + serving.server->token());
+  const httplib::Result shown =
+      serving.client().Get(text_place + "/report.html?show=1&token=" + serving.server->token());
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->body, report->body);
   EXPECT_FALSE(shown->has_header("Content-Disposition"));
@@ -139,19 +140,19 @@ TEST(serve_runs, a_run_can_be_looked_at_while_it_runs_and_be_cancelled) {
 
 TEST(serve_runs, a_cancelled_run_keeps_what_was_computed_and_can_go_on) {
   Serving serving(kSmallLay);
-  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}}), at = "/api/runs/" + id;
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}}), run_path = "/api/runs/" + id;
   serving.wait_until(id, [](const Json& run) { return run.value("time", -1.0) > 2.0; });
-  serving.post(at + "/cancel", Json::object());
+  serving.post(run_path + "/cancel", Json::object());
   for (int start = 0; start < 2; ++start) {
     const Json run = serving.wait_for(id);
     EXPECT_EQ(run["state"], "cancelled");
     EXPECT_EQ(run["has_results"], true);
-    const double reached = serving.get(at + "/summary").json["dynamic"]["duration"];
+    const double reached = serving.get(run_path + "/summary").json["dynamic"]["duration"];
     EXPECT_GT(reached, 2.0);
     EXPECT_LT(reached, 3600.0);
-    EXPECT_EQ(serving.get(at + "/series?name=top_tension").json["t"].back(), reached);
-    EXPECT_FALSE(serving.get(at + "/envelopes").json["effective_tension"]["max"].empty());
-    EXPECT_GT(serving.get(at + "/frames").json["total"].get<int>(), 2);
+    EXPECT_EQ(serving.get(run_path + "/series?name=top_tension").json["t"].back(), reached);
+    EXPECT_FALSE(serving.get(run_path + "/envelopes").json["effective_tension"]["max"].empty());
+    EXPECT_GT(serving.get(run_path + "/frames").json["total"].get<int>(), 2);
     EXPECT_TRUE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));  // to be taken up again
     serving.restart("model.yaml");  // the next start of the program knows it too
   }
@@ -162,26 +163,28 @@ TEST(serve_runs, a_run_cancelled_during_the_build_up_has_nothing_to_show) {
   const std::string id = start(serving, {{"kind", "static"}});
   const std::string run = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
   serving.wait_for(id);
-  serving.wait_until(run, [](const Json& at) { return at["state"] != "queued"; });
+  serving.wait_until(run, [](const Json& sample) { return sample["state"] != "queued"; });
   serving.post("/api/runs/" + run + "/cancel", Json::object());
   const Json ended = serving.wait_for(run);
-  const Reply late = serving.get("/api/runs/" + run + "/series?name=top_tension");  // asked before the page was told
+  const Reply late =
+      serving.get("/api/runs/" + run + "/series?name=top_tension");  // asked before the page was notified
   EXPECT_EQ(late.status, 200);
   EXPECT_EQ(late.json["t"].empty(), !ended["has_results"].get<bool>());
 }
 
 TEST(serve_runs, a_run_has_a_name_and_a_note_and_is_removed) {
   Serving serving(kSmallLay);
-  const std::string id = start(serving, {{"kind", "static"}}), at = "/api/runs/" + id;
+  const std::string id = start(serving, {{"kind", "static"}}), run_path = "/api/runs/" + id;
   serving.wait_for(id);
-  EXPECT_EQ(serving.post(at + "/annotate", {{"name", "first"}, {"note", "for the client"}}).json["name"], "first");
-  EXPECT_EQ(serving.post(at + "/annotate", {{"name", "second"}}).json["note"], "for the client");
+  EXPECT_EQ(serving.post(run_path + "/annotate", {{"name", "first"}, {"note", "for the client"}}).json["name"],
+            "first");
+  EXPECT_EQ(serving.post(run_path + "/annotate", {{"name", "second"}}).json["note"], "for the client");
   serving.restart("");
   EXPECT_EQ(serving.wait_for(id)["name"], "second");
-  EXPECT_EQ(serving.post(at + "/delete", Json::object()).status, 200);
+  EXPECT_EQ(serving.post(run_path + "/delete", Json::object()).status, 200);
   EXPECT_TRUE(serving.get("/api/runs").json.empty());
   EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id));
-  EXPECT_EQ(serving.post(at + "/delete", Json::object()).status, 404);
+  EXPECT_EQ(serving.post(run_path + "/delete", Json::object()).status, 404);
 }
 
 TEST(serve_runs, a_run_says_what_was_changed_since_the_one_before_of_the_same_title) {
@@ -225,15 +228,15 @@ TEST(serve_runs, a_run_that_goes_on_is_not_removed) {
 
 TEST(serve_runs, the_statics_of_a_run_are_those_of_its_own_model) {
   const Serving serving(kSmallLay);
-  const std::string id = start(serving, {{"kind", "static"}}), at = "/api/runs/" + id;
+  const std::string id = start(serving, {{"kind", "static"}}), run_path = "/api/runs/" + id;
   serving.wait_for(id);
   serving.post("/api/model/set", {{"changes", {{{"path", "tensioner.tension"}, {"value", "350 kN"}}}},
                                   {"revision", serving.get("/api/model").json["revision"]}});
-  const Json then = serving.get(at + "/statics").json;
+  const Json then = serving.get(run_path + "/statics").json;
   EXPECT_EQ(then["status"], "converged");
   EXPECT_NEAR(then["key"]["top_tension"].get<double>(), 300e3, 100.0);  // to the coarse mesh; 350 kN would be now
   EXPECT_EQ(then["pipe"]["s"].size(), then["pipe"]["von_mises"].size());
-  EXPECT_EQ(serving.get(at + "/scene").json["status"], "ok");
+  EXPECT_EQ(serving.get(run_path + "/scene").json["status"], "ok");
 }
 
 /// Elevation of the sea that the page draws.
@@ -249,15 +252,15 @@ double drawn(const Json& waves, double x, double y, double t) {
 
 TEST(serve_runs, the_sea_that_is_drawn_is_that_of_the_run) {
   const Serving serving(kSmallLay);  // a random sea of seed 3
-  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 10.0}}), at = "/api/runs/" + id;
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 10.0}}), run_path = "/api/runs/" + id;
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
-  const Json live = serving.get("/api/scene").json, own = serving.get(at + "/scene").json;
-  EXPECT_EQ(own["waves"], live["waves"]);  // of the model while it is the same
-  const Json history = serving.get(at + "/series?name=elevation&t0=0").json;
-  const Json shoe = own["stern_shoe"];
+  const Json live = serving.get("/api/scene").json, run_scene = serving.get(run_path + "/scene").json;
+  EXPECT_EQ(run_scene["waves"], live["waves"]);  // of the model while it is the same
+  const Json history = serving.get(run_path + "/series?name=elevation&t0=0").json;
+  const Json shoe = run_scene["stern_shoe"];
   ASSERT_GT(history["t"].size(), 10u);
   for (std::size_t i = 0; i < history["t"].size(); ++i) {
-    EXPECT_NEAR(history["min"][i], drawn(own["waves"], shoe[0], shoe[1], history["t"][i]), 1e-4);
+    EXPECT_NEAR(history["min"][i], drawn(run_scene["waves"], shoe[0], shoe[1], history["t"][i]), 1e-4);
   }
 }
 
@@ -337,7 +340,7 @@ TEST(serve_runs, a_run_that_was_cancelled_goes_on_where_it_stopped) {
   EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["dynamic"]["duration"], 600.0);
 }
 
-TEST(serve_runs, events_tell_of_progress_and_of_changes_of_the_model) {
+TEST(serve_runs, events_report_progress_and_changes_of_the_model) {
   const Serving serving(kSmallLay);
   std::string heard;
   std::thread listener([&] {

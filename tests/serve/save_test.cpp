@@ -1,4 +1,4 @@
-// Saving never undoes what somebody else wrote into the file.
+// Saving never overwrites changes by another program.
 #include <sys/stat.h>
 
 #include "serve/serving.h"
@@ -83,7 +83,7 @@ TEST(serve_save, a_file_that_appeared_under_the_name_is_409) {
   EXPECT_EQ(file_text(serving.folder / "other.yaml"), kTheirs);
 }
 
-TEST(serve_save, a_file_that_has_gone_or_holds_the_same_contradicts_nobody) {
+TEST(serve_save, a_file_that_has_gone_or_holds_the_same_contradicts_nothing) {
   const Serving serving(kSmallLay);
   std::filesystem::remove(serving.folder / "model.yaml");
   EXPECT_EQ(serving.post("/api/model/save", saving(kMine)).status, 200);
@@ -100,12 +100,12 @@ TEST(serve_save, mode_and_link_stay) {
   EXPECT_EQ(serving.post("/api/model/save", saving(kMine)).status, 200);
   EXPECT_TRUE(std::filesystem::is_symlink(serving.folder / "model.yaml"));
   EXPECT_EQ(file_text(serving.folder / "kept.txt"), kMine);
-  struct stat now {};
-  ASSERT_EQ(::stat((serving.folder / "kept.txt").c_str(), &now), 0);
-  EXPECT_EQ(now.st_mode & 0777, 0600U);
+  struct stat stat {};
+  ASSERT_EQ(::stat((serving.folder / "kept.txt").c_str(), &stat), 0);
+  EXPECT_EQ(stat.st_mode & 0777, 0600U);
 }
 
-TEST(serve_save, a_link_laid_beside_the_file_is_not_followed) {
+TEST(serve_save, a_link_laid_next_to_the_file_is_not_followed) {
   const Serving serving(kSmallLay);
   write_file(serving.folder / "victim", "untouched");
   std::filesystem::create_symlink("victim", serving.folder / "model.yaml.part");

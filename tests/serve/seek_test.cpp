@@ -14,7 +14,7 @@ Json asking(const std::string& result, const std::string& value) {
             {"until", {{"result", result}, {"equals", value}}}}}};
 }
 
-TEST(serve_seek, tells_the_answer_and_the_changes_that_put_it_in) {
+TEST(serve_seek, reports_the_answer_and_the_changes_that_put_it_in) {
   const Serving serving(kSmallLay);
   const Json answer = serving.post("/api/seek", asking("static.bottom_tension", "310 kN")).json;
   ASSERT_EQ(answer["status"], "found") << answer;

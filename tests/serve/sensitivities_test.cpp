@@ -1,4 +1,4 @@
-// What key results hang on, as the page asks for it.
+// Sensitivities of key results for the page.
 #include "serve/serving.h"
 
 namespace overbend {

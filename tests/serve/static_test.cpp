@@ -67,15 +67,15 @@ TEST(serve_static, a_lay_in_a_current_is_that_of_a_run_once_a_value_rests) {
   const Json rests = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(rests["status"], "converged") << rests;
   EXPECT_EQ(rests["warm"], false);
-  const auto told = [](const Json& answer) {
+  const auto prescribed = [](const Json& answer) {
     int count = 0;
     for (const Json& finding : answer["findings"]) count += finding["code"] == "other-equilibrium-possible" ? 1 : 0;
     return count;
   };
-  EXPECT_EQ(told(rests), 0);
+  EXPECT_EQ(prescribed(rests), 0);
   const Json dragged = serving.post("/api/static", {{"lists", {"effective_tension"}}}).json;
   EXPECT_EQ(dragged["warm"], true);
-  EXPECT_EQ(told(dragged), 1);
+  EXPECT_EQ(prescribed(dragged), 1);
 }
 
 TEST(serve_static, a_probe_gives_the_same_state_and_leaves_the_start_of_the_next_request) {
@@ -100,7 +100,7 @@ TEST(serve_static, a_case_without_solution_says_what_where_and_why) {
   EXPECT_EQ(serving.post("/api/static", Json::object()).json["status"], "converged");  // and goes on after it
 }
 
-TEST(serve_static, a_model_with_faults_is_invalid_with_its_diagnostics) {
+TEST(serve_static, a_model_with_errors_is_invalid_with_its_diagnostics) {
   const Serving serving(kSmallLay);
   const Json answer = serving.post("/api/static", change("tensioner.tension", "2 m")).json;
   EXPECT_EQ(answer["status"], "invalid");

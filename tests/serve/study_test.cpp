@@ -18,7 +18,7 @@ std::string start(const Serving& serving, const Json& what) {
   return reply.json.value("id", "");
 }
 
-Json cases_of(const Serving& serving, const std::string& id) {
+Json make_study_cases(const Serving& serving, const std::string& id) {
   Json cases = Json::array();
   for (const Json& run : serving.get("/api/runs").json) {
     if (run["parent"] == id) cases.push_back(run);
@@ -27,8 +27,8 @@ Json cases_of(const Serving& serving, const std::string& id) {
 }
 
 const Json& quantity(const Json& study, const std::string& name) {
-  for (const Json& one : study["quantities"]) {
-    if (one["name"] == name) return one;
+  for (const Json& item : study["quantities"]) {
+    if (item["name"] == name) return item;
   }
   throw std::runtime_error("no quantity " + name);
 }
@@ -36,12 +36,12 @@ const Json& quantity(const Json& study, const std::string& name) {
 TEST(serve_study, several_seeds_run_and_give_the_table_of_the_command) {
   const Serving serving(kSmallLay);
   const std::string id = start(serving, {{"kind", "seeds"}, {"seeds", {3, 1}}, {"duration", 4.0}}),
-                    at = "/api/runs/" + id;
+                    run_path = "/api/runs/" + id;
   const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(run["progress"], 1.0);
 
-  const Json study = serving.get(at + "/study").json;
+  const Json study = serving.get(run_path + "/study").json;
   ASSERT_EQ(study["cases"].size(), 2U) << study;
   EXPECT_EQ(study["cases"][0]["words"], "Seed 3");
   const Json& tension = quantity(study, "top_tension_max");
@@ -51,14 +51,14 @@ TEST(serve_study, several_seeds_run_and_give_the_table_of_the_command) {
   EXPECT_EQ(tension["min"], std::min(a, b));
   EXPECT_NEAR(tension["mean"].get<double>(), 0.5 * (a + b), 1e-9 * a);
   EXPECT_NEAR(tension["std"].get<double>(), std::abs(a - b) / std::sqrt(2.0), 1e-9 * a);
-  EXPECT_TRUE(serving.get(at + "/summary").json.contains("seeds"));
-  EXPECT_EQ(serving.get(at + "/report.html").status, 404);
+  EXPECT_TRUE(serving.get(run_path + "/summary").json.contains("seeds"));
+  EXPECT_EQ(serving.get(run_path + "/report.html").status, 404);
 
   // The same seeds of the same model by the command.
   const std::string model = (serving.folder / "seeds.yaml").string();
   testing::write_file(model, with(kSmallLay, "duration: 10 s", "seeds: [3, 1], duration: 4 s"));
   ASSERT_EQ(testing::run_program("dynamic " + model + " -o " + (serving.folder / "out").string()).code, 0);
-  EXPECT_EQ(serving.client().Get(at + "/table.csv?token=" + serving.server->token())->body,
+  EXPECT_EQ(serving.client().Get(run_path + "/table.csv?token=" + serving.server->token())->body,
             testing::file_text(serving.folder / "out/seeds.csv"));
 }
 
@@ -67,18 +67,18 @@ TEST(serve_study, the_cases_of_a_study_are_runs_to_be_looked_at) {
   const std::string id = start(serving, {{"kind", "seeds"}, {"seeds", {1, 2}}, {"duration", 3.0}});
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
   for (int start = 0; start < 2; ++start) {
-    const Json cases = cases_of(serving, id);
+    const Json cases = make_study_cases(serving, id);
     ASSERT_EQ(cases.size(), 2U);
     EXPECT_EQ(cases[0]["id"], id + "~seed-1");
     EXPECT_EQ(cases[0]["title"], "Seed 1");
     EXPECT_EQ(cases[0]["kind"], "dynamic");
     EXPECT_EQ(cases[1]["state"], "done");
-    const std::string at = "/api/runs/" + cases[1]["id"].get<std::string>();
-    EXPECT_EQ(serving.get(at + "/summary").json["dynamic"]["seed"], 2);
-    EXPECT_FALSE(serving.get(at + "/series?name=top_tension").json["t"].empty());
-    EXPECT_GT(serving.get(at + "/frames").json["total"].get<int>(), 1);
-    EXPECT_EQ(serving.get(at + "/scene").json["status"], "ok");
-    EXPECT_EQ(serving.post(at + "/delete", Json::object()).status, 409);
+    const std::string text_place = "/api/runs/" + cases[1]["id"].get<std::string>();
+    EXPECT_EQ(serving.get(text_place + "/summary").json["dynamic"]["seed"], 2);
+    EXPECT_FALSE(serving.get(text_place + "/series?name=top_tension").json["t"].empty());
+    EXPECT_GT(serving.get(text_place + "/frames").json["total"].get<int>(), 1);
+    EXPECT_EQ(serving.get(text_place + "/scene").json["status"], "ok");
+    EXPECT_EQ(serving.post(text_place + "/delete", Json::object()).status, 409);
     EXPECT_EQ(serving.get("/api/runs/" + id + "/envelopes").status, 404);
     EXPECT_TRUE(serving.get("/api/runs/" + id + "/columns").json.empty());
     serving.restart("");  // the next start of the program knows them too
@@ -92,7 +92,7 @@ TEST(serve_study, variants_of_the_tensioner_are_compared) {
   const std::string id = start(serving, {{"kind", "comparison"}, {"of", "tensioner"}, {"duration", 3.0}});
   const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
-  EXPECT_EQ(cases_of(serving, id).size(), 3U);
+  EXPECT_EQ(make_study_cases(serving, id).size(), 3U);
   const Json study = serving.get("/api/runs/" + id + "/study").json;
   EXPECT_EQ(study["cases"][2]["name"], "constant");
   EXPECT_EQ(quantity(study, "largest_travel")["values"][0], 0.0);  // held by its brake
@@ -122,22 +122,23 @@ TEST(serve_study, a_cancelled_study_goes_on_and_finished_cases_are_not_run_again
   serving.restart("");
   EXPECT_EQ(serving.wait_for(id)["resumable"], true);
   EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", Json::object()).status, 200);
-  for (const Json& one : cases_of(serving, id)) EXPECT_NE(one["state"], "cancelled") << one;  // they wait or are done
+  for (const Json& item : make_study_cases(serving, id))
+    EXPECT_NE(item["state"], "cancelled") << item;  // they wait or are done
   const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(serving.get("/api/runs/" + id + "/study").json["cases"].size(), count);
   EXPECT_EQ(std::filesystem::last_write_time(serving.folder / "runs" / id / "seed-1/results.h5"), written);
 }
 
-TEST(serve_study, what_cannot_be_run_is_refused_with_the_reason) {
+TEST(serve_study, what_cannot_be_run_is_rejected_with_the_reason) {
   const Serving serving(kSmallLay);
   EXPECT_EQ(serving.post("/api/runs", {{"kind", "seeds"}}).status, 422);  // the model has one seed
   EXPECT_EQ(serving.post("/api/runs", {{"kind", "seeds"}, {"seeds", {1, 1}}}).status, 422);
   EXPECT_EQ(serving.post("/api/runs", {{"kind", "seeds"}, {"seeds", {1, -2}}}).status, 422);
   EXPECT_EQ(serving.post("/api/runs", {{"kind", "comparison"}}).status, 400);
-  const Reply refused = serving.post("/api/runs", {{"kind", "comparison"}, {"of", "tensioner"}});
-  EXPECT_EQ(refused.status, 422);
-  EXPECT_NE(refused.body.find("tensioner.range is missing"), std::string::npos);
+  const Reply rejected = serving.post("/api/runs", {{"kind", "comparison"}, {"of", "tensioner"}});
+  EXPECT_EQ(rejected.status, 422);
+  EXPECT_NE(rejected.body.find("tensioner.range is missing"), std::string::npos);
   EXPECT_TRUE(serving.get("/api/runs").json.empty());
 }
 
@@ -149,7 +150,7 @@ TEST(serve_study, seeds_that_the_command_ran_are_listed_with_their_cases) {
             0);
   serving.restart("");
   EXPECT_EQ(serving.wait_for("by-hand")["kind"], "seeds");
-  EXPECT_EQ(cases_of(serving, "by-hand").size(), 2U);
+  EXPECT_EQ(make_study_cases(serving, "by-hand").size(), 2U);
   EXPECT_EQ(serving.get("/api/runs/by-hand/study").json["cases"].size(), 2U);
 }
 

@@ -20,11 +20,11 @@ Model over_boxes(double structure) {
   }
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   return build_model(d);
 }
 
-// Springs in series: the box sinks by the reaction over its own stiffness, shell and coating give besides.
+// Springs in series: the box sinks by the reaction over its own stiffness, in addition to shell and coating.
 TEST(box_compliance, lets_a_box_sink_by_its_reaction_over_its_stiffness) {
   constexpr double kBox = 2e6;
   const Model model = over_boxes(kBox);

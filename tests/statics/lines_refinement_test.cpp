@@ -31,12 +31,13 @@ Pull pull(double across, double depth, int elements) {
   for (int i = 0; i <= elements; ++i) line.mesh.s.push_back(kLength * i / elements);
   line.mesh.length.assign(static_cast<std::size_t>(elements), kLength / elements);
   line.mesh.section.assign(static_cast<std::size_t>(elements), 0);
-  line.elements = elements_of_kinds(line.mesh.length, line.mesh.section, {cable_constants(model, type)});
+  line.elements = make_elements_by_kind(line.mesh.length, line.mesh.section, {cable_constants(model, type)});
   const CableParts parts{model.description.lines[0].segments, {}};
-  setup.start[0] = cable_start(model, parts, Vec3(0.0, 0.0, -100.0), Vec3(across, 0.0, kUp - 100.0)).shape(line.mesh);
+  setup.start[0] =
+      make_cable_shape(model, parts, Vec3(0.0, 0.0, -100.0), Vec3(across, 0.0, kUp - 100.0)).shape(line.mesh);
   Assembly assembly(setup.system);
-  SystemState state = start_of(setup, 0.0);
-  EXPECT_TRUE(rest_lines(assembly, state).converged());
+  SystemState state = make_initial_state(setup, 0.0);
+  EXPECT_TRUE(solve_lines_one_by_one(assembly, state).converged());
   const std::array<double, 6>& force = assembly.line(0).end_force(LineEnd::last);
   return {force[0], force[2]};
 }
@@ -44,8 +45,9 @@ Pull pull(double across, double depth, int elements) {
 Pull exact(double across, bool bed) {
   const LineTypeDescription type = testing::cable_type(16.3418, 0.0512, 165.48e6, 2e3, 1025.0);
   const CatenarySite site{kUp - 100.0, -100.0, bed, -100.0, 0.0};
-  const CatenarySolution at = solve_catenary(catenary_line({{"", kLength, type}}, {}, 0.0, kGravity), site, across);
-  return {at.pull, at.sink};
+  const CatenarySolution catenary_solution =
+      solve_catenary(catenary_line({{"", kLength, type}}, {}, 0.0, kGravity), site, across);
+  return {catenary_solution.pull, catenary_solution.sink};
 }
 
 // Over half a metre either way: by less the stiffness of equal elements swings by a percent, as touchdown goes from one
@@ -62,9 +64,9 @@ TEST(lines_refinement, on_the_bed_forces_and_stiffness_of_twenty_elements_are_th
     double force, stiffness;  ///< Tolerances [-].
   };
   for (const Row& row : {Row{10, 1e-3, 1e-2}, Row{20, 5e-4, 1e-3}, Row{40, 2e-4, 2e-4}}) {
-    const Pull at = pull(1000.0, 100.0, row.elements);
-    EXPECT_NEAR(at.horizontal / reference.horizontal, 1.0, row.force) << row.elements;
-    EXPECT_NEAR(at.vertical / reference.vertical, 1.0, row.force) << row.elements;
+    const Pull end_pull = pull(1000.0, 100.0, row.elements);
+    EXPECT_NEAR(end_pull.horizontal / reference.horizontal, 1.0, row.force) << row.elements;
+    EXPECT_NEAR(end_pull.vertical / reference.vertical, 1.0, row.force) << row.elements;
     const double found =
         (pull(1000.0 + kHalf, 100.0, row.elements).horizontal - pull(1000.0 - kHalf, 100.0, row.elements).horizontal) /
         (2.0 * kHalf);
@@ -72,7 +74,7 @@ TEST(lines_refinement, on_the_bed_forces_and_stiffness_of_twenty_elements_are_th
   }
 }
 
-TEST(lines_refinement, hanging_free_a_line_converges_with_the_fourth_order_of_its_elements) {
+TEST(lines_refinement, a_suspended_line_converges_with_the_fourth_order_of_its_elements) {
   const Pull reference = exact(900.0, false);
   const auto error = [&](int elements) {
     return std::abs(pull(900.0, 1000.0, elements).horizontal - reference.horizontal);

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "modelfile/reading/yaml_reader.h"
-#include "statics/recovery/friction_cases.h"
 #include "statics/recovery/recovery.h"
+#include "statics/recovery/roller_friction_limits.h"
 #include "statics/solver/statics.h"
 
 namespace overbend {
@@ -71,8 +71,8 @@ double tension_of_string(const Laid& lay, double mu) {
 /// Halfway between two rollers.
 double found_tension(const Laid& lay) {
   double tension = 0.0;
-  for (const Station& at : lay.results.stations) {
-    if (lay.results.total_length - at.s >= kLast) tension = at.effective_tension;
+  for (const Station& station : lay.results.stations) {
+    if (lay.results.total_length - station.s >= kLast) tension = station.effective_tension;
   }
   return tension;
 }
@@ -101,7 +101,7 @@ TEST(roller_friction, limits_lie_either_side_of_the_answer_without_friction) {
   const Laid lay = laid(soft_pipe_over_rollers(RollerFriction::none));
   ASSERT_TRUE(lay.outcome.solution);
   StaticResults results = lay.results;
-  find_friction_cases(lay.model, *lay.outcome.solution, results);
+  find_roller_friction_limits(lay.model, *lay.outcome.solution, results);
   const auto of = [&](const std::string& name) {
     const auto found = std::ranges::find(results.roller_friction, name, &RollerFrictionCase::name);
     EXPECT_NE(found, results.roller_friction.end()) << name;
@@ -115,7 +115,7 @@ TEST(roller_friction, limits_lie_either_side_of_the_answer_without_friction) {
   EXPECT_NEAR(of("lay").bottom_tension, laid(soft_pipe_over_rollers(RollerFriction::lay)).results.bottom_tension, 10.0);
 }
 
-TEST(roller_friction, a_limit_tells_how_far_the_pipe_runs_off_any_roller_of_the_last_box_that_bears_it) {
+TEST(roller_friction, a_limit_reports_how_far_the_pipe_runs_off_any_roller_of_the_last_box_that_bears_it) {
   StaticResults results;
   SupportResult& tip = results.supports.emplace_back();
   tip.stinger = true;
@@ -124,7 +124,7 @@ TEST(roller_friction, a_limit_tells_how_far_the_pipe_runs_off_any_roller_of_the_
   tip.rows[0].rollers.resize(3);
   tip.rows[0].rollers[1].off_end = 0.093;
   tip.rows[0].rollers[1].reaction = 5e3;
-  tip.rows[0].rollers[2].off_end = 0.5;  // beside the pipe, bears nothing
+  tip.rows[0].rollers[2].off_end = 0.5;  // next to the pipe, no load
   EXPECT_EQ(friction_case("lay", results).off_roller, 0.093);
 }
 

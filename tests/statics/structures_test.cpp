@@ -12,7 +12,7 @@ namespace overbend {
 namespace {
 
 /// A bar of steel, hung from the water line: its bending length is a hundredth of its sagbend, so that catenaries hold.
-Description hanging_bar() {
+Description suspended_bar() {
   Description d = testing::plain_description();
   d.environment.water_depth = 400.0;
   d.pipe.section = {};
@@ -25,10 +25,10 @@ Description hanging_bar() {
   return d;
 }
 
-StructureDescription structure(double at, double length, const Section& pipe) {
+StructureDescription structure(double position, double length, const Section& pipe) {
   StructureDescription s;
   s.name = "tee";
-  s.at = at;
+  s.at = position;
   s.length = length;
   s.weight_in_air = pipe.weight_in_air * length;
   s.weight_submerged = pipe.weight_submerged * length;
@@ -41,7 +41,7 @@ StaticResults solved(const Description& description) {
   return recover_statics(model, outcome.solution.value());
 }
 
-Section pipe_of(const Description& d) {
+Section pipe_section(const Description& d) {
   return build_model(d).sections.front();
 }
 
@@ -52,12 +52,12 @@ double rise(double H, double w, double low, double high) {
 
 /// Horizontal tension of a catenary of weight w under the tension T at its top, `height` above touchdown, with a point
 /// weight P at the length `at` below the top.
-double pull_with_weight(double T, double w, double P, double at, double height) {
+double pull_with_weight(double T, double w, double P, double position, double height) {
   double low = 0.0, high = T;
   for (int i = 0; i < 200; ++i) {
     const double H = 0.5 * (low + high);
     const double top = std::sqrt(T * T - H * H);  // vertical force
-    const double above = top - w * at;            // at the weight, on its upper side
+    const double above = top - w * position;      // at the weight, on its upper side
     const double h = rise(H, w, above, top) + rise(H, w, 0.0, above - P);
     (h > height ? low : high) = H;  // more pull, less height
   }
@@ -67,9 +67,9 @@ double pull_with_weight(double T, double w, double P, double at, double height) 
 }  // namespace
 
 TEST(structures_at_rest, weight_of_the_line_is_that_of_pipe_and_structure) {
-  Description d = hanging_bar();
+  Description d = suspended_bar();
   const StaticResults plain = solved(d);
-  const Section pipe = pipe_of(d);
+  const Section pipe = pipe_section(d);
   d.pipe.length = plain.total_length;
   StructureDescription tee = structure(150.0, 4.0, pipe);
   tee.weight_in_air += 12e3;
@@ -82,9 +82,9 @@ TEST(structures_at_rest, weight_of_the_line_is_that_of_pipe_and_structure) {
   EXPECT_LT(heavy.global_residual, 1e-7);
 }
 
-TEST(structures_at_rest, point_weight_in_a_hanging_line_is_that_of_two_catenaries) {
-  Description d = hanging_bar();
-  const Section pipe = pipe_of(d);
+TEST(structures_at_rest, point_weight_in_a_suspended_line_is_that_of_two_catenaries) {
+  Description d = suspended_bar();
+  const Section pipe = pipe_section(d);
   constexpr double kLength = 1.0, kAt = 200.0, kExtra = 8e3;
   StructureDescription tee = structure(kAt, kLength, pipe);
   tee.weight_in_air += kExtra;
@@ -106,18 +106,18 @@ TEST(structures_at_rest, point_weight_in_a_hanging_line_is_that_of_two_catenarie
 
 // A rigid piece of length 2a in a line of curvature k0 leaves the turn 2 a k0 to the pipe on its two sides, over the
 // bending length sqrt(EI/T) each: curvature there k0 (1 + a / sqrt(EI/T)).
-TEST(structures_at_rest, pipe_beside_a_stiff_structure_bends_more_by_the_beam_under_tension) {
-  Description d = hanging_bar();
+TEST(structures_at_rest, pipe_next_to_a_stiff_structure_bends_more_by_the_beam_under_tension) {
+  Description d = suspended_bar();
   d.tensioner.tension = 90e3;
-  const Section pipe = pipe_of(d);
+  const Section pipe = pipe_section(d);
   const StaticResults plain = solved(d);
-  const double at = plain.length_top_to_touchdown - 45.0;
-  const double s = plain.total_length - at;
+  const double position = plain.length_top_to_touchdown - 45.0;
+  const double s = plain.total_length - position;
   const auto station =
       std::min_element(plain.stations.begin(), plain.stations.end(),
                        [&](const Station& a, const Station& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
   constexpr double kHalf = 1.5;
-  StructureDescription stiff = structure(at, 2.0 * kHalf, pipe);
+  StructureDescription stiff = structure(position, 2.0 * kHalf, pipe);
   stiff.bending_stiffness = 1e3 * pipe.EI;
   d.pipe.structures = {stiff};
   const StaticResults results = solved(d);
@@ -135,7 +135,7 @@ TEST(structures_at_rest, pipe_beside_a_stiff_structure_bends_more_by_the_beam_un
 TEST(structures_at_rest, weight_above_a_roller_goes_into_that_roller) {
   Description d = read_model(testing::case_file("S16-T300")).description.value();
   const StaticResults plain = solved(d);
-  const Section pipe = pipe_of(d);
+  const Section pipe = pipe_section(d);
   const SupportResult& box = plain.supports.at(1);
   StructureDescription weight = structure(plain.total_length - box.rows.at(0).s, 0.4, pipe);
   weight.weight_in_air += 20e3;
@@ -152,21 +152,21 @@ TEST(structures_at_rest, weight_above_a_roller_goes_into_that_roller) {
 TEST(structures_at_rest, a_stiff_structure_in_the_tensioner_leaves_its_tension_as_set) {
   Description d = read_model(testing::case_file("S16-T300")).description.value();
   const double bottom = solved(d).bottom_tension;
-  const Section pipe = pipe_of(d);
-  for (const double at : {2.4, 3.0, 4.0, 6.0}) {
-    StructureDescription stiff = structure(at, 4.5, pipe);
+  const Section pipe = pipe_section(d);
+  for (const double position : {2.4, 3.0, 4.0, 6.0}) {
+    StructureDescription stiff = structure(position, 4.5, pipe);
     stiff.axial_stiffness = 3.0 * pipe.EA;
     d.pipe.structures = {stiff};
     const StaticResults r = solved(d);
-    EXPECT_NEAR(r.top_tension, *d.tensioner.tension, 1e-4 * r.top_tension) << at;
-    EXPECT_NEAR(r.bottom_tension, bottom, 2e-3 * bottom) << at;  // it weighs what the pipe does
+    EXPECT_NEAR(r.top_tension, *d.tensioner.tension, 1e-4 * r.top_tension) << position;
+    EXPECT_NEAR(r.bottom_tension, bottom, 2e-3 * bottom) << position;  // it weighs what the pipe does
   }
 }
 
 TEST(structures_at_rest, of_the_pipes_own_properties_changes_nothing) {
   Description d = read_model(testing::case_file("S16-T300")).description.value();
   const StaticResults plain = solved(d);
-  d.pipe.structures = {structure(70.0, 3.0, pipe_of(d))};
+  d.pipe.structures = {structure(70.0, 3.0, pipe_section(d))};
   const StaticResults same = solved(d);
   EXPECT_NEAR(same.lay_back, plain.lay_back, 5e-3);
   EXPECT_NEAR(same.bottom_tension, plain.bottom_tension, 1e-4 * plain.bottom_tension);

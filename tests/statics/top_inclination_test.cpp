@@ -3,7 +3,7 @@
 
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {

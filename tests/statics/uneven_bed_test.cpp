@@ -30,9 +30,9 @@ Json expected(const std::string& name) {
   return read_json_file(kCases + name + ".expected.json")["static"];
 }
 
-/// Spans whose gap does not hang on the model of the soil.
+/// Spans whose gap does not depend on the model of the soil.
 std::vector<FreeSpanResult> open_spans(std::vector<FreeSpanResult> spans) {
-  std::erase_if(spans, [](const FreeSpanResult& span) { return span.largest_gap < 0.05; });
+  std::erase_if(spans, [](const FreeSpanResult& span) { return span.max_gap < 0.05; });
   return spans;
 }
 
@@ -47,7 +47,7 @@ void expect_spans(const BedResults& bed, const Json& wanted) {
     EXPECT_NEAR(spans[i].x_from, open[i]["x_from"].get<double>(), 0.1);
     EXPECT_NEAR(spans[i].x_to, open[i]["x_to"].get<double>(), 0.1);
     EXPECT_NEAR(spans[i].length, open[i]["length"].get<double>(), 0.2);
-    EXPECT_NEAR(spans[i].largest_gap, open[i]["max_gap"].get<double>(), 2e-3);
+    EXPECT_NEAR(spans[i].max_gap, open[i]["max_gap"].get<double>(), 2e-3);
     EXPECT_NEAR(spans[i].gap_x, open[i]["max_gap_x"].get<double>(), 0.5);
     const double moment = open[i]["max_sagging_moment"];
     EXPECT_NEAR(spans[i].sagging_moment, moment, 3e-3 * moment);
@@ -66,7 +66,7 @@ TEST_P(uneven_bed, lay_has_the_answers_of_the_elastica) {
   const double sagbend = e["sagbend"]["max_bending_moment"];
   EXPECT_NEAR(r.sagbend.bending_moment.value, sagbend, 3e-3 * sagbend);
   EXPECT_NEAR(r.bed->tail_tension, bed["tail_tension"].get<double>(), 1e-3 * r.bed->tail_tension);
-  EXPECT_NEAR(r.bed->largest_penetration, bed["max_penetration"].get<double>(), 5e-3 * r.bed->largest_penetration);
+  EXPECT_NEAR(r.bed->max_penetration, bed["max_penetration"].get<double>(), 5e-3 * r.bed->max_penetration);
   const double hogging = bed["max_hogging_moment"]["value"], sagging = bed["max_sagging_moment"]["value"];
   EXPECT_NEAR(r.bed->hogging_moment, hogging, 3e-3 * hogging + 100.0);
   EXPECT_NEAR(r.bed->sagging_moment, sagging, 3e-3 * sagging + 100.0);
@@ -81,11 +81,11 @@ TEST_P(uneven_bed, lay_has_the_answers_of_the_elastica) {
 INSTANTIATE_TEST_SUITE_P(of_the_reference, uneven_bed,
                          ::testing::Values("BP16-bump", "BP16-slope", "BP24-depression", "BP24-sleeper"));
 
-TEST(uneven_bed_mesh, changes_nothing_that_is_told) {
+TEST(uneven_bed_mesh, changes_nothing_that_is_reported) {
   Description d = described("BP24-sleeper");
   const StaticResults coarse = lay(d);
   d.mesh.touchdown_element = 0.4;
-  d.mesh.longest_element = 1.0;
+  d.mesh.max_element_length = 1.0;
   const StaticResults fine = lay(d);
   ASSERT_GT(fine.stations.size(), coarse.stations.size());
   EXPECT_NEAR(coarse.lay_back, fine.lay_back, 0.02);
@@ -93,7 +93,7 @@ TEST(uneven_bed_mesh, changes_nothing_that_is_told) {
   EXPECT_NEAR(coarse.bed->sagging_moment, fine.bed->sagging_moment, 1e-3 * fine.bed->sagging_moment);
   const auto a = open_spans(coarse.bed->spans), b = open_spans(fine.bed->spans);
   ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i].largest_gap, b[i].largest_gap, 1e-3);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i].max_gap, b[i].max_gap, 1e-3);
 }
 
 TEST(uneven_bed_profile, of_a_plane_lays_as_the_plane_does) {
@@ -150,7 +150,7 @@ TEST(uneven_bed_soil, carries_the_pipe_at_the_penetration_of_its_law) {
   EXPECT_NEAR(lay(d).stations.front().penetration, elastic * 5.5, 1e-4 * elastic);  // half by k, half by k/10
 }
 
-TEST(uneven_bed_soil, that_does_not_bear_the_pipe_is_refused) {
+TEST(uneven_bed_soil, that_does_not_bear_the_pipe_is_rejected) {
   Description d = described("BP16-slope");
   d.environment.seabed.soil = SoilModel::hyperbolic;
   d.environment.seabed.bearing_force = 100.0;

@@ -14,11 +14,11 @@ Description bgl1() {
   return read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
 }
 
-StaticResults results_of(const Model& model, const StaticOutcome& outcome) {
+StaticResults recover_outcome(const Model& model, const StaticOutcome& outcome) {
   return recover_statics(model, outcome.solution.value());
 }
 
-/// Where a node lies changes no result by as much as is looked for here: a start may keep its own mesh.
+/// The position of a node changes no result by as much as is compared here: a start may keep its own mesh.
 Description finely_meshed() {
   Description description = bgl1();
   description.mesh.overbend_element = 0.2;
@@ -33,7 +33,7 @@ void expect_that_the_start_does_not_matter(const std::function<void(Model&)>& ch
   const StaticOutcome before = solve_statics(model);
   change(model);
   const StaticOutcome cold = solve_statics(model), warm = solve_statics(model, &before.solution.value());
-  const StaticResults from_nothing = results_of(model, cold), from_last = results_of(model, warm);
+  const StaticResults from_nothing = recover_outcome(model, cold), from_last = recover_outcome(model, warm);
   EXPECT_NEAR(from_last.overbend->bending_stress.value, from_nothing.overbend->bending_stress.value, 1e3);
   EXPECT_NEAR(from_last.lay_back, from_nothing.lay_back, 1e-3);
   const std::vector<double>& q = warm.solution->state.q;
@@ -94,7 +94,7 @@ TEST(warm_start, turns_the_laid_line_with_its_route_so_that_nothing_bends_at_its
   const StaticOutcome after = solve_statics(turned, &before.solution.value());
   EXPECT_EQ(after.solution->report.method, "newton, from the last solution");
   EXPECT_LE(after.solution->report.iterations, 8);
-  EXPECT_LT(results_of(turned, after).stations.front().bending_moment, 1e3);  // 298 kNm if it kept its direction
+  EXPECT_LT(recover_outcome(turned, after).stations.front().bending_moment, 1e3);  // 298 kNm if it kept its direction
 }
 
 TEST(warm_start, follows_a_line_of_another_given_length) {
@@ -110,14 +110,14 @@ TEST(warm_start, follows_a_line_of_another_given_length) {
   const Model longer = build_model(description);
   const StaticOutcome warm = solve_statics(longer, &before);
   EXPECT_NEAR(warm.solution->mesh.total_length(), length + 0.3, 1e-6);
-  const double cold = results_of(longer, solve_statics(longer)).top_tension;
-  EXPECT_NEAR(results_of(longer, warm).top_tension, cold, 1e-3 * cold);
+  const double cold = recover_outcome(longer, solve_statics(longer)).top_tension;
+  EXPECT_NEAR(recover_outcome(longer, warm).top_tension, cold, 1e-3 * cold);
 }
 
 TEST(warm_start, makes_the_elements_that_are_asked_for_now) {
   Description description = bgl1();
   const StaticSolution before = solve_statics(build_model(description)).solution.value();
-  description.mesh.longest_element = 1.0;
+  description.mesh.max_element_length = 1.0;
   const Model finer = build_model(description);
   const StaticSolution after = solve_statics(finer, &before).solution.value();
   EXPECT_LE(*std::max_element(after.mesh.length.begin(), after.mesh.length.end()), 1.0 + 1e-9);
@@ -127,17 +127,19 @@ TEST(warm_start, makes_another_mesh_where_touchdown_has_left_the_fine_zone_step_
   Description description = bgl1();
   // Pushed aside, so taut a pipe climbs its side rollers in one way or another: two equilibria.
   description.environment.current.clear();
-  description.mesh.longest_element = 2.0;  // stress is told at nodes: by 0.2 % less where the peak lies between them
-  StaticSolution at = solve_statics(build_model(description)).solution.value();
-  const std::vector<double> first = at.mesh.s;
+  description.mesh.max_element_length =
+      2.0;  // stress is reported at nodes: by 0.2 % less where the peak lies between them
+  StaticSolution static_solution = solve_statics(build_model(description)).solution.value();
+  const std::vector<double> first = static_solution.mesh.s;
   const double from = *description.tensioner.tension;
   for (int step = 1; step <= 10; ++step) {
     description.tensioner.tension = from + 1e4 * step;
-    at = solve_statics(build_model(description), &at).solution.value();
+    static_solution = solve_statics(build_model(description), &static_solution).solution.value();
   }
-  EXPECT_NE(at.mesh.s, first);
+  EXPECT_NE(static_solution.mesh.s, first);
   const Model model = build_model(description);
-  const StaticResults warm = recover_statics(model, at), cold = results_of(model, solve_statics(model));
+  const StaticResults warm = recover_statics(model, static_solution),
+                      cold = recover_outcome(model, solve_statics(model));
   EXPECT_NEAR(warm.sagbend.bending_stress.value, cold.sagbend.bending_stress.value,
               1e-3 * cold.sagbend.bending_stress.value);
 }

@@ -15,7 +15,7 @@
 #include "statics/moored/moored_lay.h"
 #include "study/run/dynamic_realisation.h"
 #include "study/run/seeds_gather.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "support/line_cases.h"
 #include "support/memory_sink.h"
 #include "support/solved_case.h"
@@ -39,13 +39,13 @@ Description two_chains() {
 
 std::shared_ptr<const PreparedCase> prepared(const Description& d) {
   auto made = prepare_case(d);
-  if (const RunEnd* end = std::get_if<RunEnd>(&made)) throw std::runtime_error(end->why);
+  if (const RunResult* end = std::get_if<RunResult>(&made)) throw std::runtime_error(end->why);
   return std::get<0>(std::move(made));
 }
 
-std::string refusal(const Description& d) {
+std::string rejection(const Description& d) {
   const auto made = prepare_case(d);
-  return std::holds_alternative<RunEnd>(made) ? std::get<RunEnd>(made).why : "";
+  return std::holds_alternative<RunResult>(made) ? std::get<RunResult>(made).why : "";
 }
 
 DynamicControl go_on(const DynamicProgress&) {
@@ -59,18 +59,19 @@ DynamicResults in_time(const PreparedCase& lines) {
       .results.value();
 }
 
-RealisationEnd run_in(const std::filesystem::path& folder, const PreparedCase& lines, bool resume = false,
-                      const std::function<DynamicControl(const DynamicProgress&)>& control = go_on) {
+RealisationResult run_in(const std::filesystem::path& folder, const PreparedCase& lines, bool resume = false,
+                         const std::function<DynamicControl(const DynamicProgress&)>& control = go_on) {
   FileLock files;
   return run_realisation(lines, folder, 1, resume, control, files);
 }
 
-bool has_finding(const Findings& findings, const std::string& words) {
-  return std::ranges::any_of(messages(findings),
-                             [&](const std::string& told) { return told.find(words) != std::string::npos; });
+bool has_finding(const Findings& findings, const std::string& message) {
+  return std::ranges::any_of(messages(findings), [&](const std::string& changed_text) {
+    return changed_text.find(message) != std::string::npos;
+  });
 }
 
-TEST(lines_analysis, at_rest_tells_both_ends_of_every_line) {
+TEST(lines_analysis, at_rest_reports_both_ends_of_every_line) {
   const std::vector<LineResult> lines = solve_lines(build_model(two_chains())).lines;
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_NEAR(lines[0].second.tension, 1.002e6, 2e3);
@@ -89,19 +90,19 @@ TEST(lines_analysis, in_time_swings_the_line_whose_end_moves_and_leaves_the_othe
   const LineDynamics &west = run.lines.at(0), &east = run.lines.at(1);
   EXPECT_GT(west.second_tension.max - west.second_tension.min, 0.15e6);
   EXPECT_LT(east.second_tension.max - east.second_tension.min, 1e2);
-  EXPECT_GE(west.largest_tension, lines->statics.lines[0].largest_tension);
+  EXPECT_GE(west.max_tension, lines->statics.lines[0].max_tension);
   EXPECT_LT(std::abs(run.energy.drift()), 1e-3);
 }
 
 /// Rows that fall on one phase of the swing alone say nothing of its mean.
-TEST(lines_analysis, has_a_mean_and_a_deviation_that_do_not_hang_on_the_rows) {
+TEST(lines_analysis, has_a_mean_and_a_deviation_that_do_not_depend_on_the_rows) {
   Description d = two_chains();
   d.dynamics->duration = 20.0;
   const auto with_rows = [&](double step) {
     d.dynamics->output_step = step;
     return in_time(*prepared(d)).lines.at(0).second_tension;
   };
-  const Spread fine = with_rows(0.1), coarse = with_rows(10.0);  // of the period
+  const SummaryStatistics fine = with_rows(0.1), coarse = with_rows(10.0);  // of the period
   EXPECT_GT(fine.std, 0.05e6);
   EXPECT_NEAR(coarse.mean, fine.mean, 0.02 * fine.mean);
   EXPECT_NEAR(coarse.std, fine.std, 0.05 * fine.std);
@@ -122,7 +123,7 @@ TEST(lines_analysis, takes_the_breaking_load_of_each_segment_over_time) {
   const std::vector<LineNodeResult>& nodes = lines->statics.lines[0].nodes;
   double use = 0.0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    use = std::max(use, west.largest_at_nodes.at(i) / (nodes[i].s < kWeak + 1e-9 ? 1.2e6 : 2e6));
+    use = std::max(use, west.max_tension_at_nodes.at(i) / (nodes[i].s < kWeak + 1e-9 ? 1.2e6 : 2e6));
   }
   ASSERT_TRUE(west.utilisation);
   EXPECT_NEAR(*west.utilisation, use, 1e-12);
@@ -171,10 +172,10 @@ TEST(lines_analysis, does_not_judge_pipe_of_a_line_over_time_by_its_state_at_res
   ASSERT_FALSE(table.rows.empty());
   EXPECT_EQ(table.rows.front().line, "riser");
   EXPECT_EQ(table.rows.front().status, CheckStatus::outside_validity);
-  EXPECT_EQ(worst_check(table), nullptr);
+  EXPECT_EQ(find_governing_check(table), nullptr);
 }
 
-TEST(lines_analysis, refuses_a_line_that_cannot_reach) {
+TEST(lines_analysis, rejects_a_line_that_cannot_reach) {
   std::string text = kUprightPipe;
   text.replace(text.find("z: 30 m"), 7, "z: 90 m");
   Model model = build_model(*read_model_text(text, "riser.yaml").description);
@@ -188,8 +189,8 @@ TEST(lines_analysis, refuses_a_line_that_cannot_reach) {
 TEST(lines_analysis, files_hold_what_was_found) {
   const testing::TemporaryFolder folder;
   const auto lines = prepared(two_chains());
-  const RealisationEnd end = run_in(folder.path(), *lines);
-  ASSERT_EQ(end.ending, RunEnding::done) << end.why;
+  const RealisationResult end = run_in(folder.path(), *lines);
+  ASSERT_EQ(end.ending, RunStatus::done) << end.why;
   const LineDynamics& west = end.results->lines.at(0);
   const Json summary = read_json_file(folder / "summary.json");
   EXPECT_EQ(summary["static"]["lines"][1]["name"], "east");
@@ -203,7 +204,7 @@ TEST(lines_analysis, files_hold_what_was_found) {
   EXPECT_EQ(reader.doubles("/lines/time").size(), history.size());
   EXPECT_LE(*std::ranges::max_element(history), west.second_tension.max);
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
-  EXPECT_EQ(stored.results.lines.at(0).largest_at_nodes, west.largest_at_nodes);
+  EXPECT_EQ(stored.results.lines.at(0).max_tension_at_nodes, west.max_tension_at_nodes);
   EXPECT_EQ(stored.statics.results.lines.at(1).nodes.size(), lines->statics.lines[1].nodes.size());
 }
 
@@ -213,24 +214,24 @@ TEST(lines_analysis, says_which_line_pulls_its_end_off_the_bed) {
   d.lines[1].segments[0].length = 401.0;  // the way is 403.1 m
   const Findings findings = solve_lines(build_model(d)).findings;
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_NE(messages(findings)[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
+  EXPECT_NE(messages(findings)[0].find("\"east\": lifts its end on the bed"), std::string::npos);
 }
 
-TEST(lines_analysis, refuses_an_end_that_leaps_at_the_beginning) {
+TEST(lines_analysis, rejects_an_end_that_leaps_at_the_beginning) {
   Description d = two_chains();
   d.lines[0].second.phase = 0.5 * std::numbers::pi;  // 2 m up at t = 0
   d.dynamics->build_up = 0.0;
-  EXPECT_NE(refusal(d).find("leaps by 2 m"), std::string::npos) << refusal(d);
-  EXPECT_NE(refusal(d).find("analysis.dynamic.build_up"), std::string::npos) << refusal(d);
+  EXPECT_NE(rejection(d).find("jumps by 2 m"), std::string::npos) << rejection(d);
+  EXPECT_NE(rejection(d).find("analysis.dynamic.build_up"), std::string::npos) << rejection(d);
 }
 
-TEST(lines_analysis, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the_run) {
+TEST(lines_analysis, rejects_a_vessel_that_leaps_or_whose_record_ends_before_the_run) {
   Description d = two_chains();
   d.lines[0].second.kind = LineEndKind::body;
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.harmonic["heave"] = {1.0, 10.0, 0.5 * std::numbers::pi};
   d.dynamics->build_up = 0.0;
-  EXPECT_NE(refusal(d).find("leaps by 1 m"), std::string::npos) << refusal(d);
+  EXPECT_NE(rejection(d).find("jumps by 1 m"), std::string::npos) << rejection(d);
   d.dynamics->build_up = 10.0;
   d.vessel.motion = VesselMotion::history;
   d.vessel.history.emplace();
@@ -238,15 +239,15 @@ TEST(lines_analysis, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the
     d.vessel.history->time.push_back(i);
     d.vessel.history->freedoms.push_back({});
   }
-  EXPECT_NE(refusal(d).find("does not cover the run"), std::string::npos) << refusal(d);
+  EXPECT_NE(rejection(d).find("does not cover the run"), std::string::npos) << rejection(d);
 }
 
-TEST(lines_analysis, refuses_a_vessel_that_no_line_holds_or_that_lies_on_mooring_lines) {
+TEST(lines_analysis, rejects_a_vessel_that_no_line_holds_or_that_lies_on_mooring_lines) {
   Description d = two_chains();
   d.vessel.hydrostatics = HydrostaticsDescription{1e7, 1e9, 1e10};
-  EXPECT_NE(refusal(d).find("nothing holds the vessel"), std::string::npos) << refusal(d);
+  EXPECT_NE(rejection(d).find("nothing holds the free-floating vessel"), std::string::npos) << rejection(d);
   d.moorings.emplace().lines.emplace_back();
-  EXPECT_NE(refusal(d).find("lines on a vessel on mooring lines"), std::string::npos) << refusal(d);
+  EXPECT_NE(rejection(d).find("lines on a vessel with mooring lines"), std::string::npos) << rejection(d);
 }
 
 TEST(lines_analysis, warns_of_a_breaking_load_that_is_exceeded_in_time_alone) {
@@ -280,27 +281,27 @@ TEST(lines_analysis, warns_of_a_sea_that_the_vessels_raos_do_not_reach) {
   d.vessel.raos->omegas = {0.1, 0.3};
   d.vessel.raos->headings = {0.0, std::numbers::pi};
   d.vessel.raos->values.assign(2 * 2 * 6, 0.0);
-  const RealisationEnd end = run_in(folder.path(), *prepared(d));
-  ASSERT_EQ(end.ending, RunEnding::done) << end.why;
+  const RealisationResult end = run_in(folder.path(), *prepared(d));
+  ASSERT_EQ(end.ending, RunStatus::done) << end.why;
   EXPECT_TRUE(has_finding(end.results->findings, "lies above the highest frequency of the RAOs"));
 }
 
 TEST(lines_analysis, stopped_and_taken_up_again_gives_the_same_bits) {
   const testing::TemporaryFolder folder;
   const auto lines = prepared(chains_in_waves());
-  const RealisationEnd whole = run_in(folder / "whole", *lines);
-  ASSERT_EQ(whole.ending, RunEnding::done) << whole.why;
-  const auto stop = [](const DynamicProgress& at) {
-    return at.time >= 1.0 ? DynamicControl::stop : DynamicControl::go_on;
+  const RealisationResult whole = run_in(folder / "whole", *lines);
+  ASSERT_EQ(whole.ending, RunStatus::done) << whole.why;
+  const auto stop = [](const DynamicProgress& dynamic_progress) {
+    return dynamic_progress.time >= 1.0 ? DynamicControl::stop : DynamicControl::go_on;
   };
-  EXPECT_EQ(run_in(folder / "parts", *lines, false, stop).ending, RunEnding::interrupted);
+  EXPECT_EQ(run_in(folder / "parts", *lines, false, stop).ending, RunStatus::interrupted);
   EXPECT_TRUE(RunStore::find(folder / "parts"));
   double first = 1e9;
-  const RealisationEnd rest = run_in(folder / "parts", *lines, true, [&](const DynamicProgress& at) {
-    first = std::min(first, at.time);
+  const RealisationResult rest = run_in(folder / "parts", *lines, true, [&](const DynamicProgress& dynamic_progress) {
+    first = std::min(first, dynamic_progress.time);
     return DynamicControl::go_on;
   });
-  ASSERT_EQ(rest.ending, RunEnding::done) << rest.why;
+  ASSERT_EQ(rest.ending, RunStatus::done) << rest.why;
   EXPECT_GT(first, 1.0);
   EXPECT_EQ(seed_values(lines->statics, *rest.results), seed_values(lines->statics, *whole.results));
   EXPECT_EQ(rest.results->energy.error, whole.results->energy.error);
@@ -316,9 +317,9 @@ TEST(lines_analysis, a_run_of_another_model_is_not_taken_up) {
   const testing::TemporaryFolder folder;
   Description d = chains_in_waves();
   const auto stop = [](const DynamicProgress&) { return DynamicControl::stop; };
-  EXPECT_EQ(run_in(folder.path(), *prepared(d), false, stop).ending, RunEnding::interrupted);
+  EXPECT_EQ(run_in(folder.path(), *prepared(d), false, stop).ending, RunStatus::interrupted);
   d.source_text = "another";
-  EXPECT_EQ(run_in(folder.path(), *prepared(d), true).ending, RunEnding::wrong_input);
+  EXPECT_EQ(run_in(folder.path(), *prepared(d), true).ending, RunStatus::wrong_input);
 }
 
 TEST(lines_analysis, seeds_are_gathered_by_the_ends_of_every_line) {
@@ -330,7 +331,7 @@ TEST(lines_analysis, seeds_are_gathered_by_the_ends_of_every_line) {
   const DynamicResults run = in_time(*lines);
   const std::vector<double> values = seed_values(lines->statics, run);
   EXPECT_EQ(values.at(2), run.lines[0].second_tension.max);
-  EXPECT_EQ(values.at(9), run.lines[1].least_tension);
+  EXPECT_EQ(values.at(9), run.lines[1].min_tension);
 }
 
 }  // namespace

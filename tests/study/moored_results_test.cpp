@@ -8,9 +8,9 @@
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "resultfiles/dynamic/long_data_reader.h"
-#include "study/run/dynamic_finish.h"
-#include "study/run/motion_parts.h"
-#include "study/run/static_run.h"
+#include "study/run/history_statistics.h"
+#include "study/run/motion_statistics.h"
+#include "study/run/static_analysis.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -30,14 +30,14 @@ void run(Finished& made) {
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 1.5;
   d.dynamics->build_up = 0.5;
   Model model = build_model(d);
   const ModelEquilibrium lay = solve_lay(model);
   made.statics = checked_statics(model, lay);
-  tell_hull(model, made.statics);
+  add_hull_results(model, made.statics);
   RunStore store = RunStore::create(made.folder / "run", d.source_text, 1);
   DynamicOutcome outcome = run_dynamics(model, *lay.solution, made.statics, dynamic_options(model), store, nullptr,
                                         [](const DynamicProgress&) { return DynamicControl::go_on; });
@@ -62,14 +62,14 @@ TEST(moored_results, files_of_a_moored_lay_in_time_are_read_back) {
   EXPECT_FALSE(summary["static"]["hull"]["radiation"].empty());
   EXPECT_EQ(summary["static"]["moorings"].size(), 8U);
 
-  const SnapshotBlock film = read_snapshots(h5, 0, 1000);
+  const SnapshotBlock append_snapshot = read_snapshots(h5, 0, 1000);
   std::size_t points = 0;
   for (const MooringLineDynamics& line : stored.results.moorings) points += line.points.size();
-  ASSERT_EQ(film.line_points, static_cast<std::int64_t>(points));
-  ASSERT_EQ(film.line_x.size(), points * film.time.size());
+  ASSERT_EQ(append_snapshot.line_points, static_cast<std::int64_t>(points));
+  ASSERT_EQ(append_snapshot.line_x.size(), points * append_snapshot.time.size());
   const Vec3& anchor = made.statics.moorings->rest.moorings[0].anchor_W;
-  EXPECT_NEAR(film.line_x[0], anchor.x(), 1e-6);
-  EXPECT_NEAR(film.line_y[0], anchor.y(), 1e-6);
+  EXPECT_NEAR(append_snapshot.line_x[0], anchor.x(), 1e-6);
+  EXPECT_NEAR(append_snapshot.line_y[0], anchor.y(), 1e-6);
   EXPECT_EQ(read_history(h5, "vessel/slow_sway").size(), read_history(h5, "time").size());
   EXPECT_TRUE(std::filesystem::exists(made.folder / "moorings.csv"));
 }

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "base/json.h"
-#include "model/vessel/stinger_turn.h"
+#include "model/vessel/stinger_rotation.h"
 #include "modelfile/reading/seek_reader.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
@@ -73,7 +73,7 @@ using Change = std::function<void(Description&, double)>;
 
 /// First-order changes of the lay against lays solved in full, in which the stinger turns. These need a way that stands
 /// out of how well a rest is found; of the first no contact may change, and rollers are stiff.
-void expect_full_changes(const Change& change, double way) {
+void expect_full_changes(const Change& change, double distance) {
   constexpr double kShort = 0.01;  // of the way
   constexpr double kRest = 2.0;    // of reactions, to which lays solved apart from each other agree [N]
   const Description d = read_model(OVERBEND_SOURCE_DIR "/examples/floating_stinger.yaml").description.value();
@@ -82,13 +82,13 @@ void expect_full_changes(const Change& change, double way) {
   ASSERT_TRUE(outcome.solution);
   SensitivityLay lay(model, *outcome.solution);
   const auto changed = [&](double by) {
-    Description other = d;
-    change(other, by);
-    return other;
+    Description second_description = d;
+    change(second_description, by);
+    return second_description;
   };
-  const auto pair = lay.follow(changed(-kShort * way), changed(kShort * way));
+  const auto pair = lay.neighbouring_equilibria(changed(-kShort * distance), changed(kShort * distance));
   ASSERT_TRUE(pair);
-  const StaticResults low = solved(changed(-way)), high = solved(changed(way));
+  const StaticResults low = solved(changed(-distance)), high = solved(changed(distance));
   const auto compare = [&](const char* what, const auto& value, double rest = 0.0) {
     const double full = value(high) - value(low);
     EXPECT_NEAR((value(pair->after) - value(pair->before)) / kShort, full, 0.02 * std::abs(full) + rest) << what;

@@ -1,4 +1,4 @@
-/// How often the test program has asked the heap for memory.
+/// Number of times the test program has asked the heap for memory.
 #pragma once
 
 namespace overbend::testing {

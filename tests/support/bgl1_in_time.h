@@ -7,7 +7,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
 #include "statics/recovery/recovery.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend::testing {
 
@@ -20,7 +20,7 @@ inline Description workable() {
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 12.0;
   d.dynamics->build_up = 4.0;

@@ -12,7 +12,7 @@
 namespace overbend::testing {
 
 /// Lines without their CR LF; a line that ends otherwise is a failure.
-inline std::vector<std::string> lines_of(const std::string& text) {
+inline std::vector<std::string> csv_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
@@ -23,7 +23,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-inline std::vector<std::string> cells_of(const std::string& line) {
+inline std::vector<std::string> csv_cells(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream stream(line + ",");
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
@@ -31,10 +31,10 @@ inline std::vector<std::string> cells_of(const std::string& line) {
 }
 
 inline double value_in(const std::vector<std::string>& lines, std::size_t row, const std::string& column) {
-  const std::vector<std::string> names = cells_of(lines.at(0));
+  const std::vector<std::string> names = csv_cells(lines.at(0));
   const auto found = std::find(names.begin(), names.end(), column);
   if (found == names.end()) throw std::runtime_error("no column " + column);
-  return std::stod(cells_of(lines.at(row)).at(static_cast<std::size_t>(found - names.begin())));
+  return std::stod(csv_cells(lines.at(row)).at(static_cast<std::size_t>(found - names.begin())));
 }
 
 }  // namespace overbend::testing

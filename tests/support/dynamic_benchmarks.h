@@ -16,13 +16,13 @@ struct StiffnessAndMass {
   Eigen::MatrixXd stiffness, mass;
 };
 inline StiffnessAndMass stiffness_and_mass(Assembly& assembly, const SystemState& state) {
-  SystemState at = state, after = state;
-  assembly.set_time(at.time, at);
-  assembly.evaluate(after, at, {0.0, 0.0, 0.0}, true);
+  SystemState system_state = state, after = state;
+  assembly.set_time(system_state.time, system_state);
+  assembly.evaluate(after, system_state, {0.0, 0.0, 0.0}, true);
   StiffnessAndMass both;
   both.stiffness = dense(assembly.line(0).tangent());
   constexpr double kShare = 1e8;  // so large that taking the stiffness away again costs no digits of the mass [1/s2]
-  assembly.evaluate(after, at, {0.0, kShare, 0.0}, true);
+  assembly.evaluate(after, system_state, {0.0, kShare, 0.0}, true);
   both.mass = (dense(assembly.line(0).tangent()) - both.stiffness) / kShare;
   return both;
 }
@@ -46,10 +46,10 @@ struct TensionedBeam {
     const double depth = added_mass > 0.0 ? -10.0 : 0.0;
     q = straight(system, Vec3(0.0, 0.0, depth), Vec3::UnitX(), kStretch);
     hold_ends(system, true, clamped);
-    rod_of(system).force_scale = kTension;
-    system.surroundings = [depth](double, Surroundings& now) {
-      now.ends[0].place = Vec3(0.0, 0.0, depth);
-      now.ends[1].place = Vec3(kLength, 0.0, depth);
+    first_rod(system).force_scale = kTension;
+    system.surroundings = [depth](double, Surroundings& surroundings) {
+      surroundings.ends[0].place = Vec3(0.0, 0.0, depth);
+      surroundings.ends[1].place = Vec3(kLength, 0.0, depth);
     };
   }
 };
@@ -107,7 +107,7 @@ class ZeroCrossings {
   std::vector<double> times_;
 };
 
-/// Frequency of the first mode of the pinned beam let go from its shape, from the record of its middle [Hz].
+/// Frequency of the first mode of the pinned beam released from its shape, from the record of its middle [Hz].
 inline double first_frequency_in_time(int elements, double h) {
   TensionedBeam beam(false, elements);
   MovingRod rod(beam.system, beam.q, {1.0, 1e-9, 12});
@@ -119,7 +119,7 @@ inline double first_frequency_in_time(int elements, double h) {
   }
   rod.begin();
   ZeroCrossings crossings;
-  const auto record = [&] { crossings.add(rod.now.time, rod.r(elements / 2).z(), rod.v(elements / 2).z()); };
+  const auto record = [&] { crossings.add(rod.state.time, rod.r(elements / 2).z(), rod.v(elements / 2).z()); };
   const int steps = static_cast<int>(12.0 / h);
   rod.run(h, steps, record);
   const std::vector<double>& times = crossings.times();
@@ -131,17 +131,17 @@ inline double spin_up_extension(int elements, double h) {
   static constexpr double kLength = 10.0, kRise = 15.0, kSpeed = 6.0;
   System system = rod_system({2.8e7, 1.4e4, 1.2}, kLength, elements);
   hold(first_end(system), true, true);
-  rod_of(system).force_scale = 1e3;  // the pull at the hub is 2160 N
-  system.surroundings = [](double t, Surroundings& now) {
+  first_rod(system).force_scale = 1e3;  // the pull at the hub is 2160 N
+  system.surroundings = [](double t, Surroundings& surroundings) {
     const double w = 2.0 * std::numbers::pi / kRise;
     const double s = std::min(t, kRise);
     const double angle = kSpeed / kRise * (0.5 * s * s + (std::cos(w * s) - 1.0) / (w * w)) + kSpeed * (t - s);
     const double rate = kSpeed / kRise * (s - std::sin(w * s) / w);
     const double acceleration = kSpeed / kRise * (1.0 - std::cos(w * s));
     const Vec3 along(std::cos(angle), std::sin(angle), 0.0), across(-along.y(), along.x(), 0.0);
-    now.ends[0].direction = along;
-    now.ends[0].direction_rate = rate * across;
-    now.ends[0].direction_acceleration = acceleration * across - rate * rate * along;
+    surroundings.ends[0].direction = along;
+    surroundings.ends[0].direction_rate = rate * across;
+    surroundings.ends[0].direction_acceleration = acceleration * across - rate * rate * along;
   };
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
@@ -153,16 +153,17 @@ inline double spin_up_extension(int elements, double h) {
   return sum / turn;
 }
 
-/// Period of a stiff bar hung from its end, let go at `angle` from hanging, in steps of a 400th of `expected` [s].
+/// Period of a stiff bar suspended from its end, released at `angle` from the vertical, in steps of a 400th of
+/// `expected` [s].
 inline double bar_pendulum_period(double angle, double expected) {
   System system = rod_system({1e8, 1e9, 1.0, kGravity}, 10.0, 1);
   last_end(system).hold_place = false;
   first_end(system).hold_place = true;
-  rod_of(system).force_scale = 10.0 * kGravity;
+  first_rod(system).force_scale = 10.0 * kGravity;
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle))));
   rod.begin();
   ZeroCrossings crossings;
-  rod.run(expected / 400.0, 320, [&] { crossings.add(rod.now.time, rod.r(1).x(), rod.v(1).x()); });
+  rod.run(expected / 400.0, 320, [&] { crossings.add(rod.state.time, rod.r(1).x(), rod.v(1).x()); });
   return 2.0 * (crossings.times().at(1) - crossings.times().at(0));
 }
 
@@ -170,7 +171,7 @@ inline double bar_pendulum_period(double angle, double expected) {
 inline std::vector<Vec3> flexible_pendulum_tip(int elements, double h) {
   System system = rod_system({1e6, 50.0, 1.2, 1.2 * kGravity}, 2.0, elements);
   first_end(system).hold_place = true;
-  rod_of(system).force_scale = 2.4 * kGravity;
+  first_rod(system).force_scale = 2.4 * kGravity;
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
   std::vector<Vec3> places;
@@ -191,7 +192,7 @@ inline SinkingPipe sinking_pipe(double h) {
   pipe.drag_normal = 0.5 * kRho * kCd * kD;
   pipe.displaced_mass = pipe.added_normal = kRho * 0.25 * std::numbers::pi * kD * kD;
   System system = rod_system(pipe, 12.0, 3);
-  rod_of(system).force_scale = 12.0 * pipe.weight;
+  first_rod(system).force_scale = 12.0 * pipe.weight;
   MovingRod rod(system, straight(system, Vec3(0.0, 0.0, -20.0), Vec3::UnitX()));
   rod.begin();
   SinkingPipe result;
@@ -207,7 +208,7 @@ inline SinkingPipe sinking_pipe(double h) {
 /// A pipe of 0.5 t that meets a roller of 5e4 kN/m at 1 m/s, without gravity.
 struct RollerImpact {
   double rebound = 0.0;                   ///< Speed away from the roller [m/s].
-  double duration = 0.0;                  ///< Of the force [s].
+  double duration = 0.0;                  ///< Duration of the force [s].
   double penetration = 0.0, force = 0.0;  ///< Largest [m], [N].
 };
 inline RollerImpact roller_impact(double damping, double h) {
@@ -219,14 +220,14 @@ inline RollerImpact roller_impact(double damping, double h) {
   law.damping = damping;
   system.bodies[0].rollers = {roller_under(0.5, 0.01, law)};
   system.bodies[0].cells = endless_cells();
-  rod_of(system).force_scale = 1e5;
+  first_rod(system).force_scale = 1e5;
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
-  push(rod.now, Vec3(0.0, 0.0, -1.0));
+  push(rod.state, Vec3(0.0, 0.0, -1.0));
   rod.begin();
   RollerImpact impact;
   rod.run(h, static_cast<int>(0.02 / h), [&] {
     const RollerContact& contact = rod.contacts()[0];
-    if (contact.normal > 0.0) impact.duration = rod.now.time;
+    if (contact.normal > 0.0) impact.duration = rod.state.time;
     impact.penetration = std::max(impact.penetration, contact.penetration);
     impact.force = std::max(impact.force, contact.normal);
   });

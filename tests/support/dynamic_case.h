@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "results/fields/check_fields.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "results/fields/stinger_dynamics_fields.h"
 #include "runstore/dynamic_histories.h"
 #include "runstore/run_store.h"
@@ -113,7 +113,7 @@ inline DynamicResults filled_dynamics(const StaticResults& statics) {
   if (statics.overbend) fill_region(results.overbend, fill);
   fill_region(results.sagbend, fill);
   if (statics.tower) fill_region(results.tower, fill);
-  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, fill);
+  visit_dynamic_extreme(min_effective_tension_field(), results.min_effective_tension, fill);
   fill_stations(results, statics, fill);
   fill_supports(results, statics, fill);
   results.hardest_impacts.resize(statics.supports.empty() ? 0 : 5);

@@ -16,6 +16,6 @@ namespace overbend {
 /// Second order, no damping of its own, and stable only while h is below 2 over the highest frequency of the line and
 /// its contacts. Memories of contact and friction go forward as with the implicit scheme. The system is left evaluated
 /// at `next`. False where the mass is singular or a number is no longer finite.
-bool explicit_step(Assembly& assembly, const SystemState& now, double h, SystemState& next);
+bool explicit_step(Assembly& assembly, const SystemState& state, double h, SystemState& next);
 
 }  // namespace overbend

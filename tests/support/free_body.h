@@ -21,20 +21,20 @@ inline FreeBody free_body(const SpringBody& springs, const Vec3& reference_V = V
   free.origin = springs.drawn;
   free.force_scale = springs.body.mass * kGravity;
   free.inertia << Vec3::Constant(springs.body.mass), springs.body.inertia.diagonal();
-  free.balance = [springs](const HullState& at, const HullState& /*before*/, const Weights& weights, double /*time*/,
-                           HullBalance& out) {
-    const RigidBodyForce inertia = rigid_body_force(springs.body, at.h, at.v, at.acc);
-    out.residual = inertia.force + springs.stiffness.cwiseProduct(at.h - springs.drawn) +
-                   springs.damping.cwiseProduct(at.v) - springs.pull;
+  free.balance = [springs](const HullState& hull_state, const HullState& /*before*/, const Weights& weights,
+                           double /*time*/, HullBalance& out) {
+    const RigidBodyForce inertia = rigid_body_force(springs.body, hull_state.h, hull_state.v, hull_state.acc);
+    out.residual = inertia.force + springs.stiffness.cwiseProduct(hull_state.h - springs.drawn) +
+                   springs.damping.cwiseProduct(hull_state.v) - springs.pull;
     out.tangent = inertia.by_h + weights.velocity * inertia.by_v + weights.acceleration * inertia.by_a;
     out.tangent.diagonal() += springs.stiffness + weights.velocity * springs.damping;
   };
-  free.energy = [springs](const HullState& at, double /*time*/, const HullBalance& /*step*/) {
-    const Vec6 away = at.h - springs.drawn;
+  free.energy = [springs](const HullState& hull_state, double /*time*/, const HullBalance& /*step*/) {
+    const Vec6 away = hull_state.h - springs.drawn;
     BodyEnergy energy;
-    energy.kinetic = kinetic_energy(springs.body, at.h, at.v);
+    energy.kinetic = kinetic_energy(springs.body, hull_state.h, hull_state.v);
     energy.stored = 0.5 * away.dot(springs.stiffness.cwiseProduct(away)) - springs.pull.dot(away);
-    energy.power = -at.v.dot(springs.damping.cwiseProduct(at.v));
+    energy.power = -hull_state.v.dot(springs.damping.cwiseProduct(hull_state.v));
     return energy;
   };
   return free;
@@ -48,9 +48,9 @@ inline void hold_on_body(Attachment& end, const Vec3& place_V, const Vec3& direc
   end.hold_place = true;
 }
 
-/// What stands around lines on free bodies: nothing that moves by itself.
-inline SurroundingsAt still(const System& system) {
-  return [&system](double, Surroundings& now) { lead_attachments(system, now); };
+/// Surroundings of lines on free bodies: nothing that moves by itself.
+inline SurroundingsAt surroundings_at_rest(const System& system) {
+  return [&system](double, Surroundings& surroundings) { set_attachment_motions(system, surroundings); };
 }
 
 /// A body on springs with a heavy cable from the ground, and a rod clamped in it that lies on a roller of the body.

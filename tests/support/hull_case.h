@@ -46,7 +46,7 @@ inline Description bgl1_hull_description() {
   hull.centre_of_gravity = Vec3(0.0, 0.0, 0.818);
   hull.gyration = Vec3(10.5, 30.0, 30.0);
   hull.damping = {{"roll", 0.05, std::nullopt, std::nullopt}};
-  hull.current.form = HullCurrentForm::none;
+  hull.current.form = HullCurrentModel::none;
   d.vessel.coupled = hull;
   return d;
 }

@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Of this machine, narrowest first.
+/// Instruction sets of this machine, narrowest first.
 inline std::vector<Isa> available_isas() {
   std::vector<Isa> isas;
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {

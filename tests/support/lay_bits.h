@@ -6,13 +6,13 @@
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 #include "support/result_visitors.h"
 
 namespace overbend::testing {
 
-inline std::string bits_of(const StaticResults& results) {
+inline std::string result_bits(const StaticResults& results) {
   BitsVisitor bits;
   visit_key_results(results, bits);
   visit_sums(results, bits);
@@ -22,7 +22,7 @@ inline std::string bits_of(const StaticResults& results) {
   const auto extreme = [&](const ResultField& f, const Extreme& e) { visit_extreme_fields(f, e, bits); };
   if (results.overbend) visit_region(*results.overbend, extreme);
   if (results.tower) visit_region(*results.tower, extreme);
-  visit_extreme_fields(ResultField{}, results.smallest_tension, bits);
+  visit_extreme_fields(ResultField{}, results.min_effective_tension, bits);
   visit_region(results.sagbend, extreme);
   for (const DerivedSection& section : results.sections) visit_section(section, bits);
   for (const StructureResult& structure : results.structures) visit_structure(structure, bits);

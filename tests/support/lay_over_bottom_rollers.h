@@ -8,7 +8,7 @@
 namespace overbend::testing {
 
 /// The current runs to starboard [m/s]: with 0.2 the pipe keeps to its rollers, with 0.3 it lies under the last of
-/// them, just beyond its end, with 0.5 metres below and beside most.
+/// them, just beyond its end, with 0.5 metres below and next to most.
 inline Description lay_over_bottom_rollers(double current) {
   const std::string text = fmt::format(
       R"(overbend: 1

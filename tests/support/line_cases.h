@@ -84,13 +84,13 @@ struct RestingLines {
   Model model;
   LinesSetup setup;
   SystemState state;
-  LinesRest rest;
+  LinesEquilibriumReport rest;
   std::vector<Vec3> first, last;  ///< Forces on the ends by what holds them [N].
 
   explicit RestingLines(const Description& description) : model(build_model(description)), setup(lines_setup(model)) {
     Assembly assembly(setup.system);
-    state = start_of(setup, 0.0);
-    rest = rest_lines(assembly, state);
+    state = make_initial_state(setup, 0.0);
+    rest = solve_lines_one_by_one(assembly, state);
     for (std::size_t i = 0; i < setup.system.lines.size(); ++i) {
       const auto force = [&](LineEnd end) {
         return Vec3(Eigen::Map<const Vec3>(assembly.line(i).end_force(end).data()));
@@ -101,10 +101,10 @@ struct RestingLines {
   }
   RestingLines(const RestingLines&) = delete;
   RestingLines& operator=(const RestingLines&) = delete;
-  /// What a run starts from.
+  /// Initial state of a run.
   RunStart start(const DynamicOptions& options) const {
     StaticSolution solution;
-    solution.lines = std::make_shared<LinesAtRest>(LinesAtRest{setup, state, rest});
+    solution.lines = std::make_shared<StaticLines>(StaticLines{setup, state, rest});
     return make_run_start(model, solution, 0.0, options);
   }
   Vec3 place(std::size_t line, int node) const { return Eigen::Map<const Vec3>(state.lines[line].q.data() + 6 * node); }
@@ -114,8 +114,8 @@ struct RestingLines {
 /// Tensions of a line in a run [N]: rows of t >= 0, and the least and largest of all steps.
 struct LineHistory {
   std::vector<double> time, first, last;
-  double least_first = 0.0, most_first = 0.0, least_last = 0.0, most_last = 0.0;
-  std::vector<double> least_tension, most_tension;  ///< At the nodes.
+  double min_first_tension = 0.0, max_first_tension = 0.0, min_last_tension = 0.0, max_last_tension = 0.0;
+  std::vector<double> min_tension, max_node_tension;  ///< At the nodes.
 };
 
 /// A run from that rest.
@@ -127,7 +127,7 @@ inline std::vector<LineHistory> run_lines(const Description& description, const 
   MemorySink sink;
   Recorder recorder(rest.model, statics, run, sink);
   run.observe(recorder);
-  recorder.row(run.now(), run.row_number());
+  recorder.row(run.present(), run.row_number());
   if (!run.advance(run.end())) throw std::runtime_error(run.failure()->what);
   DynamicResults results;
   recorder.fill(results);
@@ -138,8 +138,8 @@ inline std::vector<LineHistory> run_lines(const Description& description, const 
   for (const LineDynamics& line : results.lines) {
     histories.push_back({counted(time), counted(sink.column("line/" + line.name + "/first_tension")),
                          counted(sink.column("line/" + line.name + "/second_tension")), line.first_tension.min,
-                         line.first_tension.max, line.second_tension.min, line.second_tension.max, line.least_at_nodes,
-                         line.largest_at_nodes});
+                         line.first_tension.max, line.second_tension.min, line.second_tension.max,
+                         line.min_tension_at_nodes, line.max_tension_at_nodes});
   }
   return histories;
 }

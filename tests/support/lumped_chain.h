@@ -14,11 +14,11 @@ namespace overbend::testing {
 struct LumpedChain {
   int links = 40;
   double length = 150.0, mass = 200.0, weight = 1500.0, EA = 5e8;  ///< [m], [kg/m], under water [N/m], [N]
-  double diameter = 0.1, drag = 2.4, damping = 0.0;                ///< Of the links: a time [s].
+  double diameter = 0.1, drag = 2.4, damping = 0.0;                ///< Properties of the links; damping as a time [s].
   double density = 10.05e3 / kGravity, depth = 100.0, friction = 0.5;
   double bed = 150e3, stick = 100e3;  ///< Under the links, and in friction [N/m2].
   Vec3 anchor{0.0, 0.0, -100.0}, top{120.0, 0.0, -20.0};
-  double amplitude = 8.0, period = 6.0, build_up = 12.0;  ///< Of the heave of the top [m], [s].
+  double amplitude = 8.0, period = 6.0, build_up = 12.0;  ///< Heave of the top [m], [s].
 };
 
 /// Largest tension of the last link in each period from t = 0 on [N].
@@ -76,8 +76,8 @@ class LumpedChainRun {
     const double normal = c_.bed * link_ * std::max(-c_.depth - x_[i].z(), 0.0);
     f.z() += normal - c_.weight * link_;
     slip_[i] += step_ * Vec3(v_[i].x(), v_[i].y(), 0.0);
-    const double most = c_.friction * normal / (c_.stick * link_), size = slip_[i].norm();
-    if (size > most) slip_[i] *= most / size;
+    const double max_value = c_.friction * normal / (c_.stick * link_), size = slip_[i].norm();
+    if (size > max_value) slip_[i] *= max_value / size;
     f -= c_.stick * link_ * slip_[i] + brake * c_.mass * link_ * v_[i];
     const Vec3 along = f.dot(t) * t;
     v_[i] += step_ / link_ * (along / c_.mass + (f - along) / (c_.mass + added_));

@@ -14,7 +14,7 @@ inline Description coarse_example(const char* name, double duration, double buil
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = duration;
   d.dynamics->build_up = build_up;

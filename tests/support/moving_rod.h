@@ -14,7 +14,7 @@
 
 namespace overbend::testing {
 
-/// What the rod is made of, one for its whole length. Dry and weightless unless said.
+/// Properties of the rod, one for its whole length. Dry and weightless unless said.
 struct RodMaterial {
   double EA = 0.0, EI = 0.0;                        ///< [N], [N m2]
   double mass = 0.0;                                ///< [kg/m]
@@ -24,10 +24,10 @@ struct RodMaterial {
   double displaced_mass = 0.0, added_normal = 0.0;  ///< [kg/m]
 };
 
-inline Line& rod_of(System& system) {
+inline Line& first_rod(System& system) {
   return system.lines.front();
 }
-inline const Line& rod_of(const System& system) {
+inline const Line& first_rod(const System& system) {
   return system.lines.front();
 }
 inline Attachment& first_end(System& system) {
@@ -52,7 +52,7 @@ inline System rod_system(const RodMaterial& material, double length, int count) 
   system.attachments.resize(2);
   last_end(system).end = LineEnd::last;
   system.lines.resize(1);
-  Line& line = rod_of(system);
+  Line& line = first_rod(system);
   const double h = length / count;
   line.mesh.s.push_back(0.0);
   for (int i = 1; i <= count; ++i) {
@@ -112,7 +112,7 @@ inline BodyRoller roller_under(double x, double pipe_radius, const ContactLaw& l
 inline std::vector<double> straight(const System& system, const Vec3& start, const Vec3& direction,
                                     double stretch = 0.0) {
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) {
+  for (const double s : first_rod(system).mesh.s) {
     const Vec3 r = start + (1.0 + stretch) * s * direction;
     const Vec3 t = (1.0 + stretch) * direction;
     q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
@@ -138,46 +138,46 @@ inline double stored(const InstantEnergy& e) {
   return e.line.kinetic + e.line.strain + e.line.gravity + e.line.seabed + e.contact;
 }
 
-/// The rod with its integrator. Set `now`, call `begin`, then `step` or `run`.
+/// The rod with its integrator. Set `state`, call `begin`, then `step` or `run`.
 class MovingRod {
  public:
   MovingRod(System system, const std::vector<double>& q, const StepSettings& settings = {})
       : system_(std::move(system)),
         assembly_(system_),
         stepper_(assembly_, settings),
-        now(state_at_rest(system_, {q}, 0.0)) {
-    next_ = now;
+        state(state_at_rest(system_, {q}, 0.0)) {
+    next_ = state;
   }
   MovingRod(const MovingRod&) = delete;
   MovingRod& operator=(const MovingRod&) = delete;
 
   Assembly& assembly() { return assembly_; }
   const std::vector<RollerContact>& contacts() const { return assembly_.line(0).contacts().contacts(); }
-  LineState& line_now() { return now.lines.front(); }
-  const LineState& line_now() const { return now.lines.front(); }
-  int last() const { return rod_of(system_).mesh.nodes() - 1; }
+  LineState& line_now() { return state.lines.front(); }
+  const LineState& line_now() const { return state.lines.front(); }
+  int last() const { return first_rod(system_).mesh.nodes() - 1; }
   Vec3 r(int node) const { return place(line_now().q, node); }
   Vec3 v(int node) const { return place(line_now().v, node); }
-  InstantEnergy energy() const { return assembly_.energy(now); }
+  InstantEnergy energy() const { return assembly_.energy(state); }
 
   /// Accelerations of the state set, true and algorithmic.
   void begin() {
-    assembly_.set_time(now.time, now);
-    if (!assembly_.find_accelerations(now)) {
+    assembly_.set_time(state.time, state);
+    if (!assembly_.find_accelerations(state)) {
       throw std::runtime_error("the mass is singular");
     }
-    line_now().alg = line_now().acc;
-    for (AttachmentState& end : now.attachments) {
-      end.guide.alg = end.guide.acc;
+    line_now().algorithmic_acceleration = line_now().acc;
+    for (AttachmentState& end : state.attachments) {
+      end.guide.algorithmic_acceleration = end.guide.acc;
     }
   }
 
   void step(double h) {
-    const StepReport report = stepper_.step(now, h, next_);
+    const StepReport report = stepper_.step(state, h, next_);
     if (!report.converged()) {
-      throw std::runtime_error(fmt::format("no balance after {} s: residual {}", now.time, report.residual));
+      throw std::runtime_error(fmt::format("no balance after {} s: residual {}", state.time, report.residual));
     }
-    std::swap(now, next_);
+    std::swap(state, next_);
   }
 
   /// `count` steps; `after` sees every state.
@@ -199,7 +199,7 @@ class MovingRod {
   SystemState next_;
 
  public:
-  SystemState now;
+  SystemState state;
 };
 
 }  // namespace overbend::testing

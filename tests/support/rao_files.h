@@ -25,8 +25,8 @@ class WrittenFile {
   WrittenFile(const WrittenFile&) = delete;
   WrittenFile& operator=(const WrittenFile&) = delete;
   ~WrittenFile() {
-    std::error_code fault;
-    std::filesystem::remove_all(folder_, fault);
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
   }
   const std::string& path() const { return path_; }
 

@@ -48,7 +48,7 @@ struct BitsVisitor {
   void operator()(const ResultField& field, const Finding& value) {
     text += field.name + "=" + json_text(finding_json(value)) + "\n";
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField& field, Enum value) {
     (*this)(field, std::string(word(value)));
   }

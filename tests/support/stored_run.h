@@ -90,12 +90,13 @@ inline void expect_run(const RunStore& store, int rows) {
   EXPECT_EQ(block.back(), 20.0 + 0.01 * (5 * kStations + 11));
 }
 
-/// What resuming throws.
-inline std::string fault_of(const fs::path& folder, const std::string& model = kModel, std::uint64_t seed = kSeed) {
+/// Returns the message thrown by resuming.
+inline std::string find_run_error(const fs::path& folder, const std::string& model = kModel,
+                                  std::uint64_t seed = kSeed) {
   try {
     RunStore::resume(folder, model, seed);
-  } catch (const std::runtime_error& fault) {
-    return fault.what();
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
   return "";
 }

@@ -12,9 +12,9 @@ namespace overbend::testing {
 
 namespace zip {
 
-inline std::size_t number(const std::string& bytes, std::size_t at, int count) {
+inline std::size_t number(const std::string& bytes, std::size_t index, int count) {
   std::size_t value = 0;
-  for (int i = count - 1; i >= 0; --i) value = value << 8U | static_cast<unsigned char>(bytes.at(at + i));
+  for (int i = count - 1; i >= 0; --i) value = value << 8U | static_cast<unsigned char>(bytes.at(index + i));
   return value;
 }
 
@@ -39,15 +39,15 @@ inline std::map<std::string, std::string> zip_texts(const std::string& archive) 
   std::map<std::string, std::string> texts;
   const std::size_t end = archive.rfind("PK\x05\x06");
   if (end == std::string::npos) throw std::runtime_error("no zip archive");
-  std::size_t at = zip::number(archive, end + 16, 4);
+  std::size_t index = zip::number(archive, end + 16, 4);
   for (std::size_t left = zip::number(archive, end + 10, 2); left > 0; --left) {
-    const std::size_t method = zip::number(archive, at + 10, 2), packed = zip::number(archive, at + 20, 4),
-                      size = zip::number(archive, at + 24, 4), name = zip::number(archive, at + 28, 2),
-                      local = zip::number(archive, at + 42, 4);
+    const std::size_t method = zip::number(archive, index + 10, 2), packed = zip::number(archive, index + 20, 4),
+                      size = zip::number(archive, index + 24, 4), name = zip::number(archive, index + 28, 2),
+                      local = zip::number(archive, index + 42, 4);
     const std::size_t data = local + 30 + zip::number(archive, local + 26, 2) + zip::number(archive, local + 28, 2);
     const std::string content = archive.substr(data, packed);
-    texts[archive.substr(at + 46, name)] = method == 0 ? content : zip::inflated(content, size);
-    at += 46 + name + zip::number(archive, at + 30, 2) + zip::number(archive, at + 32, 2);
+    texts[archive.substr(index + 46, name)] = method == 0 ? content : zip::inflated(content, size);
+    index += 46 + name + zip::number(archive, index + 30, 2) + zip::number(archive, index + 32, 2);
   }
   return texts;
 }

@@ -17,10 +17,10 @@ class StandingPipe {
   StandingPipe()
       : at_(testing::workable()),
         setup_(make_setup(at_.model, at_.start, at_.statics.top_tension, dynamic_options(at_.model))) {
-    setup_.system.surroundings = [this](double /*time*/, Surroundings& now) {
-      now.bodies.front().pose = at_.model.mean_pose;
-      now.bodies.front().pose.p_WV.z() -= sunk;
-      lead_attachments(setup_.system, now);
+    setup_.system.surroundings = [this](double /*time*/, Surroundings& surroundings) {
+      surroundings.bodies.front().pose = at_.model.mean_pose;
+      surroundings.bodies.front().pose.p_WV.z() -= sunk;
+      set_attachment_motions(setup_.system, surroundings);
     };
   }
   const System& system() const { return setup_.system; }
@@ -33,7 +33,7 @@ class StandingPipe {
   RunSetup setup_;
 };
 
-Eigen::VectorXd vector_of(const Increments& dq, std::size_t part = 0) {
+Eigen::VectorXd stack_increments(const Increments& dq, std::size_t part = 0) {
   return Eigen::Map<const Eigen::VectorXd>(dq[part].data(), static_cast<Eigen::Index>(dq[part].size()));
 }
 
@@ -56,7 +56,7 @@ TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_f
     assembly.evaluate(state, before, weights, with_tangent);
     assembly.hold(with_tangent);
     solve();
-    return vector_of(dq);
+    return stack_increments(dq);
   };
   const Eigen::VectorXd old = step(false, [&] { assembly.solve_again(dq); });
   ASSERT_NE(assembly.contact_signature(), signature);
@@ -73,7 +73,7 @@ TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_f
 // more.
 TEST(renewed_line, gives_the_step_of_a_full_tangent) {
   System system = testing::body_with_lines(testing::floating());
-  system.surroundings = testing::still(system);
+  system.surroundings = testing::surroundings_at_rest(system);
   Assembly assembly(system);
   SystemState state = testing::drawn_out(system);
   const SystemState before = state;
@@ -101,9 +101,9 @@ TEST(renewed_line, gives_the_step_of_a_full_tangent) {
   });
   const Increments full = solved(true, fully);
   for (std::size_t part = 0; part < full.size(); ++part) {  // the cable's, the rod's, the body's
-    const double size = vector_of(full, part).norm();
-    EXPECT_GT((vector_of(old, part) - vector_of(full, part)).norm(), 1e-3 * size) << part;
-    EXPECT_LT((vector_of(renewed, part) - vector_of(full, part)).norm(), 1e-8 * size) << part;
+    const double size = stack_increments(full, part).norm();
+    EXPECT_GT((stack_increments(old, part) - stack_increments(full, part)).norm(), 1e-3 * size) << part;
+    EXPECT_LT((stack_increments(renewed, part) - stack_increments(full, part)).norm(), 1e-8 * size) << part;
   }
 }
 
@@ -111,15 +111,15 @@ TEST(renewed_line, gives_the_step_of_a_full_tangent) {
 System pendulum(double length, int elements) {
   System system = testing::rod_system({400.0, 1.0, 1.2, 1.2 * kGravity}, length, elements);
   testing::first_end(system).hold_place = true;
-  testing::rod_of(system).force_scale = 1.2 * length * kGravity;
+  testing::first_rod(system).force_scale = 1.2 * length * kGravity;
   return system;
 }
 
 /// Both in one system.
-System beside(const System& one, const System& other) {
-  System both = one;
-  both.lines.push_back(other.lines.front());
-  for (Attachment end : other.attachments) {
+System combined_system(const System& system, const System& second_system) {
+  System both = system;
+  both.lines.push_back(second_system.lines.front());
+  for (Attachment end : second_system.attachments) {
     end.line = 1;
     both.attachments.push_back(end);
   }
@@ -130,37 +130,37 @@ std::vector<double> level(const System& system) {
   return testing::straight(system, Vec3::Zero(), Vec3::UnitX());
 }
 
-/// The system let go level and followed for `steps`.
+/// The system released level and followed for `steps`.
 SystemState swung(const System& system, const std::vector<std::vector<double>>& q, int steps) {
   Assembly assembly(system);
   TimeStepper stepper(assembly, {0.8, 1e-11, 20});
-  SystemState now = state_at_rest(system, q, 0.0);
-  assembly.set_time(0.0, now);
-  EXPECT_TRUE(assembly.find_accelerations(now));
-  for (LineState& line : now.lines) line.alg = line.acc;
-  SystemState next = now;
+  SystemState state = state_at_rest(system, q, 0.0);
+  assembly.set_time(0.0, state);
+  EXPECT_TRUE(assembly.find_accelerations(state));
+  for (LineState& line : state.lines) line.algorithmic_acceleration = line.acc;
+  SystemState next = state;
   for (int i = 0; i < steps; ++i) {
-    EXPECT_TRUE(stepper.step(now, 1e-3, next).converged());
-    std::swap(now, next);
+    EXPECT_TRUE(stepper.step(state, 1e-3, next).converged());
+    std::swap(state, next);
   }
-  return now;
+  return state;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+double max_deviation(const std::vector<double>& a, const std::vector<double>& b) {
+  double max_value = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) max_value = std::max(max_value, std::abs(a[i] - b[i]));
+  return max_value;
 }
 
 TEST(assembly, of_two_lines_of_different_lengths_moves_each_as_it_moves_alone) {
   const System shorter = pendulum(2.0, 4), longer = pendulum(9.0, 30);
   constexpr int kSteps = 300;
-  const SystemState both = swung(beside(shorter, longer), {level(shorter), level(longer)}, kSteps);
+  const SystemState both = swung(combined_system(shorter, longer), {level(shorter), level(longer)}, kSteps);
   const SystemState first = swung(shorter, {level(shorter)}, kSteps);
   const SystemState second = swung(longer, {level(longer)}, kSteps);
-  EXPECT_GT(largest_difference(level(longer), second.lines[0].q), 0.3);  // it has swung
-  EXPECT_LT(largest_difference(both.lines[0].q, first.lines[0].q), 1e-9);
-  EXPECT_LT(largest_difference(both.lines[1].q, second.lines[0].q), 1e-9);
+  EXPECT_GT(max_deviation(level(longer), second.lines[0].q), 0.3);  // it has swung
+  EXPECT_LT(max_deviation(both.lines[0].q, first.lines[0].q), 1e-9);
+  EXPECT_LT(max_deviation(both.lines[1].q, second.lines[0].q), 1e-9);
 }
 
 TEST(line_assembly, at_rest_is_that_of_a_motion_without_rates) {

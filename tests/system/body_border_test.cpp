@@ -18,7 +18,7 @@ class Tangent {
   /// `size`: by how much it is out of its straight place, the body four times as much in its angles [m, -].
   Tangent(System system, double velocity_share, double acceleration_share, unsigned seed, double size = 0.05)
       : system_(std::move(system)), weights_{velocity_share, acceleration_share, 0.02}, random_(seed) {
-    system_.surroundings = still(system_);
+    system_.surroundings = surroundings_at_rest(system_);
     assembly_.emplace(system_);
     std::vector<std::vector<double>> q;
     for (std::size_t i = 0; i < system_.lines.size(); ++i) {
@@ -37,25 +37,25 @@ class Tangent {
 
   /// Residuals of lines and bodies after a share of the correction.
   Eigen::VectorXd residual(double share) {
-    SystemState at = state;
+    SystemState system_state = state;
     const Vec6 zero = Vec6::Zero();
     const auto move = [&](auto& values, std::size_t size, double weight, auto of) {
       for (std::size_t i = 0; i < size; ++i) values[i] += share * weight * of(i);
     };
-    for (std::size_t line = 0; line < at.lines.size() && !dq.empty(); ++line) {
-      LineState& l = at.lines[line];
+    for (std::size_t line = 0; line < system_state.lines.size() && !dq.empty(); ++line) {
+      LineState& l = system_state.lines[line];
       const auto of = [&](std::size_t i) { return dq[line][i]; };
       move(l.q, l.q.size(), 1.0, of);
       move(l.v, l.q.size(), weights_.velocity, of);
       move(l.acc, l.q.size(), weights_.acceleration, of);
     }
-    for (std::size_t i = 0; i < at.bodies.size(); ++i) {
+    for (std::size_t i = 0; i < system_state.bodies.size(); ++i) {
       const Vec6 dh = dq.empty() ? zero : Vec6(share * Eigen::Map<const Vec6>(dq.back().data() + 6 * i));
-      at.bodies[i].h += dh;
-      at.bodies[i].v += weights_.velocity * dh;
-      at.bodies[i].acc += weights_.acceleration * dh;
+      system_state.bodies[i].h += dh;
+      system_state.bodies[i].v += weights_.velocity * dh;
+      system_state.bodies[i].acc += weights_.acceleration * dh;
     }
-    for (std::size_t i = 0; i < at.attachments.size() && !dq.empty(); ++i) {
+    for (std::size_t i = 0; i < system_state.attachments.size() && !dq.empty(); ++i) {
       const Attachment& held = system_.attachments[i];
       const std::size_t line = static_cast<std::size_t>(held.line);
       const double* part = dq[line].data() + 6 * held_node(held, system_.lines[line]);
@@ -65,22 +65,22 @@ class Tangent {
         values.v += share * weights_.velocity * d;
         values.acc += share * weights_.acceleration * d;
       };
-      add(at.attachments[i].guide, direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
+      add(system_state.attachments[i].guide, direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
       if (held.tensioner.has_value()) {
-        add(at.attachments[i].travel, -direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
+        add(system_state.attachments[i].travel, -direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
       }
     }
-    return evaluate(at, false);
+    return evaluate(system_state, false);
   }
 
-  Eigen::VectorXd evaluate(SystemState& at, bool with_tangent) {
-    assembly_->impose_ends(at);
-    assembly_->evaluate(at, state, weights_, with_tangent);
+  Eigen::VectorXd evaluate(SystemState& system_state, bool with_tangent) {
+    assembly_->impose_ends(system_state);
+    assembly_->evaluate(system_state, state, weights_, with_tangent);
     assembly_->hold(with_tangent);
     std::vector<double> all;
     for (std::size_t i = 0; i < system_.lines.size(); ++i) {
-      const std::vector<double> one = along_guides(i);
-      all.insert(all.end(), one.begin(), one.end());
+      const std::vector<double> single = along_guides(i);
+      all.insert(all.end(), single.begin(), single.end());
     }
     all.insert(all.end(), assembly_->body_residual().begin(), assembly_->body_residual().end());
     return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
@@ -111,18 +111,18 @@ class Tangent {
       assembly_->set_drive(i, TensionerDrive::governor);
     }
     assembly_->impose_ends(state);
-    SystemState at = state;
-    const Eigen::VectorXd here = evaluate(at, true);
+    SystemState system_state = state;
+    const Eigen::VectorXd local = evaluate(system_state, true);
     for (const EndMotion& end : assembly_->surroundings().ends) directions_.push_back(end.direction);
     dq = assembly_->increments();
     EXPECT_TRUE(assembly_->solve_factored(dq));
     constexpr double kShare = 1e-4;
     const Eigen::VectorXd slope = (residual(kShare) - residual(-kShare)) / (2.0 * kShare);
     const Eigen::Index n = 6 * static_cast<Eigen::Index>(state.bodies.size());
-    const auto largest = [](const Eigen::VectorXd& x) { return x.cwiseAbs().maxCoeff(); };
-    const Eigen::VectorXd off = slope + here;
-    return {largest(off.head(off.size() - n)) / largest(here.head(off.size() - n)),
-            largest(off.tail(n)) / largest(here.tail(n))};
+    const auto max_value = [](const Eigen::VectorXd& x) { return x.cwiseAbs().maxCoeff(); };
+    const Eigen::VectorXd off = slope + local;
+    return {max_value(off.head(off.size() - n)) / max_value(local.head(off.size() - n)),
+            max_value(off.tail(n)) / max_value(local.tail(n))};
   }
 
   SystemState state;
@@ -151,12 +151,12 @@ System rod_on_body(bool place, bool direction) {
 
 void expect_exact(const System& system, double tolerance = 1e-6, double size = 0.05, double slip = 0.0) {
   for (unsigned seed = 1; seed < 4; ++seed) {
-    Tangent at(system, 60.0, 3600.0, seed, size);
+    Tangent border_tangent(system, 60.0, 3600.0, seed, size);
     const auto slide = [slip](Tangent& tangent) {
       for (ContactMemory& contact : tangent.state.lines[0].contacts) contact.slip_axial = contact.slip_lateral = slip;
     };
-    slide(at);
-    const auto [lines, bodies] = at.error();
+    slide(border_tangent);
+    const auto [lines, bodies] = border_tangent.error();
     EXPECT_LT(lines, tolerance) << seed;
     EXPECT_LT(bodies, tolerance) << seed;
     Tangent resting(system, 0.0, 0.0, seed, size);
@@ -206,10 +206,10 @@ TEST(body_border, of_a_quasi_static_line_is_the_derivative) {
 
 TEST(body_border, of_a_rod_between_two_bodies_is_the_derivative) {
   System system = rod_on_body(true, true);
-  SpringBody other;
-  other.stiffness = Vec6::Constant(600.0);
-  other.pull << -10.0, 5.0, 20.0, 5.0, 10.0, -30.0;
-  system.bodies.emplace_back().free = free_body(other);
+  SpringBody second_spring_body;
+  second_spring_body.stiffness = Vec6::Constant(600.0);
+  second_spring_body.pull << -10.0, 5.0, 20.0, 5.0, 10.0, -30.0;
+  system.bodies.emplace_back().free = free_body(second_spring_body);
   hold_on_body(first_end(system), Vec3(0.1, 0.2, -0.1));
   first_end(system).body = 1;
   hold(first_end(system), true, true);
@@ -231,7 +231,7 @@ TEST(body_border, of_nodes_between_the_ends_is_the_derivative) {
   System system = rod_on_body(true, true);
   hold_inside(system, 0, 2, 0, Vec3(2.1, 0.1, -0.1));
   expect_exact(system);
-  hold_inside(system, 0, 1, 0, Vec3(1.0, -0.1, 0.1)).hold_direction = true;  // beside the other
+  hold_inside(system, 0, 1, 0, Vec3(1.0, -0.1, 0.1)).hold_direction = true;  // next to the other
   expect_exact(system);
 }
 
@@ -297,7 +297,7 @@ System rod_on_rollers(const ContactLaw& law) {
   BodyRoller roller = roller_under(1.3, 0.01, law);
   roller.center_V.z() += 0.12;
   system.bodies[0].rollers = {roller, roller};
-  system.bodies[0].rollers[1].center_V.x() = 3.4;  // beside the held node
+  system.bodies[0].rollers[1].center_V.x() = 3.4;  // next to the held node
   system.bodies[0].cells = endless_cells();
   return system;
 }
@@ -318,7 +318,7 @@ TEST(body_border, of_rollers_that_push_is_the_derivative) {
   expect_exact(rod_on_rollers(smooth), 1e-6, kPressed);
 }
 
-// What the line's own tangent leaves out, how the directions of sliding friction turn, is missing here as well: a
+// The turn of the directions of sliding friction, which the line's own tangent omits, is missing here as well: a
 // hundredth of the normal force over the distance to the roller.
 TEST(body_border, of_rollers_that_rub_is_the_derivative_as_far_as_the_lines_own_tangent_is) {
   expect_exact(rod_on_rollers(rubbing(50.0)), 1e-6, kPressed);       // sticks, not loaded before the step
@@ -349,7 +349,7 @@ FreeBody section_on(int carrier, const Vec3& place_V) {
   return free;
 }
 
-/// Two sections that hang on the body beside the rod, one on the other, both with a roller under the rod.
+/// Two sections suspended from the body next to the rod, one on the other, both with a roller under the rod.
 System rod_on_sections(const ContactLaw& law, bool free_vessel) {
   System system = rod_on_body(true, true);
   if (!free_vessel) {
@@ -378,7 +378,7 @@ TEST(body_border, of_rollers_on_hinged_sections_is_the_derivative) {
   }
 }
 
-// Whatever stands still together: what holds the sections and what the rod does to them is all that the vessel feels.
+// At rest together: the vessel carries the supports of the sections and the forces of the rod on them.
 TEST(body_border, hinged_sections_hand_their_rollers_forces_on_to_a_free_vessel) {
   ContactLaw smooth = rubbing(0.0);
   System system = rod_on_sections(smooth, true);
@@ -392,11 +392,11 @@ TEST(body_border, hinged_sections_hand_their_rollers_forces_on_to_a_free_vessel)
   rigid.bodies[0].rollers = {system.bodies[1].rollers[0], system.bodies[2].rollers[0]};
   rigid.bodies[0].cells = endless_cells();
   const auto force_on_vessel = [](const System& of) {
-    Tangent at(of, 0.0, 0.0, 1, 0.0);
-    at.assembly().set_time(0.0, at.state);
-    SystemState now = at.state;
-    at.evaluate(now, false);
-    return Vec6(Eigen::Map<const Vec6>(at.assembly().body_residual().data()));
+    Tangent tangent(of, 0.0, 0.0, 1, 0.0);
+    tangent.assembly().set_time(0.0, tangent.state);
+    SystemState state = tangent.state;
+    tangent.evaluate(state, false);
+    return Vec6(Eigen::Map<const Vec6>(tangent.assembly().body_residual().data()));
   };
   const Vec6 difference = force_on_vessel(system) - force_on_vessel(rigid);
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-9 * force_on_vessel(rigid).cwiseAbs().maxCoeff());
@@ -407,19 +407,19 @@ TEST(body_border, with_renewed_contacts_gives_the_step_of_a_full_tangent) {
   law.tangential_stiffness = 30.0;
   System system = rod_on_rollers(law);
   system.bodies[0].rollers.erase(system.bodies[0].rollers.begin());
-  system.surroundings = still(system);
+  system.surroundings = surroundings_at_rest(system);
   system.bodies[0].cells.boxes.front() = {-1e9, -2.8, 1e9};  // x runs astern: the last elements
   Assembly assembly(system);
   SystemState state = state_at_rest(system, {straight(system, Vec3::Zero(), Vec3::UnitX())}, 0.0);
   const Weights weights{60.0, 3600.0, 0.02};
   const auto solved = [&](bool with_tangent, const auto& solve) {
-    SystemState at = state;
-    assembly.set_time(0.0, at);
-    assembly.impose_ends(at);
-    assembly.evaluate(at, state, weights, with_tangent);
+    SystemState system_state = state;
+    assembly.set_time(0.0, system_state);
+    assembly.impose_ends(system_state);
+    assembly.evaluate(system_state, state, weights, with_tangent);
     assembly.hold(with_tangent);
     Increments dq = assembly.increments();
-    EXPECT_TRUE(solve(at, dq));
+    EXPECT_TRUE(solve(system_state, dq));
     return dq;
   };
   const auto fully = [&](const SystemState&, Increments& dq) { return assembly.solve_factored(dq); };
@@ -429,8 +429,8 @@ TEST(body_border, with_renewed_contacts_gives_the_step_of_a_full_tangent) {
     assembly.solve_again(dq);
     return true;
   });
-  const Increments renewed = solved(false, [&](const SystemState& at, Increments& dq) {
-    const bool renewed_at_all = assembly.renew_contacts(at, weights);
+  const Increments renewed = solved(false, [&](const SystemState& system_state, Increments& dq) {
+    const bool renewed_at_all = assembly.renew_contacts(system_state, weights);
     assembly.solve_again(dq);
     return renewed_at_all;
   });
@@ -450,27 +450,28 @@ TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {
   system.bodies[0].free->balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) {
     out = HullBalance{};
   };
-  Tangent at(system, 60.0, 3600.0, 5, kPressed);
-  for (double& v : at.state.lines[0].v) v = at.shake(0.1);
-  at.assembly().set_time(0.0, at.state);
-  at.assembly().impose_ends(at.state);
-  SystemState before = at.state;
-  at.assembly().evaluate(at.state, before, {0.0, 0.0, 0.02}, false);
+  Tangent tangent(system, 60.0, 3600.0, 5, kPressed);
+  for (double& v : tangent.state.lines[0].v) v = tangent.shake(0.1);
+  tangent.assembly().set_time(0.0, tangent.state);
+  tangent.assembly().impose_ends(tangent.state);
+  SystemState before = tangent.state;
+  tangent.assembly().evaluate(tangent.state, before, {0.0, 0.0, 0.02}, false);
   int carrying = 0;
-  for (const RollerContact& contact : at.assembly().line(0).contacts().contacts()) carrying += contact.normal > 0.0;
+  for (const RollerContact& contact : tangent.assembly().line(0).contacts().contacts())
+    carrying += contact.normal > 0.0;
   ASSERT_EQ(carrying, 2);
-  const LineAssembly& line = at.assembly().line(0);
-  const BodyPose pose = pose_of(at.state.bodies[0].h);
+  const LineAssembly& line = tangent.assembly().line(0);
+  const BodyPose pose = make_pose(tangent.state.bodies[0].h);
   const auto part = [](const std::vector<double>& values, std::size_t first) {
     return Vec3(Eigen::Map<const Vec3>(values.data() + first));
   };
-  Vec3 force = part(at.assembly().body_residual(), 0);
-  Vec3 moment = pose.E.transpose().inverse() * part(at.assembly().body_residual(), 3) + pose.place.cross(force);
+  Vec3 force = part(tangent.assembly().body_residual(), 0);
+  Vec3 moment = pose.E.transpose().inverse() * part(tangent.assembly().body_residual(), 3) + pose.place.cross(force);
   double size = force.norm();
   for (std::size_t i = 0; i + 6 < line.residual().size(); i += 6) {  // the held end's is the body's
-    const Vec3 f = part(line.residual(), i), r = part(at.state.lines[0].q, i);
+    const Vec3 f = part(line.residual(), i), r = part(tangent.state.lines[0].q, i);
     force += f;
-    moment += r.cross(f) + part(at.state.lines[0].q, i + 3).cross(part(line.residual(), i + 3));
+    moment += r.cross(f) + part(tangent.state.lines[0].q, i + 3).cross(part(line.residual(), i + 3));
     size = std::max(size, f.norm());
   }
   EXPECT_GT(size, 100.0);

@@ -1,4 +1,4 @@
-/// What a cable is made of, and where its nodes stand.
+/// Properties of a cable, and the positions of its nodes.
 #include "system/cable_line.h"
 
 #include <gtest/gtest.h>
@@ -47,9 +47,9 @@ TEST(cable_line, has_nodes_where_segments_meet_and_at_points) {
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
     if (!mesh.joint(e)) lengths.push_back(mesh.length[e]);
   }
-  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
-  EXPECT_GT(*least, 15.0);
-  EXPECT_LE(*most, 50.0);
+  const auto [min_value, max_value] = std::minmax_element(lengths.begin(), lengths.end());
+  EXPECT_GT(*min_value, 15.0);
+  EXPECT_LE(*max_value, 50.0);
   EXPECT_LE(lengths[lengths.size() / 5], 26.0);  // by touchdown
 }
 
@@ -80,7 +80,7 @@ TEST(cable_line, has_a_joint_of_the_softer_segment_where_two_meet_and_at_points)
   const std::size_t joint = static_cast<std::size_t>(std::find(mesh.s.begin(), mesh.s.end(), 300.0) - mesh.s.begin());
   EXPECT_TRUE(mesh.joint(joint - 1));
   EXPECT_EQ(mesh.section[joint - 1], 0);
-  EXPECT_GT(mesh.shortest_beside(static_cast<int>(joint)), 15.0);
+  EXPECT_GT(mesh.min_neighbour_length(static_cast<int>(joint)), 15.0);
 }
 
 TEST(cable_line, has_a_last_element_as_long_as_its_winch_needs_up_to_the_next_point) {

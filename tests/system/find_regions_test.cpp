@@ -40,8 +40,8 @@ TEST(find_regions, the_overbend_ends_where_the_pipe_first_sags_below_its_last_su
   EXPECT_EQ(regions.of(20.0), Region::sagbend);
   EXPECT_EQ(regions.of(69.0), Region::sagbend);
   EXPECT_EQ(regions.of(75.0), Region::overbend);  // hangs free and still hogs
-  EXPECT_EQ(regions.check_of(75.0), CheckRegion::tip);
-  EXPECT_EQ(regions.check_of(80.0), CheckRegion::overbend);
+  EXPECT_EQ(regions.code_check_region(75.0), CheckRegion::tip);
+  EXPECT_EQ(regions.code_check_region(80.0), CheckRegion::overbend);
   EXPECT_EQ(regions.of(100.0), Region::overbend);
 }
 
@@ -67,24 +67,25 @@ TEST(find_regions, the_tower_ends_where_the_moment_of_a_clamped_guide_has_died_a
 
 void expect_one_story(const StaticResults& r) {
   double upper = 0.0, sagbend = 0.0;
-  for (const Station& at : r.stations) {
-    if (at.region == Region::overbend || at.region == Region::tower) upper = std::max(upper, at.von_mises);
-    if (at.region == Region::sagbend) sagbend = std::max(sagbend, at.von_mises);
+  for (const Station& station : r.stations) {
+    if (station.region == Region::overbend || station.region == Region::tower)
+      upper = std::max(upper, station.von_mises);
+    if (station.region == Region::sagbend) sagbend = std::max(sagbend, station.von_mises);
   }
   const RegionResult* top = r.overbend ? &*r.overbend : r.tower ? &*r.tower : nullptr;
   EXPECT_DOUBLE_EQ(upper, top == nullptr ? 0.0 : top->von_mises.value);
   EXPECT_DOUBLE_EQ(sagbend, r.sagbend.von_mises.value);
 }
 
-TEST(find_regions, stations_extremes_and_checks_tell_one_story) {
+TEST(find_regions, stations_extremes_and_checks_agree) {
   const StaticResults& r = solved_case("S16-T300").results;
   expect_one_story(r);
   bool tip = false;
-  for (const Station& at : r.stations) {
-    if (at.s < r.departure_s && at.s > r.inflection_s) {
+  for (const Station& station : r.stations) {
+    if (station.s < r.departure_s && station.s > r.inflection_s) {
       tip = true;
-      EXPECT_EQ(at.region, Region::overbend) << at.s;
-      EXPECT_LE(at.vertical_moment, 0.0) << at.s;
+      EXPECT_EQ(station.region, Region::overbend) << station.s;
+      EXPECT_LE(station.vertical_moment, 0.0) << station.s;
     }
   }
   EXPECT_TRUE(tip);
@@ -92,7 +93,7 @@ TEST(find_regions, stations_extremes_and_checks_tell_one_story) {
     if (row.region == CheckRegion::line || row.status == CheckStatus::not_done) continue;
     if (row.region == CheckRegion::tip && row.s == r.departure_s) continue;     // where it begins
     if (row.region == CheckRegion::seabed && row.s == r.touchdown.s) continue;  // where it ends
-    EXPECT_EQ(row.region, regions(r).check_of(row.s)) << row.id;
+    EXPECT_EQ(row.region, regions(r).code_check_region(row.s)) << row.id;
   }
   expect_one_story(solved_case("J12-D400-T560").results);
   EXPECT_FALSE(solved_case("J12-D400-T560").results.tower);
@@ -140,7 +141,7 @@ TEST(find_regions, a_run_at_rest_has_the_regions_of_statics) {
     EXPECT_NEAR(upper.bending_moment.over_time.max, before.bending_moment.value, 0.03 * before.bending_moment.value);
     EXPECT_NEAR(r.sagbend.bending_moment.over_time.max, c.statics.sagbend.bending_moment.value,
                 0.02 * c.statics.sagbend.bending_moment.value);
-    EXPECT_NEAR(r.smallest_tension.over_time.min, c.statics.smallest_tension.value, 1e3);
+    EXPECT_NEAR(r.min_effective_tension.over_time.min, c.statics.min_effective_tension.value, 1e3);
   }
 }
 

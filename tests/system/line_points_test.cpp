@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-LinePointDescription buoy_of(double net, double mass, double tether = 0.0) {
+LinePointDescription make_buoy(double net, double mass, double tether = 0.0) {
   LinePointDescription d;
   d.kind = PointKind::buoy;
   d.mass = mass;
@@ -19,8 +19,8 @@ LinePointDescription buoy_of(double net, double mass, double tether = 0.0) {
   return d;
 }
 
-LinePointDescription clump_of(double net, double mass, double tether = 0.0) {
-  LinePointDescription d = buoy_of(net, mass, tether);
+LinePointDescription make_clump(double net, double mass, double tether = 0.0) {
+  LinePointDescription d = make_buoy(net, mass, tether);
   d.kind = PointKind::clump;
   return d;
 }
@@ -92,19 +92,19 @@ TEST_P(line_points, tangent_is_the_total_derivative_of_the_force) {
 }
 
 INSTANTIATE_TEST_SUITE_P(from_surface_to_bed, line_points,
-                         ::testing::Values(Place{"deep", buoy_of(50e3, 1e3), -40.0},
-                                           Place{"at the surface", buoy_of(50e3, 1e3), 1.0},
-                                           Place{"in the air", buoy_of(50e3, 1e3), 9.0},
-                                           Place{"on a tether", buoy_of(50e3, 1e3, 20.0), -40.0},
-                                           Place{"afloat on its tether", buoy_of(50e3, 2e3, 20.0), -18.3},
-                                           Place{"a clump", clump_of(-50e3, 6e3), -40.0},
-                                           Place{"a clump on the bed", clump_of(-50e3, 6e3), -89.004},
-                                           Place{"a hung clump", clump_of(-50e3, 6e3, 10.0), -60.0},
-                                           Place{"a hung clump that lies", clump_of(-50e3, 6e3, 10.0), -79.0045}));
+                         ::testing::Values(Place{"deep", make_buoy(50e3, 1e3), -40.0},
+                                           Place{"at the surface", make_buoy(50e3, 1e3), 1.0},
+                                           Place{"in the air", make_buoy(50e3, 1e3), 9.0},
+                                           Place{"on a tether", make_buoy(50e3, 1e3, 20.0), -40.0},
+                                           Place{"afloat on its tether", make_buoy(50e3, 2e3, 20.0), -18.3},
+                                           Place{"a clump", make_clump(-50e3, 6e3), -40.0},
+                                           Place{"a clump on the bed", make_clump(-50e3, 6e3), -89.004},
+                                           Place{"a hung clump", make_clump(-50e3, 6e3, 10.0), -60.0},
+                                           Place{"a hung clump that lies", make_clump(-50e3, 6e3, 10.0), -79.0045}));
 
 TEST(line_point, under_water_pulls_with_its_net_force_and_in_air_with_its_weight) {
   const Model model = build_model(testing::plain_description());
-  for (const LinePointDescription& d : {buoy_of(50e3, 1e3), clump_of(-50e3, 6e3)}) {
+  for (const LinePointDescription& d : {make_buoy(50e3, 1e3), make_clump(-50e3, 6e3)}) {
     const LinePoint point = line_point(model, d, 0);
     for (const double z : {-30.0, 30.0}) {
       std::vector<double> q{0.0, 0.0, z, 1.0, 0.0, 0.0}, residual(6, 0.0);
@@ -116,8 +116,8 @@ TEST(line_point, under_water_pulls_with_its_net_force_and_in_air_with_its_weight
 
 TEST(line_point, without_mass_weighs_what_its_net_force_asks_for) {
   const Model model = build_model(testing::plain_description());
-  EXPECT_DOUBLE_EQ(line_point(model, clump_of(-9806.65, 0.0), 0).mass, 1000.0);
-  EXPECT_DOUBLE_EQ(line_point(model, buoy_of(9806.65, 0.0), 0).mass, 0.0);
+  EXPECT_DOUBLE_EQ(line_point(model, make_clump(-9806.65, 0.0), 0).mass, 1000.0);
+  EXPECT_DOUBLE_EQ(line_point(model, make_buoy(9806.65, 0.0), 0).mass, 0.0);
 }
 
 TEST(line_point, sphere_has_lost_half_its_buoyancy_with_its_middle_in_the_surface) {
@@ -137,27 +137,27 @@ TEST(line_point, on_a_slack_tether_leaves_the_line_alone) {
     add_point_forces({&point, 1}, env, q.data(), {}, residual.data(), nullptr);
     return -residual[2];
   };
-  EXPECT_NEAR(pull(buoy_of(50e3, 1e3, 20.0), -40.0), 50e3, 1e-6);
-  EXPECT_EQ(pull(buoy_of(50e3, 1e3, 20.0), -10.0), 0.0);
-  EXPECT_NEAR(pull(clump_of(-50e3, 6e3, 10.0), -60.0), -50e3, 1e-6);
-  EXPECT_EQ(pull(clump_of(-50e3, 6e3, 10.0), -80.0), 0.0);
+  EXPECT_NEAR(pull(make_buoy(50e3, 1e3, 20.0), -40.0), 50e3, 1e-6);
+  EXPECT_EQ(pull(make_buoy(50e3, 1e3, 20.0), -10.0), 0.0);
+  EXPECT_NEAR(pull(make_clump(-50e3, 6e3, 10.0), -60.0), -50e3, 1e-6);
+  EXPECT_EQ(pull(make_clump(-50e3, 6e3, 10.0), -80.0), 0.0);
 }
 
 TEST(line_point, energy_changes_by_the_power_of_what_is_not_stored) {
   const Setting s;
-  for (const LinePointDescription& d : {buoy_of(50e3, 1e3), clump_of(-50e3, 6e3)}) {
+  for (const LinePointDescription& d : {make_buoy(50e3, 1e3), make_clump(-50e3, 6e3)}) {
     const LinePoint point = line_point(s.model, d, 0);
     for (const double z : {0.5, -40.0, -89.003}) {
       // A free node: all forces on the point sum to its momentum's change, so that residual . v = 0 at this
       // acceleration.
       Setting free = s;
       const Vec3 r(1.0, 2.0, z);
-      const Vec3 at = free.force(point, r, Vec3::Zero(), nullptr);
+      const Vec3 point_force = free.force(point, r, Vec3::Zero(), nullptr);
       Setting more = s;
       more.acc += Vec3::UnitX();
-      const double inertia = more.force(point, r, Vec3::Zero(), nullptr).x() - at.x();
-      free.acc -= at / inertia;
-      ASSERT_LT(free.force(point, r, Vec3::Zero(), nullptr).norm(), 1e-6 * at.norm());
+      const double inertia = more.force(point, r, Vec3::Zero(), nullptr).x() - point_force.x();
+      free.acc -= point_force / inertia;
+      ASSERT_LT(free.force(point, r, Vec3::Zero(), nullptr).norm(), 1e-6 * point_force.norm());
       const auto energy = [&](double t) {
         std::vector<double> q(6, 0.0), v(6, 0.0), a(6, 0.0);
         for (int i = 0; i < 3; ++i) {
@@ -175,10 +175,10 @@ TEST(line_point, energy_changes_by_the_power_of_what_is_not_stored) {
         return sum;
       };
       constexpr double kStep = 1e-5;
-      const LineEnergy now = energy(0.0), after = energy(kStep), before = energy(-kStep);
+      const LineEnergy line_energy = energy(0.0), after = energy(kStep), before = energy(-kStep);
       const auto stored = [](const LineEnergy& e) { return e.kinetic + e.gravity + e.seabed; };
       const double power = (stored(after) - stored(before)) / (2.0 * kStep);
-      EXPECT_NEAR(power, now.fluid_power - now.seabed_loss, 1e-5 * (std::abs(power) + 1e4)) << z;
+      EXPECT_NEAR(power, line_energy.fluid_power - line_energy.seabed_loss, 1e-5 * (std::abs(power) + 1e4)) << z;
     }
   }
 }

@@ -14,9 +14,9 @@ namespace overbend {
 namespace {
 
 using testing::first_end;
+using testing::first_rod;
 using testing::hold;
 using testing::last_end;
-using testing::rod_of;
 using testing::rod_system;
 
 constexpr double kEA = 5e6, kEI = 2e4, kMass = 50.0;
@@ -31,19 +31,19 @@ System pendulum(int elements = 10) {
 /// A smooth bent shape in motion, by functions of the arc length.
 LineState swinging(const System& system) {
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) {
+  for (const double s : first_rod(system).mesh.s) {
     q.insert(q.end(), {s - 20.0, 1.5 * std::sin(0.2 * s), 30.0 + 0.01 * s * s, 1.0, 0.3 * std::cos(0.2 * s), 0.02 * s});
   }
   LineState state = state_at_rest(system, {q}, 0.0).lines.front();
   for (std::size_t i = 0; i < q.size(); ++i) {
     state.v[i] = std::sin(0.7 * static_cast<double>(i));
     state.acc[i] = std::cos(0.3 * static_cast<double>(i));
-    state.alg[i] = std::cos(0.4 * static_cast<double>(i));
+    state.algorithmic_acceleration[i] = std::cos(0.4 * static_cast<double>(i));
   }
   return state;
 }
 
-LineEnergy energy_of(const Line& line, const LineState& state) {
+LineEnergy compute_line_energy(const Line& line, const LineState& state) {
   LineMotion motion;
   motion.v = state.v.data();
   motion.acc = state.acc.data();
@@ -51,7 +51,7 @@ LineEnergy energy_of(const Line& line, const LineState& state) {
   return line_energy(line.elements, line.environment, {state.q.data(), nullptr}, motion, best_isa());
 }
 
-double mass_of(const Line& line) {
+double compute_line_mass(const Line& line) {
   double mass = 0.0;
   for (std::size_t e = 0; e < line.mesh.length.size(); ++e) mass += line.elements.mass[e] * line.elements.length[e];
   return mass;
@@ -59,18 +59,18 @@ double mass_of(const Line& line) {
 
 TEST(line_resize, a_split_keeps_shape_mass_and_motion) {
   System system = pendulum();
-  Line& line = rod_of(system);
+  Line& line = first_rod(system);
   LineState state = swinging(system);
   const LineState old = state;
   const Line old_line = line;
-  const LineEnergy before = energy_of(line, state);
+  const LineEnergy before = compute_line_energy(line, state);
   split_element(line, state, 4, 0.3);
   EXPECT_EQ(line.mesh.nodes(), 12);
   EXPECT_EQ(state.q.size(), 72U);
   EXPECT_DOUBLE_EQ(line.mesh.s[5], 8.6);
   EXPECT_DOUBLE_EQ(line.mesh.length[4] + line.mesh.length[5], 2.0);
-  EXPECT_DOUBLE_EQ(mass_of(line), kMass * 20.0);
-  const LineEnergy after = energy_of(line, state);
+  EXPECT_DOUBLE_EQ(compute_line_mass(line), kMass * 20.0);
+  const LineEnergy after = compute_line_energy(line, state);
   EXPECT_NEAR(after.kinetic, before.kinetic, 1e-12 * before.kinetic);
   EXPECT_NEAR(after.gravity, before.gravity, 1e-12 * before.gravity);
   for (const double share : {0.1, 0.25, 0.6, 0.9}) {  // the shape and every rate, against those of the old element
@@ -81,7 +81,7 @@ TEST(line_resize, a_split_keeps_shape_mass_and_motion) {
       EXPECT_NEAR(a.q[i], b.q[i], 1e-12);
       EXPECT_NEAR(a.v[i], b.v[i], 1e-12);
       EXPECT_NEAR(a.acc[i], b.acc[i], 1e-12);
-      EXPECT_NEAR(a.alg[i], b.alg[i], 1e-12);
+      EXPECT_NEAR(a.algorithmic_acceleration[i], b.algorithmic_acceleration[i], 1e-12);
     }
   }
 }
@@ -90,12 +90,12 @@ TEST(line_resize, a_split_keeps_shape_mass_and_motion) {
 TEST(line_resize, material_of_a_fed_element_has_the_speed_of_the_material) {
   constexpr double kSpeed = 0.2, kRamp = 0.03, kStretch = 1e-3;
   System system = rod_system({.EA = kEA, .EI = kEI, .mass = kMass}, 4.0, 2);
-  Line& line = rod_of(system);
+  Line& line = first_rod(system);
   LineState state =
       state_at_rest(system, {testing::straight(system, Vec3::Zero(), Vec3::UnitX(), kStretch)}, 0.0).lines[0];
   for (std::size_t node = 0; node < 2; ++node) {  // the last node stays at the machine
     state.v[6 * node] = -kSpeed * (1.0 + kStretch);
-    state.acc[6 * node] = state.alg[6 * node] = -kRamp * (1.0 + kStretch);
+    state.acc[6 * node] = state.algorithmic_acceleration[6 * node] = -kRamp * (1.0 + kStretch);
   }
   split_element(line, state, 1, 0.4, {kSpeed, kRamp});
   EXPECT_NEAR(state.v[12], -kSpeed * (1.0 + kStretch), 1e-14);
@@ -106,7 +106,7 @@ TEST(line_resize, material_of_a_fed_element_has_the_speed_of_the_material) {
 
 TEST(line_resize, merging_undoes_a_split) {
   System system = pendulum();
-  Line& line = rod_of(system);
+  Line& line = first_rod(system);
   LineState state = swinging(system);
   for (std::size_t i = 0; i < state.bed_slip.size(); ++i) state.bed_slip[i] = 0.25;
   line.points.resize(1);
@@ -128,7 +128,7 @@ TEST(line_resize, merging_undoes_a_split) {
   merge_elements(line, state, 5);
   EXPECT_EQ(state.q, old.q);
   EXPECT_EQ(state.v, old.v);
-  EXPECT_EQ(state.alg, old.alg);
+  EXPECT_EQ(state.algorithmic_acceleration, old.algorithmic_acceleration);
   EXPECT_EQ(line.points[0].node, 7);
   EXPECT_EQ(line.mesh.elements(), 10);
   EXPECT_EQ(line.elements.count, 10);
@@ -145,7 +145,7 @@ TEST(line_resize, merging_undoes_a_split) {
 
 TEST(line_resize, an_appended_element_is_of_its_kind_and_leaves_the_others_alone) {
   System system = pendulum(8);  // a full batch: the arrays grow by one
-  Line& line = rod_of(system);
+  Line& line = first_rod(system);
   LineState state = swinging(system);
   const LineState old = state;
   ElementKind kind{0, {}, nullptr};
@@ -158,7 +158,7 @@ TEST(line_resize, an_appended_element_is_of_its_kind_and_leaves_the_others_alone
   EXPECT_EQ(line.elements.length[9], 1.0);
   EXPECT_EQ(line.elements.EA[7], kEA);
   EXPECT_DOUBLE_EQ(line.mesh.s.back(), 20.5);
-  EXPECT_DOUBLE_EQ(mass_of(line), 20.0 * kMass + 1.5);
+  EXPECT_DOUBLE_EQ(compute_line_mass(line), 20.0 * kMass + 1.5);
   drop_element(line, state, LineEnd::last);
   EXPECT_EQ(state.q, old.q);
   EXPECT_EQ(state.bed_slip, old.bed_slip);
@@ -175,14 +175,14 @@ struct Swing {
   Vec3 tip = Vec3::Zero();
 };
 
-/// A heavy rod hung up by its end, let go from a shallow curve; at `split_at` steps an element is split (or not).
+/// A heavy rod hung up by its end, released from a shallow curve; at `split_at` steps an element is split (or not).
 Swing swing(int elements, int split_at, int steps) {
   constexpr double kStep = 4e-3;
   System system = pendulum(elements);
-  system.surroundings = [&system](double, Surroundings& now) { lead_attachments(system, now); };
-  rod_of(system).force_scale = kMass * kGravity * 20.0;
+  system.surroundings = [&system](double, Surroundings& surroundings) { set_attachment_motions(system, surroundings); };
+  first_rod(system).force_scale = kMass * kGravity * 20.0;
   std::vector<double> q;
-  for (const double s : rod_of(system).mesh.s) q.insert(q.end(), {s - 20.0, 0.0, 30.0, 1.0, 0.0, 0.0});
+  for (const double s : first_rod(system).mesh.s) q.insert(q.end(), {s - 20.0, 0.0, 30.0, 1.0, 0.0, 0.0});
   SystemState state = state_at_rest(system, {q}, 0.0), next = state;
   std::optional<Assembly> assembly;
   std::optional<TimeStepper> stepper;
@@ -194,7 +194,7 @@ Swing swing(int elements, int split_at, int steps) {
   renew();
   for (int i = 0; i <= steps; ++i) {
     if (i == split_at) {
-      split_element(rod_of(system), state.lines[0], elements / 2, 0.5);
+      split_element(first_rod(system), state.lines[0], elements / 2, 0.5);
       renew();
     }
     if (i == steps) break;
@@ -202,9 +202,9 @@ Swing swing(int elements, int split_at, int steps) {
     EXPECT_TRUE(report.converged());
     state = next;
   }
-  SystemState at = state;
-  assembly->set_time(at.time, at);
-  assembly->evaluate(at, state, {}, false);
+  SystemState system_state = state;
+  assembly->set_time(system_state.time, system_state);
+  assembly->evaluate(system_state, state, {}, false);
   const InstantEnergy energy = assembly->energy(state);
   const std::array<double, 6>& force = assembly->line(0).end_force(LineEnd::last);
   return {Vec3(force[0], force[1], force[2]).norm(), energy.line.kinetic + energy.line.strain,

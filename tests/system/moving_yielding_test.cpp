@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kNodes = 14;
 
-/// A pipe that has been bent far beyond yield and let go a little, and a shape to which it moves from there: some of
+/// A pipe that has been bent far beyond yield and released a little, and a shape to which it moves from there: some of
 /// its sections slide again, others hold.
 struct BentPipe {
   Model model;
@@ -50,8 +50,8 @@ BentPipe bent_pipe() {
   constexpr double kLetGo = 0.004;  // 1/m, of 0.02 at which the steel yields there and back
   for (std::size_t i = 0; i < pipe.before.size(); ++i) {
     const std::size_t e = i / kGaussPoints;
-    const CentrelinePoint at = centreline(unknowns(pipe.q, e), kGaussXi[i % kGaussPoints], pipe.mesh.length[e]);
-    const Vec2 k = in_axes(pipe.before[i], curvature_vector(at));
+    const CentrelinePoint point = centreline(unknowns(pipe.q, e), kGaussXi[i % kGaussPoints], pipe.mesh.length[e]);
+    const Vec2 k = in_axes(pipe.before[i], curvature_vector(point));
     bend(*pipe.elements.law[e], {}, k + kLetGo * k.normalized(), pipe.before[i]);
     bend(*pipe.elements.law[e], {}, k, pipe.before[i]);  // at another level than that of the element
   }
@@ -79,12 +79,12 @@ Added one_by_one(const BentPipe& pipe) {
     ElementVector force = ElementVector::Zero();
     ElementMatrix stiffness = ElementMatrix::Zero();
     for (std::size_t i = 0; i < kGaussPoints; ++i) {
-      const CentrelinePoint at = centreline(unknowns(pipe.q, e), kGaussXi[i], pipe.mesh.length[e]);
+      const CentrelinePoint point = centreline(unknowns(pipe.q, e), kGaussXi[i], pipe.mesh.length[e]);
       BendingMemory& memory = sum.after[kGaussPoints * e + i];
-      bring_along(memory, at.a.normalized());
-      const Vec2 k = in_axes(memory, curvature_vector(at));
+      transport_axes(memory, point.a.normalized());
+      const Vec2 k = in_axes(memory, curvature_vector(point));
       const std::uint64_t stamp = memory.stamp;
-      const BendingAnswer answer = bend(*pipe.elements.law[e], pipe.elements.mix[e], k, memory);
+      const BendingResponse answer = bend(*pipe.elements.law[e], pipe.elements.mix[e], k, memory);
       ++(memory.stamp == stamp ? sum.held : sum.slid);
       const double weight = pipe.mesh.length[e] * kGaussWeight[i];
       sum.heat += weight * answer.loss;
@@ -92,8 +92,8 @@ Added one_by_one(const BentPipe& pipe) {
       Eigen::Matrix<double, 3, 2> axes;
       axes << memory.axis, memory.tangent.cross(memory.axis);
       const Mat3 by_curvature = axes * answer.plastic_tangent * axes.transpose();
-      add_plastic_point(hermite(kGaussXi[i], pipe.mesh.length[e]), at, weight, from_axes(memory, answer.plastic_moment),
-                        &by_curvature, force, &stiffness);
+      add_plastic_point(hermite(kGaussXi[i], pipe.mesh.length[e]), point, weight,
+                        from_axes(memory, answer.plastic_moment), &by_curvature, force, &stiffness);
     }
     for (int r = 0; r < 12; ++r) sum.residual[6 * e + static_cast<std::size_t>(r)] += force(r);
     sum.tangent.block<12, 12>(6 * static_cast<int>(e), 6 * static_cast<int>(e)) += stiffness;
@@ -147,10 +147,10 @@ TEST_P(moving_yielding, takes_off_the_line_what_its_sections_take_off_one_by_one
   // Both sum up the same in another order: they differ by rounding, of forces by that of the elastic ones.
   EXPECT_NEAR(with.stored, expected.stored, 1e-10 * std::abs(expected.stored));
   EXPECT_NEAR(with.heat, expected.heat, 1e-10 * expected.heat);
-  double largest = 0.0;
-  for (const double force : without.residual) largest = std::max(largest, std::abs(force));
+  double max_value = 0.0;
+  for (const double force : without.residual) max_value = std::max(max_value, std::abs(force));
   for (std::size_t i = 0; i < expected.residual.size(); ++i) {
-    EXPECT_NEAR(with.residual[i] - without.residual[i], expected.residual[i], 1e-12 * largest) << i;
+    EXPECT_NEAR(with.residual[i] - without.residual[i], expected.residual[i], 1e-12 * max_value) << i;
   }
   const Eigen::MatrixXd lack = with.tangent - without.tangent - expected.tangent;
   EXPECT_LT(lack.cwiseAbs().maxCoeff(), 1e-12 * without.tangent.cwiseAbs().maxCoeff());
@@ -167,7 +167,7 @@ void expect_same_memories(const BentPipe& pipe, const std::vector<BendingMemory>
     EXPECT_LT((a.held - b.held).norm(), 1e-9 * b.held.norm() + 1e-9) << i;
     EXPECT_NEAR(a.stored, b.stored, 1e-9 * b.stored + 1e-9) << i;
     EXPECT_NEAR(a.slack, b.slack, 1e-13) << i;
-    EXPECT_NEAR(a.largest, b.largest, 1e-13) << i;
+    EXPECT_NEAR(a.max_curvature, b.max_curvature, 1e-13) << i;
     EXPECT_EQ(a.held_mix, b.held_mix) << i;
     for (std::size_t j = 0; j < b.slip.size(); ++j) ASSERT_NEAR(a.slip[j], b.slip[j], 1e-13) << i << " " << j;
   }

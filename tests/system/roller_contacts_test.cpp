@@ -29,7 +29,7 @@ System pipe_on_rollers() {
   law.friction_lateral = kLateral;
   system.bodies[0].rollers = {roller_under(1.0, 0.01, law), roller_under(3.0, 0.01, law)};
   system.bodies[0].cells = endless_cells();
-  rod_of(system).force_scale = kMass * kLength * kGravity;
+  first_rod(system).force_scale = kMass * kLength * kGravity;
   return system;
 }
 
@@ -41,14 +41,14 @@ Vec3 start() {
 System led_pipe(const Vec3& direction) {
   System system = pipe_on_rollers();
   first_end(system).hold_place = last_end(system).hold_place = true;
-  system.surroundings = [direction](double t, Surroundings& now) {
+  system.surroundings = [direction](double t, Surroundings& surroundings) {
     constexpr double kSpeed = 0.02, kRise = 0.05;
     const double rate = t < kRise ? t / kRise : 1.0, way = t < kRise ? 0.5 * t * t / kRise : t - 0.5 * kRise;
-    now.ends[0].place = start() + kSpeed * way * direction;
-    now.ends[0].velocity = kSpeed * rate * direction;
-    now.ends[0].acceleration = t < kRise ? Vec3(kSpeed / kRise * direction) : Vec3(Vec3::Zero());
-    now.ends[1] = now.ends[0];
-    now.ends[1].place += Vec3(kLength, 0.0, 0.0);
+    surroundings.ends[0].place = start() + kSpeed * way * direction;
+    surroundings.ends[0].velocity = kSpeed * rate * direction;
+    surroundings.ends[0].acceleration = t < kRise ? Vec3(kSpeed / kRise * direction) : Vec3(Vec3::Zero());
+    surroundings.ends[1] = surroundings.ends[0];
+    surroundings.ends[1].place += Vec3(kLength, 0.0, 0.0);
   };
   return system;
 }
@@ -58,21 +58,21 @@ TEST(pipe_on_rollers, led_across_sticks_to_the_stretch_of_the_limit_and_then_sli
   MovingRod rod(system, straight(system, start(), Vec3::UnitX()));
   rod.begin();
   const double limit = kLateral * kRollerLoad, stretch = limit / kTangential;  // 5.9 mm
-  double way = 0.0, stuck_until = 0.0;
+  double distance = 0.0, stuck_until = 0.0;
   rod.run(1e-3, 800, [&] {
-    way = rod.r(1).y();
+    distance = rod.r(1).y();
     for (const RollerContact& contact : rod.contacts()) {
       // The pipe bends between its ends: by 3e-6 m under these forces; slip is summed over steps.
-      if (way < 0.98 * stretch) {
-        EXPECT_NEAR(contact.lateral, -kTangential * way, 0.01 * limit);
-        stuck_until = way;
-      } else if (way > 1.05 * stretch) {
+      if (distance < 0.98 * stretch) {
+        EXPECT_NEAR(contact.lateral, -kTangential * distance, 0.01 * limit);
+        stuck_until = distance;
+      } else if (distance > 1.05 * stretch) {
         EXPECT_NEAR(contact.lateral, -kLateral * contact.normal, 1e-9 * limit);
       }
     }
   });
   EXPECT_GT(stuck_until, 0.9 * stretch);
-  EXPECT_GT(way, 2.0 * stretch);
+  EXPECT_GT(distance, 2.0 * stretch);
 }
 
 TEST(pipe_on_rollers, pulled_along_is_held_by_the_rolling_resistance_of_the_rollers) {
@@ -93,9 +93,9 @@ TEST(pipe_on_rollers, pulled_along_is_held_by_the_rolling_resistance_of_the_roll
   EXPECT_NEAR(sum, 2.0 * kRollerLoad, 0.04 * kRollerLoad);  // the held ends bear a hundredth of the weight
 }
 
-/// How far the pipe's middle gets until it turns back.
+/// Distance of the pipe's middle from its start when it turns back.
 double slide(MovingRod& rod, const Vec3& velocity, double h) {
-  push(rod.now, velocity);
+  push(rod.state, velocity);
   rod.begin();
   const Vec3 from = rod.r(1), direction = velocity.normalized();
   double furthest = 0.0;
@@ -123,10 +123,10 @@ struct PipeOnBed {
     RodMaterial pipe{1e9, 1e7, kMass, kMass * kGravity, kMass * kGravity - kSubmerged, 0.1};
     pipe.displaced_mass = pipe.added_normal = kAdded;
     system = rod_system(pipe, kLength, 2);
-    rod_of(system).force_scale = kMass * kLength * kGravity;
-    rod_of(system).environment.bed_offset = -20.1 + kSubmerged / kBed;
-    rod_of(system).environment.bed_stiffness = rod_of(system).environment.bed_stick = kBed;
-    rod_of(system).environment.bed_friction_lateral = rod_of(system).environment.bed_friction_axial = kFriction;
+    first_rod(system).force_scale = kMass * kLength * kGravity;
+    first_rod(system).environment.bed_offset = -20.1 + kSubmerged / kBed;
+    first_rod(system).environment.bed_stiffness = first_rod(system).environment.bed_stick = kBed;
+    first_rod(system).environment.bed_friction_lateral = first_rod(system).environment.bed_friction_axial = kFriction;
     q = straight(system, Vec3(0.0, 0.0, -20.0), Vec3::UnitX());
   }
   /// With `mass` moving per length.
@@ -259,11 +259,11 @@ TEST(roller_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
                                 roller.half_face,
                                 roller.radius,
                                 1e6};
-      const ClosestPoint at =
+      const ClosestPoint closest =
           closest_point(placed, q.data(), deck.length.data(), 0, static_cast<int>(deck.length.size()));
-      ASSERT_TRUE(at.found);
+      ASSERT_TRUE(closest.found);
       // A moving pipe is where it is: behind a roller's face its distance is that to the far side.
-      const double distance = std::abs(roller_distance(placed, at).value);
+      const double distance = std::abs(roller_distance(placed, closest).value);
       const double penetration = deck.pipe_radius + roller.radius - distance;
       if (penetration > 0.0) {
         ++touching;

@@ -14,7 +14,7 @@ namespace {
 Description bent_lay() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-as-printed-steel.yaml").description.value();
   d.tensioner.tension = 231.25e3;
-  d.statics.laying = Laying::pulled_across;
+  d.statics.laying = SeabedLayHistory::pulled_sideways;
   return d;
 }
 
@@ -57,7 +57,7 @@ TEST(yielding_at_rest, a_pipe_that_moves_on_over_the_rollers_is_bent_alike_by_lo
     d.mesh.overbend_element = element;
     const Model model = build_model(d);
     const StaticOutcome before = solve_statics(model);
-    const LinePast past{std::make_shared<const StaticSolution>(*before.solution), 2.0, 0.0};
+    const LoadHistory past{std::make_shared<const StaticSolution>(*before.solution), 2.0, 0.0};
     const StaticOutcome after = solve_statics(model, &*before.solution, past);
     EXPECT_TRUE(after.solution);
     return recover_statics(model, *after.solution).overbend->strain.value;

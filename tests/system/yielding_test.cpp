@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kElement = 0.5;
 
-Model pipe_of(const MaterialDescription& material) {
+Model make_yielding_pipe(const MaterialDescription& material) {
   Description d = testing::plain_description();
   d.pipe.section.steel.material = material;
   d.tensioner.tension = 1e3;  // next to nothing, so that bending is without tension
@@ -67,7 +67,7 @@ double bilinear_moment(const SteelDescription& steel, double k) {
 
 TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_section) {
   for (const double radius : {45.0, 60.0, 85.0}) {
-    const Model model = pipe_of(bilinear(4e9));
+    const Model model = make_yielding_pipe(bilinear(4e9));
     LineMesh mesh;
     const std::vector<double> q = over_an_arc(radius, mesh);
     YieldingElements elements = yielding_elements(model, mesh);
@@ -77,8 +77,8 @@ TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_secti
     add_static_yielding(elements, mesh, {}, {q.data(), nullptr}, true, points, {&residual, nullptr});
     const Section& section = model.sections.front();
     const double k = 1.0 / radius;
-    EXPECT_NEAR(points.memory[40].largest, k, 1e-4 * k);  // the cubics are no circles
-    // Straightened, the section carries M(k) - 2 M(k/2) (Masing), which lets go elastically.
+    EXPECT_NEAR(points.memory[40].max_curvature, k, 1e-4 * k);  // the cubics are no circles
+    // Straightened, the section carries M(k) - 2 M(k/2) (Masing), which releases elastically.
     const SteelDescription& steel = model.description.pipe.section.steel;
     const double expected = (2.0 * bilinear_moment(steel, 0.5 * k) - bilinear_moment(steel, k)) / section.EI;
     const double found = residual_curvature(*section.bending, elements.mix[10], section.EI, points.memory[40]).norm();
@@ -90,7 +90,7 @@ TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_secti
 }
 
 TEST(lay_history, a_line_bent_once_keeps_nothing_elsewhere) {
-  const Model model = pipe_of(bilinear(4e9));
+  const Model model = make_yielding_pipe(bilinear(4e9));
   LineMesh mesh;
   const std::vector<double> q = over_an_arc(60.0, mesh);
   YieldingElements elements = yielding_elements(model, mesh);
@@ -140,7 +140,7 @@ TEST(yielding_statics, bending_once_leaves_the_sagbend_as_it_was) {
               0.01 * linear.sagbend.bending_moment.value);
 }
 
-// Where one section ends and the next begins is no matter of what bent the pipe on its way. The ends put nodes
+// The joint of two sections is independent of what bent the pipe on its way. The ends put nodes
 // elsewhere, and what yields scatters by 1 to 2 % with the mesh; without its past the pipe would keep nothing at all.
 TEST(yielding_statics, a_pipe_of_several_sections_keeps_what_the_stinger_did_to_it) {
   const auto solved = [](const std::function<void(PipeDescription&)>& part) {
@@ -209,8 +209,8 @@ Description stinger_of_85_m() {
 double strain_at(const Description& description, const std::string& support) {
   const Model model = build_model(description);
   const StaticResults r = recover_statics(model, solve_statics(model).solution.value());
-  for (const SupportResult& at : r.supports) {
-    if (at.name == support) return at.strain;
+  for (const SupportResult& support_result : r.supports) {
+    if (support_result.name == support) return support_result.strain;
   }
   return 0.0;
 }
@@ -223,7 +223,7 @@ TEST(yielding_statics, strain_over_a_stinger_of_85_m_agrees_with_other_programs)
   d.pipe.section.steel.material = ramberg_osgood();
   d.pipe.section.steel.material.hardening_exponent = 20.6;
   const double plastic = strain_at(d, "SR2");
-  EXPECT_NEAR(plastic, 0.38e-2, 0.2 * 0.38e-2);  // shell elements, X65; how its rollers carry the pipe is not told
+  EXPECT_NEAR(plastic, 0.38e-2, 0.2 * 0.38e-2);  // shell elements, X65; how its rollers carry the pipe is not given
   EXPECT_GT(plastic, 1.05 * 0.322e-2);
 }
 

@@ -58,7 +58,7 @@ class CheckLayers(unittest.TestCase):
         code, output = run_on({**CLEAN, "statics/solver/good.cpp": ['#include "statics/equations/static_system.h"']})
         self.assertEqual(code, 0, output)
 
-    def test_a_file_beside_the_sub_rooms_is_caught(self):
+    def test_a_file_next_to_the_sub_rooms_is_caught(self):
         self.assert_caught("statics/bad.cpp", "#include <vector>", line=1)
         self.assert_caught("statics/elsewhere/bad.cpp", "#include <vector>", line=1)
 

@@ -7,8 +7,8 @@ import subprocess
 import sys
 
 
-def listed(*words):
-    return subprocess.run(["readelf", "--wide", *words, sys.argv[1]], check=True, capture_output=True, encoding="utf-8").stdout
+def listed(*arguments):
+    return subprocess.run(["readelf", "--wide", *arguments, sys.argv[1]], check=True, capture_output=True, encoding="utf-8").stdout
 
 
 def main():

@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 from units import named_units, units  # noqa: E402
 
-FOLDER = os.fsdecode("mit Leerzeichen und ü ".encode())  # as bytes, whatever the locale
+FOLDER = os.fsdecode("mit Leerzeichen und ü ".encode())  # as bytes, for any locale
 
 
 def hiding(text):
@@ -58,7 +58,7 @@ class Units(unittest.TestCase):
         a, b = hiding("int at(int) {"), '#include "h.h"'
         self.assertTrue(self.together(a, b, h=inside))
         self.assertFalse(self.together(a, b, h=inside + "int at(double);\n"))
-        self.assertFalse(self.together(a, b, h=inside, other="int at(double);\n"))
+        self.assertFalse(self.together(a, b, h=inside, unrelated="int at(double);\n"))
 
     def test_a_name_that_both_borrow_from_one_place_is_the_same(self):
         fixed = hiding("using html::fixed;")
@@ -91,7 +91,7 @@ class Units(unittest.TestCase):
             made = {name: [path.parent.name for path in unit] for name, unit in named_units(paths, 4)}
             self.assertEqual(sorted(made.values()), [["few", "few", "many"], ["many"] * 4])
 
-    def test_names_of_units_are_words_whatever_the_folder_is_called(self):
+    def test_names_of_units_are_plain_for_any_name_of_the_folder(self):
         with tempfile.TemporaryDirectory(prefix=FOLDER) as folder:
             paths = [pathlib.Path(folder) / "tests" / f"{i}.cpp" for i in range(4)]
             paths[0].parent.mkdir()

@@ -1,4 +1,4 @@
-// A dynamic run as it is played back: clock, impacts, what frames hold, its own sea and its own statics.
+// Playback of a dynamic run: clock, impacts, contents of frames, the sea and statics of the run.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
@@ -15,7 +15,7 @@ beforeAll(async () => {
   await page.click('#workspace-runs');
   await page.locator(`tr[data-run="${id}"]`, { hasText: 'done' }).waitFor({ timeout: 150_000 });
   await page.locator(`tr[data-run="${id}"] td.name`).click();
-  await page.click('.runacts >> text=Look at it in Storm');
+  await page.click('.runacts >> text=Open in Storm');
 }, 300_000);
 afterAll(async () => { await bench?.stop(); });
 
@@ -38,21 +38,21 @@ test('impacts light up, and boxes have the colour of their reaction', async () =
   await expect.poll(() => page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
 });
 
-test('what frames do not hold cannot be chosen while they are shown', async () => {
+test('quantities missing in the frames cannot be selected during playback', async () => {
   const closed = await page.locator('[aria-label="Colour of the pipe"] option:disabled').allInnerTexts();
   expect(closed.join()).toMatch(/Bending stress.*Strain.*Utilisation/);
 });
 
 test('the sea of the picture is that of the run', async () => {
-  const { waves, stern_shoe: at } = await (await bench.api(`runs/${id}/scene`)).json() as { waves: { amplitude: number; number: number; frequency: number; phase: number; direction: number }[]; stern_shoe: number[] };
+  const { waves, stern_shoe: shoe } = await (await bench.api(`runs/${id}/scene`)).json() as { waves: { amplitude: number; number: number; frequency: number; phase: number; direction: number }[]; stern_shoe: number[] };
   const shown = await page.evaluate(() => (window as unknown as { __view: { stage: { sea: { waves: { phase: number }[] } } } }).__view.stage.sea.waves);
   expect(shown).toEqual(waves);
   const { t, min } = await (await bench.api(`runs/${id}/series?name=elevation&t0=0&px=1000`)).json() as { t: number[]; min: number[] };
   expect(t.length).toBeGreaterThan(30);
   t.forEach((time, i) => {
-    const drawn = waves.reduce((sum, w) => sum + w.amplitude * Math.cos(w.number * (at[0]! * Math.cos(w.direction) + at[1]! * Math.sin(w.direction)) - w.frequency * time + w.phase), 0);
+    const drawn = waves.reduce((sum, w) => sum + w.amplitude * Math.cos(w.number * (shoe[0]! * Math.cos(w.direction) + shoe[1]! * Math.sin(w.direction)) - w.frequency * time + w.phase), 0);
     expect(drawn).toBeCloseTo(min[i]!, 3);
   });
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

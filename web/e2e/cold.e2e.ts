@@ -1,4 +1,4 @@
-// Cold starts: whatever arrives last, there is a picture of the lay, the same as ever.
+// Cold starts: the picture of the lay is the same in whichever order its parts arrive.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { colours, difference, picture, rested, solved, start, type Bench } from './harness';
@@ -8,23 +8,23 @@ let bench: Bench;
 let page: Page;
 let usual = '';
 
-/** The picture once it stands still: two of them, half a second apart, are the same. */
+/** The settled picture: two shots half a second apart are the same. */
 async function settled(p: Page): Promise<string> {
   await solved(p);
-  let before = '', now = '';
+  let before = '', latest = '';
   do {
-    before = now;
+    before = latest;
     await rested(p);
-    now = await picture(p, '.canvas');
-  } while (now !== before);
-  return now;
+    latest = await picture(p, '.canvas');
+  } while (latest !== before);
+  return latest;
 }
 
 beforeAll(async () => {
   bench = await start('bgl1.yaml');
   page = await bench.open(size);
   await solved(page);
-  // the view is asked for by hand, with everything there: what cold starts are compared with
+  // the view is requested with everything loaded: the reference for cold starts
   await page.click('.viewbuttons >> text=overbend');
   await settled(page);
   await page.click('.viewbuttons >> text=whole');
@@ -68,4 +68,4 @@ for (const late of ['/api/info', '/api/model', '/api/static', '/api/scene', '/as
   });
 }
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -1,4 +1,4 @@
-// Diagrams keep the stretch that is looked at when their results are refreshed.
+// Diagrams keep the zoomed range when their results are refreshed.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { runStorm, solved, start, tryValue, type Bench } from './harness';
@@ -8,7 +8,7 @@ let page: Page;
 beforeAll(async () => { bench = await start('bgl1-workable-sea.yaml'); page = await bench.open(); await solved(page); });
 afterAll(async () => { await bench?.stop(); });
 
-/** Ends of the x axis of a diagram, as its labels are computed from. */
+/** Ends of the x axis of a diagram. */
 const ends = (slot: number): Promise<[number, number]> => page.evaluate((i) => (document.querySelectorAll('.slot .plot')[i] as unknown as { shown: () => [number, number] }).shown(), slot);
 
 async function zoom(slot: number): Promise<[number, number]> {
@@ -37,14 +37,14 @@ test('while a value is dragged, and after it is applied', async () => {
 });
 
 test('of a run in time, also when more of it arrives', async () => {
-  await page.click('[aria-label=Undo]'); // its machine does not reach 300 kN
+  await page.click('[aria-label=Undo]'); // the machine of this model does not reach 300 kN
   await solved(page);
   const id = await runStorm(bench, page, 20);
   await page.selectOption('[aria-label="History 2"]', 'top_tension');
   await page.waitForTimeout(1200);
   const whole = await ends(1), near = await zoom(1);
   expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
-  await page.waitForTimeout(1500); // the stretch is fetched again, finer
+  await page.waitForTimeout(1500); // the range is fetched again at a finer resolution
   await expect.poll(() => ends(1)).toEqual(near);
   expect((await bench.api(`runs/${id}/annotate`, { method: 'POST', body: JSON.stringify({ name: 'looked at' }) })).status).toBe(200);
   await page.locator('.right h3', { hasText: 'looked at' }).waitFor({ timeout: 20_000 });
@@ -52,4 +52,4 @@ test('of a run in time, also when more of it arrives', async () => {
   await expect.poll(() => ends(1)).toEqual(near);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -1,4 +1,4 @@
-// A new model and the operation that the page offers for it, untouched: the head comes to lie on the seabed.
+// The first operation that the page offers for a new model, unchanged: the head reaches the seabed.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
@@ -34,7 +34,7 @@ async function stages(offer: string): Promise<{ z: number[]; rows: number; faile
   return { z: cells.filter((r) => r.length === heads.length).map((r) => Number(r[column])), rows: cells.length, failed: await page.locator('table.stages tr.gone').count() };
 }
 
-// from a light pipe in shallow water to one that hangs from a tower in deep water
+// from a light pipe in shallow water to a pipe laid from a tower in deep water
 test.each([
   [{ pipe: '6', depth: '20 m', lay: 's' }, 20],
   [{ pipe: '30', depth: '300 m', lay: 's' }, 300],
@@ -43,7 +43,7 @@ test.each([
   await make(answers);
   const { z, rows, failed } = await stages('Abandonment');
   expect([rows, failed]).toEqual([11, 0]);
-  // the axis of a head that lies on the bed is above it by the radius of the coated pipe, less than 0.5 m
+  // the axis of a head on the seabed is above it by the radius of the coated pipe, less than 0.5 m
   expect(z.at(-1)! + depth).toBeGreaterThan(-0.2);
   expect(z.at(-1)! + depth).toBeLessThan(0.6);
   expect(z).toEqual([...z].sort((a, b) => b - a));
@@ -62,7 +62,7 @@ test('a pull to a winch on the seabed solves at every stage', async () => {
   expect([rows, failed]).toEqual([9, 0]);
 });
 
-test('without a solution of the lay none is made up', async () => {
+test('no operation is created without a solution of the lay', async () => {
   await make({ pipe: '16', depth: '90 m', lay: 's' });
   const { revision } = await (await bench.api('model')).json() as { revision: number };
   await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.tension', value: '2 kN' }], revision }) });
@@ -73,4 +73,4 @@ test('without a solution of the lay none is made up', async () => {
   await expect.poll(() => page.locator('table.stages').count()).toBe(0);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

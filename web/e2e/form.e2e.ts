@@ -1,4 +1,4 @@
-// Properties of objects: motion of the vessel, what a sea asks for, faults that name their key and lead there.
+// Properties of objects: vessel motion, fields required by a sea state, errors that name their key and lead to it.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -44,7 +44,7 @@ test('motion is chosen: harmonic, fixed, a file of the folder, a file of this ma
   await bench.shot(page, 'motion');
 });
 
-/** Answers to what is set come late. */
+/** Answers to changed values arrive late. */
 const late = async (seen: () => void): Promise<void> => {
   await page.route((url) => url.pathname === '/api/model/set', async (route) => {
     seen();
@@ -53,7 +53,7 @@ const late = async (seen: () => void): Promise<void> => {
   });
 };
 
-test('what is chosen while the answer to the choice before is on its way stays chosen', async () => {
+test('a selection made while an answer is pending is kept', async () => {
   const kind = page.locator('#motion-kind');
   let held = 0;
   await late(() => { ++held; });
@@ -72,7 +72,7 @@ test('what is chosen while the answer to the choice before is on its way stays c
   await solved(page);
 });
 
-test('a new model offers motion and waves without being searched', async () => {
+test('a new model offers motion and waves without a search', async () => {
   const before = await text();
   await put(before.replace(/\n *motion:.*/, '').replace(/\n *waves:(.*\n)( {4,}.*\n)*/, '\n'));
   await expect.poll(() => page.locator('#motion-kind').inputValue()).toBe('');
@@ -97,17 +97,17 @@ test('a spectrum always shows Hs and Tp, a regular wave its height and period', 
   await solved(page);
 });
 
-test('a value out of its range is refused at its field, in words', async () => {
+test('a value out of its range is rejected at its field, with a message', async () => {
   await (await openField(page, 'tensioner.tension')).fill('-5 kN');
   await page.keyboard.press('Enter');
   const row = page.locator('.row.wrong', { has: page.locator(id('tensioner.tension')) });
   await row.waitFor();
-  await expect.poll(() => row.locator('.fault').innerText()).toMatch(/-5 kN.*above 0 kN/);
+  await expect.poll(() => row.locator('.failuretext').innerText()).toMatch(/-5 kN.*above 0 kN/);
   await expect.poll(() => page.locator('header .status').innerText()).toMatch(/1 error: tensioner tension/);
-  await bench.shot(page, 'range-fault');
+  await bench.shot(page, 'range-error');
 });
 
-test('a fault leads to its field, whatever is selected in whatever workspace', async () => {
+test('an error leads to its field from any selection and workspace', async () => {
   await selectObject(page, 'pipe');
   await expect.poll(() => page.locator(id('tensioner.tension')).count()).toBe(0);
   await goTo(page, 'storm');
@@ -121,7 +121,7 @@ test('a fault leads to its field, whatever is selected in whatever workspace', a
   await expect.poll(() => page.locator(id('tensioner.tension')).inputValue()).toBe('250 kN');
 });
 
-test('a number without unit takes the unit that stood there, in the dialogue as among the properties', async () => {
+test('a number without unit takes the previous unit, in the dialog and in the properties', async () => {
   await (await openField(page, 'environment.water_depth')).fill('300 ft');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => (document.querySelector('[id="f-environment.water_depth"] ~ .twin') as HTMLElement).innerText === '91.44 m');
@@ -136,11 +136,11 @@ test('a number without unit takes the unit that stood there, in the dialogue as 
   await page.fill('#n-depth', '290');
   await page.press('#n-depth', 'Tab');
   await expect.poll(() => page.locator('#n-depth').inputValue()).toBe('290 ft');
-  await expect.poll(() => page.locator('dialog .fault').count()).toBe(0);
+  await expect.poll(() => page.locator('dialog .failuretext').count()).toBe(0);
   await page.keyboard.press('Escape');
 });
 
-test('what is typed while the answer to the value before is on its way stays, with the unit of that value', async () => {
+test('text typed while an answer is pending is kept, with the unit of the previous value', async () => {
   let held = 0;
   await late(() => { ++held; });
   const depth = page.locator(id('environment.water_depth'));
@@ -163,7 +163,7 @@ test('what is typed while the answer to the value before is on its way stays, wi
   await solved(page);
 });
 
-test('an answer to the value before last leaves alone what was typed since, and a value gone back to is sent', async () => {
+test('an answer to an earlier value does not overwrite later text, and a restored value is sent', async () => {
   await late(() => undefined);
   const depth = page.locator(id('environment.water_depth'));
   for (const value of ['80 m', '81 m']) { await depth.fill(value); await depth.press('Enter'); }
@@ -182,4 +182,4 @@ test('an answer to the value before last leaves alone what was typed since, and 
   await solved(page);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

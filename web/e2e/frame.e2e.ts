@@ -1,4 +1,4 @@
-// The frame of the page: address, selection, tree by keyboard, sizes of its parts, drawers, contrast, screens of many sizes.
+// The frame of the page: address, selection, tree by keyboard, panel sizes, drawers, contrast, many screen sizes.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { faint } from './contrast';
@@ -12,7 +12,7 @@ afterAll(async () => { await bench?.stop(); });
 const text = async (): Promise<string> => (await (await bench.api('model')).json() as { text: string }).text;
 const item = (path: string) => page.locator(`[role=treeitem][data-object="${path}"]`);
 const hash = (): Promise<string> => page.evaluate(() => decodeURI(location.hash));
-/** The object that is selected: the only one, in the tree as among the properties. */
+/** The selected object: exactly one, in the tree and in the properties. */
 async function chosen(): Promise<string> {
   const inTree = await page.locator('[role=treeitem][aria-selected=true]').evaluateAll((all) => all.map((el) => (el as HTMLElement).dataset.object!));
   const shown = await page.locator('.properties').getAttribute('data-object');
@@ -92,7 +92,7 @@ test('the tree is walked, unfolded and left for its fields by keyboard', async (
   await page.keyboard.press('ArrowUp');
   await expect.poll(() => chosen()).toBe(first);
   await expect.poll(() => page.evaluate(() => (document.activeElement as HTMLElement).dataset.object)).toBe(first);
-  await expect.poll(() => page.locator('[role=treeitem][tabindex="0"]').count()).toBe(1); // the tab key enters the tree at one place
+  await expect.poll(() => page.locator('[role=treeitem][tabindex="0"]').count()).toBe(1); // the tab key enters the tree at one item
 
   await selectObject(page, 'supports');
   await item('supports').focus();
@@ -105,7 +105,7 @@ test('the tree is walked, unfolded and left for its fields by keyboard', async (
   const within = await chosen();
   expect(within).toMatch(/^supports\.\w+$/);
   await expect.poll(() => item(within).getAttribute('aria-level')).toBe('2');
-  await page.keyboard.press('ArrowLeft'); // folds it where it is unfolded, else leads upwards
+  await page.keyboard.press('ArrowLeft'); // collapses an expanded item, otherwise moves to its parent
   await page.keyboard.press('ArrowLeft');
   await expect.poll(chosen).toBe('supports');
 
@@ -150,7 +150,7 @@ test('the menu of an object opens at the pointer and by keyboard, duplicates, an
   await showTab(page, 'diagrams');
 });
 
-/** Presses a key on a separator; how much wider or higher its part is then. */
+/** Presses a key on a separator and returns the change in width or height of its panel. */
 async function change(handle: string, part: string, measure: 'width' | 'height', key: string): Promise<number> {
   const size = async (): Promise<number> => (await page.locator(part).boundingBox())![measure];
   const before = await size();
@@ -158,7 +158,7 @@ async function change(handle: string, part: string, measure: 'width' | 'height',
   return Math.round(await size() - before);
 }
 
-test('the dock is made higher and the columns wider by keyboard, which is kept, and put back', async () => {
+test('the dock and the columns are resized by keyboard, kept, and reset', async () => {
   for (const [handle, part, measure, more, less] of [
     ['.dockhandle', '.dock', 'height', 'ArrowUp', 'ArrowDown'],
     ['.handle[data-side=left]', 'main > .left', 'width', 'ArrowRight', 'ArrowLeft'],
@@ -180,7 +180,7 @@ test('the dock is made higher and the columns wider by keyboard, which is kept, 
   expect(usual.every((size, i) => Math.abs(size - before[i]! + 16) <= 1)).toBe(true);
 });
 
-test('tabs of the dock are chosen with arrow keys, and either part fills the middle', async () => {
+test('tabs of the dock are chosen with arrow keys, and either part can be maximised', async () => {
   await page.focus('#docktab-diagrams');
   await page.keyboard.press('ArrowRight');
   await expect.poll(() => page.locator('.docktabs [aria-selected=true]').count()).toBe(1);
@@ -217,7 +217,7 @@ test('at 1024 px the columns are drawers, which Escape closes', async () => {
 
 test('no text is fainter than 4.5 : 1, in any workspace or tab, light and dark', async () => {
   await bench.api('runs', { method: 'POST', body: JSON.stringify({ kind: 'static' }) });
-  const found = new Map<string, string>(); // each with where it is met first
+  const found = new Map<string, string>(); // each with its first occurrence
   for (const colours of ['Light', 'Dark']) {
     if (await page.locator(`[aria-label="${colours} colours"]`).count()) await page.click(`[aria-label="${colours} colours"]`);
     for (const workspace of workspaces) {
@@ -227,7 +227,7 @@ test('no text is fainter than 4.5 : 1, in any workspace or tab, light and dark',
         if (tab) await showTab(page, tab);
         await page.mouse.move(0, 0);
         await page.waitForTimeout(200);
-        for (const words of await faint(page)) if (!found.has(words)) found.set(words, `${colours} ${workspace} ${tab}`);
+        for (const text of await faint(page)) if (!found.has(text)) found.set(text, `${colours} ${workspace} ${tab}`);
       }
       await bench.shot(page, `frame-${colours.toLowerCase()}-${workspace}`);
       if (tabs.length) await showTab(page, tabs[0]!);
@@ -238,7 +238,7 @@ test('no text is fainter than 4.5 : 1, in any workspace or tab, light and dark',
   await goTo(page, 'lay');
 }, 400_000);
 
-/** Parts that are wider than their place, or stand over the edge of the window. */
+/** Parts that are wider than their container, or extend beyond the window. */
 const tooWide = (p: Page): Promise<string[]> => p.evaluate(() => {
   const name = (el: Element): string => `${el.tagName.toLowerCase()}${el.id ? `#${el.id}` : ''}.${String((el as HTMLElement).className).replaceAll(' ', '.')}`;
   const parts = ['html', 'header.top', 'main', 'main > .left', 'main > .right', '.modeltree', '.properties', '.middle', '.underpicture', '.ownmiddle', '.strip'];
@@ -249,7 +249,7 @@ const tooWide = (p: Page): Promise<string[]> => p.evaluate(() => {
   }).map((el) => `${name(el)} over the edge`);
   return [...wide, ...over];
 });
-/** Buttons of the header that cover each other. */
+/** Buttons of the header that overlap. */
 const covered = (p: Page): Promise<string[]> => p.evaluate(() => {
   const shown = [...document.querySelectorAll('header.top > *, header.top .workspaces button')].filter((el) => el.getBoundingClientRect().width > 0);
   const out: string[] = [];
@@ -263,21 +263,21 @@ const covered = (p: Page): Promise<string[]> => p.evaluate(() => {
 
 for (const [width, height, zoom] of [[1280, 720, 1], [1440, 900, 1], [2560, 1440, 1], [1024, 768, 1], [960, 600, 1.5]] as const) {
   test(`nothing is wider than its place at ${width * zoom} x ${height * zoom}${zoom > 1 ? ` and ${100 * zoom} %` : ''}`, async () => {
-    const own = await bench.open({ width, height, zoom });
-    await solved(own);
+    const zoomed = await bench.open({ width, height, zoom });
+    await solved(zoomed);
     for (const workspace of workspaces) {
-      await goTo(own, workspace);
-      await own.waitForTimeout(200);
-      expect([...await tooWide(own), ...await covered(own)], workspace).toEqual([]);
+      await goTo(zoomed, workspace);
+      await zoomed.waitForTimeout(200);
+      expect([...await tooWide(zoomed), ...await covered(zoomed)], workspace).toEqual([]);
       if (workspace !== 'runs' && workspace !== 'report' && workspace !== 'study') {
-        const seen = (await own.locator('.canvas').boundingBox())!;
+        const seen = (await zoomed.locator('.canvas').boundingBox())!;
         expect(seen.height, `picture of ${workspace}`).toBeGreaterThan(0.15 * height);
-        expect((await own.locator('.dockpanel').boundingBox())!.height, `dock of ${workspace}`).toBeGreaterThan(100);
+        expect((await zoomed.locator('.dockpanel').boundingBox())!.height, `dock of ${workspace}`).toBeGreaterThan(100);
       }
-      await bench.shot(own, `frame-${width}-${workspace}`);
+      await bench.shot(zoomed, `frame-${width}-${workspace}`);
     }
-    await own.context().close();
+    await zoomed.context().close();
   });
 }
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -1,4 +1,4 @@
-// Tables of the model's lists: typed, pasted, copied, moved, generated.
+// Tables of the lists of the model: typed, pasted, copied, moved, generated.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { start, solved, type Bench } from './harness';
@@ -11,7 +11,7 @@ const fieldsIn = async (): Promise<Map<string, ModelField>> => new Map((await (a
 const valueOf = async (path: string): Promise<string | null> => (await fieldsIn()).get(path)?.value ?? null;
 
 const cell = (path: string) => page.locator(`[role=grid] td[data-path="${path}"]`);
-/** What a spreadsheet would put there with Ctrl+V. */
+/** Pastes text as a spreadsheet does with Ctrl+V. */
 const paste = (text: string): Promise<void> => page.evaluate((t) => {
   const data = new DataTransfer();
   data.setData('text/plain', t);
@@ -28,7 +28,7 @@ beforeAll(async () => {
 }, 60_000);
 afterAll(async () => bench?.stop());
 
-test('boxes of ramp and stinger stand in one table with what the pipe does on them', async () => {
+test('boxes of ramp and stinger are in one table with their results', async () => {
   await expect.poll(() => page.locator('[role=grid] tbody tr').count()).toBe(13);
   await until(async () => /\d/.test(await page.locator('[role=grid] td.result').nth(1).innerText()));
   await bench.shot(page, 'grid-boxes');
@@ -44,7 +44,7 @@ test('a number typed with another unit is written with it and shown in that of t
   await until(async () => (await valueOf('supports.stinger.boxes[7].x')) === '31.224 m');
 }, 60_000);
 
-test('a cell that cannot be read keeps its text with the reason, and the model is as it was', async () => {
+test('an unreadable cell keeps its text with the reason, and the model is unchanged', async () => {
   await cell('supports.stinger.boxes[6].z').click();
   await page.keyboard.type('abc');
   await page.keyboard.press('Enter');
@@ -57,7 +57,7 @@ test('a cell that cannot be read keeps its text with the reason, and the model i
   await until(async () => (await cell('supports.stinger.boxes[6].z').innerText()) === '-13.163');
 }, 60_000);
 
-test('what the model says of a box stands in its cell', async () => {
+test('the model values of a box are in its cells', async () => {
   await cell('supports.stinger.boxes[2].x').click();
   await page.keyboard.type('8');
   await page.keyboard.press('Tab');
@@ -68,7 +68,7 @@ test('what the model says of a box stands in its cell', async () => {
   await until(async () => (await page.locator('td.has-error').count()) === 0);
 }, 60_000);
 
-test('rows that are missing are added, and cells that cannot be read stay to be corrected', async () => {
+test('missing rows are added, and unreadable cells are kept for correction', async () => {
   await cell('supports.stinger.boxes[7].name').click();
   await paste('stinger 8\t31,224\t-14,980\nstinger 9\t34,8\t-16,9\nstinger 10\t38,3\tsee note');
   await until(async () => (await fieldsIn()).get('supports.stinger.boxes')?.count === 10);
@@ -103,10 +103,10 @@ test('a stinger is generated from radius, number and spacing, and written out as
   await bench.shot(page, 'grid-generate');
   await page.getByRole('button', { name: 'Write as a row' }).click();
   await until(async () => (await valueOf('supports.stinger.radius')) === '100 m');
-  await page.getByRole('button', { name: 'Write out as a list' }).waitFor();
+  await page.getByRole('button', { name: 'Convert to a list' }).waitFor();
   await page.waitForFunction(() => document.querySelectorAll('[role=grid] td.fixed').length > 0);
   await bench.shot(page, 'grid-row');
-  await page.getByRole('button', { name: 'Write out as a list' }).click();
+  await page.getByRole('button', { name: 'Convert to a list' }).click();
   await until(async () => (await fieldsIn()).get('supports.stinger.boxes')?.kind === 'list');
   expect((await fieldsIn()).get('supports.stinger.radius')?.value ?? null).toBeNull();
 }, 60_000);

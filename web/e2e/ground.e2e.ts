@@ -1,4 +1,4 @@
-// What carries the pipe: a seabed with shape, a route that bends, a stinger on a hinge.
+// Supports of the pipe: an uneven seabed, a curved route, a hinged stinger.
 import { expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { reading, showTab, solved, start, type Bench } from './harness';
@@ -29,17 +29,17 @@ for (const [name, size] of Object.entries({ wide: { width: 1600, height: 900 }, 
   });
 }
 
-test('the route says which radius friction holds', async () => {
+test('the route shows the minimum radius that friction holds', async () => {
   await opened('curved_route.yaml', async (page, bench) => {
     await showTab(page, 'ground');
     await expect.poll(() => reading(page, 'radius of the route')).toBe(1500);
-    await expect.poll(() => reading(page, 'friction holds')).toBeCloseTo(1116, -1);
+    await expect.poll(() => reading(page, 'minimum radius')).toBeCloseTo(1116, -1);
     await page.locator('section[aria-label="Lay route"]').scrollIntoViewIfNeeded();
     await bench.shot(page, 'route');
   });
 });
 
-test('a stinger on a hinge says its angle and can be sought', async () => {
+test('a hinged stinger shows its angle, which goal seek supports', async () => {
   await opened('floating_stinger.yaml', async (page, bench) => {
     await showTab(page, 'stinger');
     expect(Math.abs(await reading(page, 'stinger angle'))).toBeLessThan(15);

@@ -1,5 +1,5 @@
-// Starts the real program on a folder of its own and opens its page in a browser.
-// OVERBEND_PROGRAM: the program. OVERBEND_ROOT: where examples/ and data/ lie. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
+// Starts the real program on a separate folder and opens its page in a browser.
+// OVERBEND_PROGRAM: the program. OVERBEND_ROOT: folder of examples/ and data/. OVERBEND_PREVIEW=1: serves the page from web/dist instead of from the program.
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,20 +8,20 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type Locator, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
 
-const here = dirname(fileURLToPath(import.meta.url));
-const root = process.env.OVERBEND_ROOT ?? resolve(here, '../..');
+const thisFolder = dirname(fileURLToPath(import.meta.url));
+const root = process.env.OVERBEND_ROOT ?? resolve(thisFolder, '../..');
 const program = resolve(root, process.env.OVERBEND_PROGRAM ?? 'build/release/overbend');
-const shots = resolve(here, '..', process.env.OVERBEND_SHOTS ?? 'shots');
+const shots = resolve(thisFolder, '..', process.env.OVERBEND_SHOTS ?? 'shots');
 
 export interface Bench {
   folder: string;
   address: string;
   api: (path: string, options?: RequestInit) => Promise<Response>;
-  /** `zoom`: of the browser, with the size in its pixels; `prepare` is done before the page is asked for. */
+  /** `zoom`: browser zoom, with the window size in CSS pixels; `prepare` runs before the page is requested. */
   open: (size?: { width: number; height: number; zoom?: number }, prepare?: (page: Page) => Promise<void>) => Promise<Page>;
   shot: (page: Page, name: string) => Promise<void>;
   complaints: string[];
-  /** Ends the program, and leaves the page. */
+  /** Ends the program and closes the page. */
   halt: () => Promise<void>;
   stop: () => Promise<void>;
 }
@@ -42,7 +42,7 @@ function started(child: ChildProcess): Promise<string> {
   });
 }
 
-/** The fonts that the browser sees, not those that the machine happens to have: see tests/fonts. */
+/** Fixed fonts for the browser, independent of those of the machine: see tests/fonts. */
 export type Fonts = 'dejavu' | 'liberation';
 const families: Record<Fonts, string> = { dejavu: 'DejaVu Sans', liberation: 'Liberation Sans' };
 function fontEnvironment(fonts: Fonts): Record<string, string> {
@@ -52,7 +52,7 @@ export function installed(fonts: Fonts): boolean {
   return execFileSync('fc-match', ['sans', 'family'], { env: fontEnvironment(fonts), encoding: 'utf8' }).includes(families[fonts]);
 }
 
-/** `edit`: what is written otherwise in the model before it is opened. */
+/** `edit`: change of the model before it is opened. */
 export async function start(model?: string, edit: Record<string, string> = {}, fonts: Fonts = 'dejavu'): Promise<Bench> {
   if (!installed(fonts)) throw new Error(`${families[fonts]} is not installed: scripts/install.sh test`);
   const outer = mkdtempSync(join(tmpdir(), 'overbend-page-'));
@@ -62,18 +62,18 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   if (model) writeFileSync(join(folder, model), Object.entries(edit).reduce((text, [from, to]) => text.replace(from, to), readFileSync(join(folder, model), 'utf8')));
   mkdirSync(shots, { recursive: true });
   const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
-  const own = new URL(await started(child));
+  const ownAddress = new URL(await started(child));
   let server: PreviewServer | null = null;
-  let address = own.href;
+  let address = ownAddress.href;
   if (process.env.OVERBEND_PREVIEW) {
-    const proxy = { '/api': { target: own.origin, changeOrigin: true, configure: (p: { on: (name: 'proxyReq', act: (r: { setHeader: (k: string, v: string) => void }) => void) => void }) => p.on('proxyReq', (r) => r.setHeader('origin', own.origin)) } };
-    server = await preview({ root: resolve(here, '..'), preview: { port: 0, host: '127.0.0.1', proxy: proxy as never }, logLevel: 'error' });
+    const proxy = { '/api': { target: ownAddress.origin, changeOrigin: true, configure: (p: { on: (name: 'proxyReq', act: (r: { setHeader: (k: string, v: string) => void }) => void) => void }) => p.on('proxyReq', (r) => r.setHeader('origin', ownAddress.origin)) } };
+    server = await preview({ root: resolve(thisFolder, '..'), preview: { port: 0, host: '127.0.0.1', proxy: proxy as never }, logLevel: 'error' });
     const where = server.httpServer.address();
-    address = `http://127.0.0.1:${typeof where === 'object' && where ? where.port : 0}/${own.search}`;
+    address = `http://127.0.0.1:${typeof where === 'object' && where ? where.port : 0}/${ownAddress.search}`;
   }
   const browser: Browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'], env: fontEnvironment(fonts) });
   const complaints: string[] = [];
-  const token = own.searchParams.get('token')!;
+  const token = ownAddress.searchParams.get('token')!;
   const halt = async (): Promise<void> => {
     if (child.exitCode !== null) return;
     const gone = new Promise((done) => child.once('exit', done));
@@ -82,7 +82,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   };
   return {
     folder, address, complaints, halt,
-    api: (path, options = {}) => fetch(`${own.origin}/api/${path}`, { ...options, headers: { 'X-Overbend-Token': token, ...options.headers } }),
+    api: (path, options = {}) => fetch(`${ownAddress.origin}/api/${path}`, { ...options, headers: { 'X-Overbend-Token': token, ...options.headers } }),
     open: async ({ zoom = 1, ...size } = { width: 1280, height: 720 }, prepare) => {
       const context = await browser.newContext({ viewport: size, deviceScaleFactor: zoom, acceptDownloads: true });
       const page = await context.newPage();
@@ -90,7 +90,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
       page.on('pageerror', (e) => complaints.push(e.message));
       await prepare?.(page);
       await page.goto(address);
-      await page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true); // as a text it would need eval, which the page forbids
+      await page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true); // as a string it would need eval, which the page forbids
       return page;
     },
     shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
@@ -103,10 +103,10 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   };
 }
 
-/** What the live statics say in the header. */
+/** Status of the live statics in the header. */
 export const solved = (page: Page): Promise<unknown> => page.waitForSelector('.status.good', { timeout: 30_000 });
 
-/** First number of a result: of the column at rest in the table of key results, else of a list in the dock. */
+/** First number of a result: from the static column of the table of key results, otherwise from a list in the dock. */
 export async function reading(page: Page, name: string): Promise<number> {
   const row = page.locator('.keyresults .kv, .dock .kv', { hasText: name }).first();
   return Number.parseFloat(await row.locator('td, dd').first().innerText());
@@ -119,22 +119,22 @@ export async function goTo(page: Page, workspace: Workspace): Promise<void> {
   await page.waitForSelector(`main[data-workspace="${workspace}"]`);
 }
 
-/** Shows a tab of the dock of the workspace that is open. */
+/** Shows a tab of the dock in the open workspace. */
 export async function showTab(page: Page, tab: string): Promise<void> {
   await page.click(`#docktab-${tab}`);
   await page.waitForSelector(`#docktab-${tab}[aria-selected="true"]`);
 }
 
-/** On narrow screens the side columns are drawers. */
+/** Opens the drawer of a side column on narrow screens. */
 export async function openDrawer(page: Page, name: 'Model' | 'Verdict'): Promise<void> {
   const button = page.locator('.drawerbutton', { hasText: name });
   if (await button.isVisible() && await button.getAttribute('aria-expanded') === 'false') await button.click();
 }
 
-/** An object and what it lies in: "supports", "supports.stinger", "supports.stinger.boxes", "supports.stinger.boxes[2]". */
+/** An object and its parents: "supports", "supports.stinger", "supports.stinger.boxes", "supports.stinger.boxes[2]". */
 const downTo = (path: string): string[] => [...path.matchAll(/\.|\[|$/g)].map((end) => path.slice(0, end.index)).filter(Boolean);
 
-/** Chooses an object in the tree, unfolding what it lies in. */
+/** Selects an object in the tree and expands its parents. */
 export async function selectObject(page: Page, path: string): Promise<void> {
   await openDrawer(page, 'Model');
   for (const step of downTo(path)) {
@@ -144,7 +144,7 @@ export async function selectObject(page: Page, path: string): Promise<void> {
   await page.waitForSelector(`.properties[data-object="${path}"]`);
 }
 
-/** The field of a key among the properties of the object that has it, defaults unfolded where need be. */
+/** Field of a key in the properties of its object; optional fields are expanded if necessary. */
 export async function openField(page: Page, path: string): Promise<Locator> {
   await selectObject(page, path.replace(/(\.[^.[]*|\[\d+\])$/, ''));
   const field = page.locator(`[id="f-${path}"]`), more = page.locator('.properties > button.more[aria-expanded=false]');
@@ -153,7 +153,7 @@ export async function openField(page: Page, path: string): Promise<Locator> {
   return field;
 }
 
-/** Moves the slider of a pinned key; what is tried out is not yet in the model. */
+/** Moves the slider of a pinned key; the trial value is not yet in the model. */
 export async function tryValue(page: Page, name: string, value: number): Promise<void> {
   await page.getByRole('slider', { name, exact: true }).evaluate((el, v) => {
     const input = el as HTMLInputElement;
@@ -162,18 +162,18 @@ export async function tryValue(page: Page, name: string, value: number): Promise
   }, value);
 }
 
-/** Runs the model and waits for its end; gives the name of its folder. `order`: as of POST runs. */
+/** Runs the model, waits for its end and returns the name of its folder. `order`: body of POST runs. */
 export async function runToEnd(bench: Bench, order: object): Promise<string> {
   const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify(order) })).json() as { id: string };
   const state = async (): Promise<string> => (await (await bench.api('runs')).json() as { id: string; state: string }[]).find((run) => run.id === id)!.state;
-  for (let now = await state(); now !== 'done'; now = await state()) {
-    if (now !== 'running' && now !== 'queued') throw new Error(`the run ${id} is ${now}`);
+  for (let current = await state(); current !== 'done'; current = await state()) {
+    if (current !== 'running' && current !== 'queued') throw new Error(`the run ${id} is ${current}`);
     await new Promise((wait) => setTimeout(wait, 200));
   }
   return id;
 }
 
-/** Runs the model over time, and looks at the results in the workspace Storm. */
+/** Runs a dynamic analysis of the model and opens its results in the workspace Storm. */
 export async function runStorm(bench: Bench, page: Page, seconds: number): Promise<string> {
   const id = await runToEnd(bench, { kind: 'dynamic', duration: seconds });
   await goTo(page, 'storm');
@@ -182,13 +182,13 @@ export async function runStorm(bench: Bench, page: Page, seconds: number): Promi
   return id;
 }
 
-/** A part of the page as a picture, to be compared with others. */
+/** Screenshot of a part of the page, to be compared with others. */
 export const picture = async (page: Page, selector: string): Promise<string> => `data:image/png;base64,${(await page.locator(selector).screenshot()).toString('base64')}`;
 
-/** Mean difference of two pictures of the same size, of 255; decoded where browsers are good at it. */
+/** Mean difference of two pictures of the same size, 0 to 255; decoded in the browser. */
 export function difference(page: Page, a: string, b: string): Promise<number> {
   return page.evaluate(async (sources) => {
-    const [one, other] = await Promise.all(sources.map(async (source) => {
+    const [first, second] = await Promise.all(sources.map(async (source) => {
       const image = new Image();
       image.src = source;
       await image.decode();
@@ -197,14 +197,14 @@ export function difference(page: Page, a: string, b: string): Promise<number> {
       canvas.getContext('2d')!.drawImage(image, 0, 0);
       return canvas.getContext('2d')!.getImageData(0, 0, image.width, image.height);
     }));
-    if (one!.width !== other!.width || one!.height !== other!.height) return 255;
+    if (first!.width !== second!.width || first!.height !== second!.height) return 255;
     let sum = 0;
-    for (let i = 0; i < one!.data.length; ++i) sum += Math.abs(one!.data[i]! - other!.data[i]!);
-    return sum / one!.data.length;
+    for (let i = 0; i < first!.data.length; ++i) sum += Math.abs(first!.data[i]! - second!.data[i]!);
+    return sum / first!.data.length;
   }, [a, b]);
 }
 
-/** How many of eight by eight by eight kinds of colour a picture has, each in at least one of a thousand pixels. */
+/** Number of distinct colours (of 8 x 8 x 8 bins), each in at least one of a thousand pixels. */
 export function colours(page: Page, a: string): Promise<number> {
   return page.evaluate(async (source) => {
     const image = new Image();
@@ -220,7 +220,7 @@ export function colours(page: Page, a: string): Promise<number> {
   }, a);
 }
 
-/** Waits until the picture stands still and is drawn sharply, however slowly frames follow each other. */
+/** Waits until the picture is at rest and drawn at full resolution, at any frame rate. */
 export async function rested(page: Page): Promise<void> {
   await page.waitForFunction(async () => {
     const view = (window as unknown as { __view?: { frames: number; coarse: number; flight: { path: unknown } } }).__view;

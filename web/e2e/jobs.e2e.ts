@@ -1,4 +1,4 @@
-// The jobs by which the page is measured, each within its number of actions of the user.
+// Usability tasks of the page, each within its number of user actions.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -15,7 +15,7 @@ let page: Page;
 let user: User;
 let original = '';
 
-/** What the report would print, instead of a dialogue of the system. */
+/** Records what the report would print, instead of a system dialog. */
 async function notePrint(p: Page): Promise<void> { await p.addInitScript(() => {
   window.print = () => {
     const drawn = document.documentElement.dataset.drawn === 'yes', charts = document.querySelectorAll('svg, canvas').length;
@@ -40,7 +40,7 @@ async function put(next: string): Promise<void> {
   const { revision } = await model();
   expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: next, revision }) })).status).toBe(200);
 }
-/** The file's own text again, in Lay. */
+/** Restores the text of the file, in Lay. */
 async function startAnew(): Promise<void> {
   if (await text() !== original) await put(original);
   await goTo(page, 'lay');
@@ -49,10 +49,10 @@ async function startAnew(): Promise<void> {
 }
 
 test('the tension for a utilisation of 0.9 takes four actions', async () => {
-  await user.click('.pinned >> text=Find a value …');
+  await user.click('.pinned >> text=Goal seek …');
   await user.type('#s-value', '0.9');
   await user.click('dialog button.main:has-text("Find")');
-  await user.click('dialog button.main:has-text("Put into the model")');
+  await user.click('dialog button.main:has-text("Apply")');
   await page.waitForSelector('dialog', { state: 'detached' });
   await expect.poll(text).toMatch(/tension: 185\.\d+ kN/);
   await expect.poll(async () => Number.parseFloat(await page.locator('.verdict .used').innerText()), { timeout: 20_000 }).toBeCloseTo(0.9, 2);
@@ -61,7 +61,7 @@ test('the tension for a utilisation of 0.9 takes four actions', async () => {
   await expect.poll(text).toBe(original);
 });
 
-/** Names of the boxes of the stinger as the picture has them. */
+/** Names of the stinger boxes in the picture. */
 const drawn = (): Promise<string[]> => page.evaluate(() => {
   interface Roller { support: { name: string; structure: string } }
   const { stage } = (window as unknown as { __view: { stage: { rollers: { list: Roller[] } } } }).__view;
@@ -107,7 +107,7 @@ test('an abandonment is designed in five actions', async () => {
   await bench.shot(page, 'job-abandonment');
 }, 400_000);
 
-test('an error in YAML is found and mended in two actions', async () => {
+test('an error in YAML is found and corrected in two actions', async () => {
   await startAnew();
   await put(original.replace('  water_depth: 89 m', '  water_depth: 89 m: checked'));
   await user.click('header .status.bad');
@@ -134,7 +134,7 @@ let untilModel = 0;
 
 test('a new model has its first static answer after three actions', async () => {
   await startAnew();
-  await page.keyboard.press('Control+s'); // else the page asks what shall become of the changes
+  await page.keyboard.press('Control+s'); // otherwise the page asks whether to save the changes
   await page.waitForSelector('h1 i', { state: 'detached' });
   await user.click('header >> text=New…');
   await user.type('dialog #n-depth', '80 m');
@@ -200,4 +200,4 @@ test('the worst impact of a run is seen in the picture after three actions, and 
   } finally { await sea.stop(); }
 }, 400_000);
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/model\/disk|422/.test(c))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !/model\/disk|422/.test(c))).toEqual([]));

@@ -1,4 +1,4 @@
-// Lay tables from the page: of depths by tensions a cell opened in Lay, and a table over one key.
+// Lay tables on the page: depth by tension with a cell opened in Lay, and a table over one key.
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
@@ -21,8 +21,8 @@ afterAll(async () => { await bench?.stop(); });
 
 const cells = (): ReturnType<Page['locator']> => page.locator('.casegrid td');
 
-test('every depth has the tension to ask of the vessel, by the limit that is asked for', async () => {
-  const table = page.locator('section[aria-label="Tension to ask of the vessel"] table');
+test('every depth has its permissible tensions for the given limit', async () => {
+  const table = page.locator('section[aria-label="Permissible tensions"] table');
   await expect.poll(() => table.locator('tbody tr').count()).toBe(5);
   const before = await table.innerText();
   await page.fill('#lt-utilisation', '0.75');
@@ -47,13 +47,13 @@ test('a cell is reached with the arrow keys, shows its case, and opens it in Lay
   expect(await (await bench.api('model')).text()).toBe(text);
 });
 
-test('a case that is taken into the model is one step back', async () => {
+test('applying a case to the model is one undo step', async () => {
   const text = await (await bench.api('model')).json() as { text: string };
   await page.click('#workspace-study');
   await cells().nth(15).locator('button').click();
-  await page.locator('.chosencase >> text=Take into the model').click();
+  await page.locator('.chosencase >> text=Apply to model').click();
   await expect.poll(async () => ((await (await bench.api('model')).json()) as { text: string }).text).not.toBe(text.text);
-  await page.locator('text=Of the model as it was before').waitFor();
+  await page.locator('text=The model has changed since: solve again').waitFor();
   await page.click('[aria-label="Undo"]');
   await expect.poll(async () => ((await (await bench.api('model')).json()) as { text: string }).text).toBe(text.text);
 });
@@ -75,11 +75,11 @@ test('the picture is shown next to the table on demand', async () => {
   await expect.poll(() => page.locator('.centre').isVisible()).toBe(false);
 });
 
-test('of a table over one key, what cannot be asked for is said before', async () => {
+test('of a table over one key, an invalid request is reported before it is sent', async () => {
   await page.selectOption('#lt-over', 'tension');
   await page.fill('[aria-label="from … to, in steps, to"]', '400');
   await expect.poll(() => page.locator('.studystrip .main').isDisabled()).toBe(true);
-  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/unit/);
+  await expect.poll(() => page.locator('.studystrip .failuretext').innerText()).toMatch(/unit/);
 });
 
 test('a table over tension has its rows, curves and downloads', async () => {

@@ -9,7 +9,7 @@ let page: Page;
 beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); });
 afterAll(async () => { await bench?.stop(); });
 
-/** Pins a key under the picture; gives its value. */
+/** Pins a key under the picture and returns its value. */
 async function pin(p: Page, name: string): Promise<number> {
   await p.click('.pinned >> text=Pin a key');
   await p.fill('#find-pin', name);
@@ -17,7 +17,7 @@ async function pin(p: Page, name: string): Promise<number> {
   return Number(await p.getByRole('slider', { name, exact: true }).inputValue());
 }
 
-/** Puts the editor's cursor on a line: only the lines in sight are in the page, so the keyboard leads there. */
+/** Moves the cursor of the editor to a line by keyboard: only visible lines are in the page. */
 async function line(number: number): Promise<void> {
   await page.waitForSelector('.cm-content');
   await page.locator('.cm-content').focus();
@@ -32,7 +32,7 @@ test('the known solution', async () => {
   await bench.shot(page, 'bgl1');
 });
 
-test('code checks are told by region, and colour the pipe', async () => {
+test('code checks are shown by region, and colour the pipe', async () => {
   await showTab(page, 'checks');
   const panel = page.locator('section[aria-label="Code checks"]');
   await expect.poll(() => panel.locator('.region').first().innerText()).toMatch(/overbend\s+0\.\d+/);
@@ -46,7 +46,7 @@ test('code checks are told by region, and colour the pipe', async () => {
   await page.selectOption('[aria-label="Colour of the pipe"]', 'von_mises');
 });
 
-test('the card says the verdict and what governs, and leads to its calculation', async () => {
+test('the card shows the verdict and the governing check, and leads to its calculation', async () => {
   const card = page.locator('.right .verdict');
   await expect.poll(() => card.locator('h2').innerText()).toMatch(/^(Passes|Fails)/);
   const used = await card.locator('.used').innerText();
@@ -56,11 +56,11 @@ test('the card says the verdict and what governs, and leads to its calculation',
   await card.locator('text=calculation sheet').click();
   const sheet = page.locator('.checks button.fold[aria-expanded=true]', { hasText: governing });
   await sheet.waitFor();
-  // its last line is the utilisation that the card says
+  // its last line is the utilisation on the card
   await expect.poll(() => page.locator('.checks tr:has(button.fold[aria-expanded=true]) + tr').first().innerText()).toMatch(new RegExp(`utilisation[\\s\\S]*${used.replace('.', '\\.')}`));
 });
 
-test('tables of results are sorted, lead to what they name, and are saved', async () => {
+test('tables of results are sorted, lead to their objects, and are saved', async () => {
   await showTab(page, 'tables');
   const tables = page.locator('section[aria-label="Tables of results"]');
   await tables.locator('summary', { hasText: 'Roller boxes' }).click();
@@ -92,7 +92,7 @@ test('dragging the tension gives another S', async () => {
   await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(400, 0);
 });
 
-test('a case without solution says why and keeps the last good one', async () => {
+test('a case without solution shows the reason and keeps the last solution', async () => {
   await tryValue(page, 'tension', 250);
   await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(250, 0);
   await page.fill('[aria-label="tension, typed"]', '1 kN');
@@ -100,8 +100,8 @@ test('a case without solution says why and keeps the last good one', async () =>
   await page.waitForSelector('.verdict.unsolved', { timeout: 60_000 });
   await bench.shot(page, 'no-solution');
   expect((await page.locator('.verdict.unsolved').innerText()).length).toBeGreaterThan(40);
-  await expect.poll(() => page.locator('.results.old .keyresults .kv').count()).toBeGreaterThan(5); // of the last solution, and marked so
-  await page.click('.verdict >> text=Back to the model');
+  await expect.poll(() => page.locator('.results.old .keyresults .kv').count()).toBeGreaterThan(5); // from the last solution, and marked as outdated
+  await page.click('.verdict >> text=Reset to the model');
   await page.waitForSelector('.verdict.unsolved', { state: 'detached' });
   await solved(page);
 });
@@ -115,7 +115,7 @@ test('stinger radius and box height move rollers, and are written into the model
   await tryValue(page, 'stinger radius', 170);
   await expect.poll(typed).toBe('170 m');
   await solved(page);
-  await expect.poll(async () => Math.abs(await fitted() - 170)).toBeLessThan(2); // boxes off the circle before are off it after
+  await expect.poll(async () => Math.abs(await fitted() - 170)).toBeLessThan(2); // boxes off the circle before are off it afterwards
   const height = await pin(page, 'stinger 3 z');
   await tryValue(page, 'stinger 3 z', height + 0.1);
   await solved(page);
@@ -137,10 +137,10 @@ test('pictures of all views', async () => {
   }
 });
 
-test('a roller is picked and says what it carries', async () => {
+test('a selected roller shows its reaction', async () => {
   await page.click('.viewbuttons >> text=stinger');
   await rested(page);
-  // where the first stinger roller that carries is drawn
+  // position of the first stinger roller in contact
   const spot = await page.evaluate(() => {
     interface Point { clone(): Point; project(c: unknown): { x: number; y: number } }
     const view = (window as unknown as { __view: { camera: unknown; stage: { rollers: { list: { support: { structure: string }; reaction: number; center: Point }[] } } } }).__view;
@@ -164,7 +164,7 @@ test('a diagram goes out as PNG', async () => {
   expect(bytes.length).toBeGreaterThan(10_000);
 });
 
-test('the left column is made wider by mouse and by keys, and put back', async () => {
+test('the left column is resized by mouse and by keys, and reset', async () => {
   const width = async (): Promise<number> => (await page.locator('.left').boundingBox())!.width;
   const before = await width();
   await page.mouse.move(before, 300);
@@ -178,14 +178,14 @@ test('the left column is made wider by mouse and by keys, and put back', async (
   await expect.poll(() => width()).toBeCloseTo(before, 0);
 });
 
-test('an error is shown at its line in YAML and at its field, and mended', async () => {
+test('an error is shown at its line in YAML and at its field, and can be corrected', async () => {
   await showTab(page, 'yaml');
   await page.waitForSelector('.cm-content');
   await line(23);
   await page.keyboard.press('End');
   await page.keyboard.type('m');
-  await page.waitForSelector('.faults .error');
-  await expect.poll(() => page.locator('.faults .error').first().innerText()).toContain('line 23');
+  await page.waitForSelector('.diagnosticlist .error');
+  await expect.poll(() => page.locator('.diagnosticlist .error').first().innerText()).toContain('line 23');
   await page.waitForSelector('.cm-lint-marker-error');
   await bench.shot(page, 'yaml-error');
   await page.waitForSelector('[role=treeitem][data-object=pipe] .mark.bad');
@@ -234,4 +234,4 @@ test('dark, and on a large screen', async () => {
   await large.close();
 });
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409|422/.test(c))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !/409|422/.test(c))).toEqual([]));

@@ -1,4 +1,4 @@
-// What is read: names and limits in the diagrams, findings in brief, and the page on small screens.
+// Readability: names and limits in the diagrams, short findings, and the page on small screens.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { difference, goTo, installed, openField, picture, rested, solved, start, workspaces, type Bench } from './harness';
@@ -7,7 +7,7 @@ let bench: Bench;
 beforeAll(async () => { bench = await start('bgl1.yaml'); });
 afterAll(async () => { await bench?.stop(); });
 
-/** Notes every word that is written into a canvas. */
+/** Records every text drawn on a canvas. */
 async function listen(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const said = new Set<string>();
@@ -23,20 +23,20 @@ test('diagrams name their axes, their boxes and what is allowed', async () => {
   await solved(page);
   await page.selectOption('[aria-label="Diagram 1"]', 'von_mises');
   await page.selectOption('[aria-label="Diagram 2"]', 'reactions');
-  await page.click('.docktabs button.fill'); // with room for whole names
+  await page.click('.docktabs button.fill'); // with room for complete names
   for (const word of ['arc length from the tensioner [m]', 'von Mises stress [MPa]', 'reaction [kN]', 'yield', 'stinger 1']) await expect.poll(() => said(page)).toContain(word);
   await page.selectOption('[aria-label="Diagram 1"]', 'elevation');
   for (const word of ['horizontal distance from the tensioner [m]', 'height above water [m]', 'water', 'seabed']) await expect.poll(() => said(page)).toContain(word);
   await page.selectOption('[aria-label="Diagram 1"]', 'strain');
   await expect.poll(async () => (await said(page)).some((w) => /^allowable, DNV/.test(w))).toBe(true);
-  // pointed at, a bar says which box it is
+  // under the pointer, a bar shows the name of its box
   const bars = (await page.locator('.slot').nth(1).locator('.u-over').boundingBox())!;
   await page.mouse.move(bars.x + bars.width / 2, bars.y + bars.height / 2);
   await expect.poll(() => page.locator('.slot').nth(1).locator('.read').innerText()).toMatch(/^(ramp|stinger) \d, /);
   await page.context().close();
 });
 
-/** Notes of every name of an axis by how many pixels it stands over the sides of its diagram. */
+/** Records for every name on an axis by how many pixels it extends beyond its diagram. */
 async function measureNames(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const over: Record<string, number> = {};
@@ -49,7 +49,7 @@ async function measureNames(page: Page): Promise<void> {
   });
 }
 
-/** How many parts of fields stand over the right edge of the properties, of whatever object. */
+/** Number of field parts that extend beyond the right edge of the properties, for any object. */
 async function overhanging(page: Page): Promise<string[]> {
   const out: string[] = [];
   for (const item of await page.locator('[role=treeitem]').all()) {
@@ -64,8 +64,8 @@ async function overhanging(page: Page): Promise<string[]> {
 
 for (const [fonts, name] of [['dejavu', 'from the tensioner [m]'], ['liberation', 'arc length from the tensioner [m]']] as const) {
   test.skipIf(!installed(fonts))(`at 1100 px fields stay in their column and names of axes in their diagram, in ${fonts}`, async () => {
-    const own = await start('bgl1.yaml', {}, fonts);
-    const page = await own.open({ width: 1600, height: 900 }, async (p) => {
+    const separate = await start('bgl1.yaml', {}, fonts);
+    const page = await separate.open({ width: 1600, height: 900 }, async (p) => {
       await measureNames(p);
       await p.addInitScript(() => {
         localStorage.setItem('overbend.diagrams', JSON.stringify(['bending_stress', 'elevation']));
@@ -77,7 +77,7 @@ for (const [fonts, name] of [['dejavu', 'from the tensioner [m]'], ['liberation'
     await page.evaluate(() => { const { __over: over } = window as unknown as { __over: Record<string, number> }; for (const text of Object.keys(over)) delete over[text]; });
     await page.setViewportSize({ width: 1100, height: 800 });
     const over = (): Promise<Record<string, number>> => page.evaluate(() => (window as unknown as { __over: Record<string, number> }).__over);
-    await expect.poll(async () => Object.keys(await over())).toContain(name); // whole where there is room, else its end
+    await expect.poll(async () => Object.keys(await over())).toContain(name); // complete if there is room, otherwise its end
     expect((await over())[name]).toBeLessThan(0);
     await page.locator('.handle[data-side=left]').press('Home');
     await expect.poll(() => overhanging(page)).toEqual([]);
@@ -85,15 +85,15 @@ for (const [fonts, name] of [['dejavu', 'from the tensioner [m]'], ['liberation'
     expect((await page.locator('main > .left').boundingBox())!.width).toBeCloseTo(200, -1);
     await expect.poll(() => overhanging(page)).toEqual([]);
     await page.context().close();
-    expect(own.complaints).toEqual([]);
-    await own.stop();
+    expect(separate.complaints).toEqual([]);
+    await separate.stop();
   });
 }
 
 test('findings are short, named, without paths of this machine, and folded after four', async () => {
   const page = await bench.open({ width: 1280, height: 720 }, async (p) => {
     await p.context().route('**/api/static', async (route) => {
-      const answer = await route.fetch().catch(() => null); // the page may be gone by then
+      const answer = await route.fetch().catch(() => null); // the page may already be closed
       if (!answer) return;
       const json = await answer.json() as { findings?: object[] };
       json.findings?.push(...['/home/me/models/rao.csv: 3 headings only', 'a second', 'a third', 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it'].map((message) => ({ code: 'unknown', severity: 'caution', message })));
@@ -112,10 +112,10 @@ test('findings are short, named, without paths of this machine, and folded after
   await page.context().close();
 });
 
-/** What hangs over the edges of the window. */
+/** Elements that extend beyond the window. */
 const overEdge = (page: Page): Promise<string[]> => page.evaluate(() => [...document.querySelectorAll('header.top *, main *')].filter((el) => {
   const r = el.getBoundingClientRect();
-  // what scrolls within its own box may be wider
+  // elements that scroll within their own box may be wider
   const scrolled = el.closest('.labels3d, .u-wrap, .cm-editor, .fold .brief, .pins, .viewbuttons, .underpicture, .dockpanel, .docktabs, .workspaces, .strip');
   return r.width > 0 && getComputedStyle(el).visibility === 'visible' && !scrolled && (r.right > innerWidth + 1 || r.left < -1);
 }).map((el) => `${el.tagName} ${el.className} in ${el.parentElement!.className}`));
@@ -128,7 +128,7 @@ for (const [width, height] of [[390, 844], [1024, 700]] as const) {
     for (const [name, pane] of Object.entries(drawers)) {
       await expect.poll(() => page.locator(`main > ${pane}`).isVisible()).toBe(false);
       await page.click(`.drawerbutton >> text=${name}`);
-      for (const other of Object.values(drawers)) await expect.poll(() => page.locator(`main > ${other}`).isVisible()).toBe(other === pane);
+      for (const drawer of Object.values(drawers)) await expect.poll(() => page.locator(`main > ${drawer}`).isVisible()).toBe(drawer === pane);
       await expect.poll(() => overEdge(page)).toEqual([]);
       await bench.shot(page, `small-${width}-${name.toLowerCase()}`);
       await page.keyboard.press('Escape');
@@ -149,4 +149,4 @@ for (const [width, height] of [[390, 844], [1024, 700]] as const) {
   });
 }
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

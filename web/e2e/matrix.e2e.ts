@@ -1,4 +1,4 @@
-// Studies of many cases from the page: over one key and over two, one key at a time, the largest value that passes, the file.
+// Studies of many cases on the page: over one and two keys, one key at a time, operability limits, the study file.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
@@ -20,15 +20,15 @@ const key = async (index: number, parts: { name?: string; from?: string; to?: st
   for (const part of ['from', 'to', 'count'] as const) if (parts[part] !== undefined) await page.fill(`[aria-label="Key ${index}, ${part}"]`, parts[part]);
   if (parts.list !== undefined) await page.fill(`[aria-label="Values of key ${index}"]`, parts.list);
 };
-const solve = async (words: RegExp): Promise<void> => {
-  await expect.poll(() => page.locator('.studystrip .main').innerText()).toMatch(words);
+const solve = async (button: RegExp): Promise<void> => {
+  await expect.poll(() => page.locator('.studystrip .main').innerText()).toMatch(button);
   await page.click('.studystrip .main');
 };
 
-test('what cannot be asked for is said before', async () => {
+test('an invalid request is reported before it is sent', async () => {
   await key(1, { from: 'much' });
   await expect.poll(() => page.locator('.studystrip .main').isDisabled()).toBe(true);
-  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/from and to/);
+  await expect.poll(() => page.locator('.studystrip .failuretext').innerText()).toMatch(/enter from, to/);
 });
 
 test('a study over one key is run and drawn as a curve', async () => {
@@ -41,10 +41,10 @@ test('a study over one key is run and drawn as a curve', async () => {
   await expect.poll(async () => (await (await bench.api(`runs/${run!.id}/table.csv`)).text()).trim().split('\n').length).toBe(6);
 });
 
-test('a case that is chosen in the chart is shown and taken into the model', async () => {
+test('a case selected in the chart is shown and applied to the model', async () => {
   await page.locator('.studyshown .matrix .point').nth(4).click();
   await expect.poll(() => page.locator('.chosencase').innerText()).toMatch(/tension\s+350 kN/);
-  await page.click('text=Take into the model');
+  await page.click('.chosencase >> text=Apply to model');
   await expect.poll(async () => (await bench.api('model')).text()).toMatch(/350 kN/);
 });
 
@@ -57,7 +57,7 @@ test('two keys make a table, and a case without a solution says so', async () =>
   await expect.poll(() => page.locator('.casegrid td:not(.open)').count(), { timeout: 60_000 }).toBe(6);
   await expect.poll(() => page.locator('.casegrid td.failed').count()).toBe(3);
   await page.locator('.casegrid td.failed button').first().click();
-  await expect.poll(() => page.locator('.chosencase .fault').innerText()).toMatch(/tension/i);
+  await expect.poll(() => page.locator('.chosencase .failuretext').innerText()).toMatch(/tension/i);
   await page.click('#docktab-governing');
   await expect.poll(() => page.locator('.dockpanel').innerText()).toMatch(/no solution/);
   await page.click('#docktab-cases');
@@ -65,7 +65,7 @@ test('two keys make a table, and a case without a solution says so', async () =>
   await bench.shot(page, 'study-grid');
 });
 
-test('one key at a time gives the swing of each', async () => {
+test('one key at a time gives the range of each', async () => {
   await page.selectOption('#st-kind', 'each');
   await key(1, { list: '300, 400' });
   await solve(/^Solve 6 cases/);
@@ -73,7 +73,7 @@ test('one key at a time gives the swing of each', async () => {
   await expect.poll(() => page.locator('.studyshown svg').innerHTML()).toMatch(/tensioner\.tension: /);
 });
 
-test('the largest value that passes is found for every other', async () => {
+test('the limiting value is found for every other key', async () => {
   await page.selectOption('#st-kind', 'operability');
   await key(1, { list: '200 kN..900 kN/8' });
   await expect.poll(() => page.locator('#st-over').inputValue()).toBe('tensioner.tension');
@@ -84,7 +84,7 @@ test('the largest value that passes is found for every other', async () => {
   await bench.shot(page, 'study-limits');
 });
 
-test('the study file is shown, and what is edited in it is solved', async () => {
+test('the study file is shown, and solved as edited', async () => {
   await page.selectOption('#st-kind', 'study');
   await page.click('#docktab-file');
   const file = page.locator('[aria-label="Study file"]');
@@ -95,12 +95,12 @@ test('the study file is shown, and what is edited in it is solved', async () => 
   await expect.poll(() => page.locator('.studyshown tbody tr').count()).toBe(4);
   await file.fill('overbend_study: 1\nbase: m.yaml\naxes:\n  - {key: tensioner.tenson, values: [1 kN]}\n');
   await page.click('.studystrip .main');
-  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/tensioner\.tenson/);
+  await expect.poll(() => page.locator('.studystrip .failuretext').innerText()).toMatch(/tensioner\.tenson/);
   await page.click('text=Back to the fields above');
-  await expect.poll(() => page.locator('.studystrip .fault').count()).toBe(0);
+  await expect.poll(() => page.locator('.studystrip .failuretext').count()).toBe(0);
 });
 
-test('a study is cancelled and goes on again', async () => {
+test('a study is cancelled and resumed', async () => {
   await key(1, { list: '200 kN..400 kN/2000' });
   await solve(/^Solve 6000 cases/);
   await page.locator('.studyprogress >> text=Cancel').click({ timeout: 60_000 });

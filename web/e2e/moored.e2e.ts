@@ -1,4 +1,4 @@
-// Moorings: plan, table, stages, a spread from the dialogue; models without a pipe.
+// Moorings: plan, table, stages, a mooring spread from the dialog; models without a pipe.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -37,7 +37,7 @@ test('a moored barge without a pipe shows its lines, with the values of summary.
   await bench.shot(page, 'moored-3d');
 });
 
-test('the table is sorted by a click, and a line that is chosen is told', async () => {
+test('the table is sorted by a click, and a selected line shows its values', async () => {
   await page.click('.dock table.moorings thead button:has-text("fairlead")');
   const tensions = (await rows()).map((r) => Number(r[1]));
   expect(tensions).toEqual([...tensions].sort((a, b) => b - a));
@@ -61,11 +61,11 @@ test('the plan names eight lines with their tensions, at three sizes', async () 
   await page.setViewportSize({ width: 1440, height: 820 });
 });
 
-test('the barge moves on its lines in time, and is animated', async () => {
+test('the barge moves on its lines in a dynamic run, and is animated', async () => {
   const id = await runStorm(bench, page, 40);
   await page.waitForSelector('.animation');
   await showTab(page, 'moorings');
-  await page.waitForSelector('table[aria-label="Moorings over time"] tbody tr');  // comes with the summary, picture or not
+  await page.waitForSelector('table[aria-label="Moorings over time"] tbody tr');  // comes with the summary, with or without a picture
   const { dynamic } = await (await bench.api(`runs/${id}/summary`)).json() as { dynamic: { vessel: { pitch: { max: number } }; moorings: { name: string; fairlead_tension: { max: number } }[] } };
   const over = await page.locator('table[aria-label="Moorings over time"] tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
   expect(over.length).toBe(14);
@@ -104,18 +104,18 @@ test('a stage of the operation is followed by plan and table', async () => {
   await bench.shot(page, 'stage-3d');
 });
 
-test('a spread from the dialogue is written into a lay, solves, and is undone', async () => {
+test('a mooring spread from the dialog is added to a lay, solves, and is undone', async () => {
   await put(readFileSync(join(bench.folder, 'bgl1.yaml'), 'utf8'), 'bgl1.yaml');
   await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts()).toContain('touchdown');
   await solved(page);
   await page.click('text=add to the model');
   await page.click('[role=menuitem] >> text=Moorings');
   await page.fill('#m-angles', '25');
-  await expect.poll(() => page.locator('dialog .fault').innerText()).toMatch(/4 angles/);
+  await expect.poll(() => page.locator('dialog .failuretext').innerText()).toMatch(/4 angles/);
   await page.selectOption('#m-count', '6');
   await page.fill('#m-tension', '250 kN');
   await bench.shot(page, 'spread');
-  await page.click('dialog >> text=Write into the model');
+  await page.click('dialog >> text=Apply');
   await expect.poll(() => page.locator('.planview .planline').count(), { timeout: 20_000 }).toBe(6);
   await solved(page);
   await expect.poll(() => page.locator('header .status').innerText()).toMatch(/solved/);
@@ -126,7 +126,7 @@ test('a spread from the dialogue is written into a lay, solves, and is undone', 
   await expect.poll(text).not.toContain('moorings');
 });
 
-test('a barge that thrusters alone hold is seen, without lines that it does not have', async () => {
+test('a barge held by thrusters only is shown without lines', async () => {
   const moored = readFileSync(join(bench.folder, 'moored-barge.yaml'), 'utf8');
   const dp = 'station_keeping: {dp: {surge: {stiffness: 100 kN/m}, sway: {stiffness: 100 kN/m}, yaw: {stiffness: 2e5 kN*m}}}\n\n';
   await put(moored.replace(/^moorings:[\s\S]*?(?=^analysis:)/m, dp), 'moored-barge.yaml');
@@ -152,7 +152,7 @@ test('a barge that thrusters alone hold is seen, without lines that it does not 
   await goTo(page, 'lay');
 });
 
-test('a line by itself is drawn, and its diagrams are those of the line', async () => {
+test('a model of a single line is drawn, with the diagrams of the line', async () => {
   await put(readFileSync(join(bench.folder, 'jumper.yaml'), 'utf8'), 'jumper.yaml');
   await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['lines', 'side', 'plan']);
   await solved(page);
@@ -164,4 +164,4 @@ test('a line by itself is drawn, and its diagrams are those of the line', async 
   await bench.shot(page, 'jumper');
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -1,4 +1,4 @@
-// Numbers that are dragged, stepped, pinned and sought, and the search, with BGL-1.
+// Numbers that are dragged, stepped, pinned and found by goal seek, and the search, with BGL-1.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Locator, Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
@@ -14,10 +14,10 @@ const pin = (name: string): Locator => page.locator('.pin', { hasText: name });
 const modelText = async (): Promise<string> => (await (await bench.api('model')).json() as { text: string }).text;
 const result = async (name: string): Promise<number> => Number.parseFloat(await page.locator('.keyresults tr', { hasText: name }).first().locator('td').first().innerText());
 
-async function find(words: string): Promise<void> {
+async function find(query: string): Promise<void> {
   await page.keyboard.press('Control+k');
   await page.waitForFunction(() => document.activeElement?.id === 'find');
-  await page.keyboard.type(words);
+  await page.keyboard.type(query);
   await page.waitForSelector('.found-entries [aria-selected=true]');
   await page.keyboard.press('Enter');
 }
@@ -37,7 +37,7 @@ test('the search leads to a key, and arrow keys vary it with live statics', asyn
   await expect.poll(() => modelText()).toContain('tension: 250 kN');
 });
 
-test('what was varied with keys is written with Enter, as one step', async () => {
+test('a value varied with keys is written with Enter, as one step', async () => {
   await tension().focus();
   for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
@@ -90,7 +90,7 @@ test('a key is pinned from the menu of its field, and unpinned', async () => {
   await pin('wall thickness').waitFor({ state: 'detached' });
 });
 
-test('sliders try values out: they are written only when that is wanted', async () => {
+test('sliders set trial values, which are written on request', async () => {
   await expect.poll(() => page.locator('.pinned .apply').count()).toBe(0);
   await page.fill('[aria-label="tension, typed"]', '300');
   await page.keyboard.press('Enter');
@@ -129,7 +129,7 @@ test('commands are found as well, and Esc closes the search', async () => {
   await find('light');
 });
 
-test('on a narrow screen the search opens the column that it is in', async () => {
+test('on a narrow screen the search opens its column', async () => {
   await page.setViewportSize({ width: 1024, height: 768 });
   await page.keyboard.press('Control+k');
   await focused('find');
@@ -138,4 +138,4 @@ test('on a narrow screen the search opens the column that it is in', async () =>
   await page.setViewportSize({ width: 1440, height: 900 });
 });
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/model\/disk|409|422/.test(c))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !/model\/disk|409|422/.test(c))).toEqual([]));

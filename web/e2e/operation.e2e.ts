@@ -1,4 +1,4 @@
-// An operation on the line: begun in its workspace, designed, solved, gone through stage by stage, at three sizes.
+// An operation on the line: created in its workspace, designed, solved, viewed stage by stage, at three screen sizes.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { difference, picture, rested, solved, start, type Bench } from './harness';
@@ -26,7 +26,7 @@ test('a first operation is written into the model and its stages are solved', as
   expect(shown.every((r) => Number(r[2]) > 0)).toBe(true);
 });
 
-test('a stage that is clicked is the one that picture and results show', async () => {
+test('a clicked stage is shown in picture and results', async () => {
   await page.locator('table.stages tbody tr').nth(2).locator('.linkname').click();
   await expect.poll(() => page.locator('.whoseresults h3').innerText()).toMatch(/Stage 3/);
   await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/stage 3 of 5/);
@@ -44,7 +44,7 @@ test('the slider goes through the stages, and back to the lay', async () => {
   await expect.poll(() => page.locator('.whoseresults').count()).toBe(0);
 });
 
-test('a stage that cannot be says why in its row', async () => {
+test('a stage without solution shows the reason in its row', async () => {
   await put((await text()).replace(/operation:[\s\S]*$/, 'operation:\n  type: move\n  stages:\n    - {ahead: 0 m}\n    - {ahead: 6 m, tension: 1 kN}\n'));
   await expect.poll(() => page.locator('.opstrip .note').innerText()).toMatch(/model has changed/);
   await page.click('.opstrip >> text=Solve 2 stages');
@@ -63,12 +63,12 @@ test('a stage of a list is changed in its row', async () => {
   await expect.poll(text).toMatch(/ahead: 6 m, tension: 240 kN/);
   await expect.poll(() => page.locator('.opstrip .note').innerText()).toMatch(/model has changed/);
   await page.click('.opstrip >> text=Solve 2 stages');
-  // the value of the solved stage stands behind that of the model
+  // the value of the solved stage follows that of the model
   await expect.poll(async () => Number(await tension.getAttribute('placeholder')), { timeout: 60_000 }).toBe(240);
   await expect.poll(() => page.locator('table.stages tr.gone').count()).toBe(0);
 });
 
-test('the settings of a designed abandonment stand in words above the picture, with their keys behind', async () => {
+test('the settings of a designed abandonment are summarised above the picture, with their keys in popovers', async () => {
   await put((await text()).replace(/operation:[\s\S]*$/, ''));
   await page.click('.offers >> text=Abandonment');
   await page.click('text=Design the procedure');
@@ -104,7 +104,7 @@ test('an abandonment shows head and cable apart from the pipe, at three sizes', 
   const depth = heads.findIndex((h) => h.startsWith('head z'));
   const standing = (await rows()).filter((r) => r.length === heads.length).map((r) => Number(r[depth]));
   expect(standing.length).toBeGreaterThan(5);
-  expect(standing).toEqual([...standing].sort((a, b) => b - a)); // the head goes down
+  expect(standing).toEqual([...standing].sort((a, b) => b - a)); // the head is lowered
   await expect.poll(() => page.locator('.holds li').count()).toBeGreaterThan(2);
   await rested(page);
   const first = await picture(page, '.canvas');
@@ -123,4 +123,4 @@ test('an abandonment shows head and cable apart from the pipe, at three sizes', 
   }
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

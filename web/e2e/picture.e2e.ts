@@ -1,4 +1,4 @@
-// The picture: views, drawings, dragged boxes, one selection, ruler, image, and play-back of a run.
+// The picture: views, drawings, dragged boxes, shared selection, ruler, image, and playback of a run.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -14,7 +14,7 @@ beforeAll(async () => {
 });
 afterAll(async () => { await bench?.stop(); });
 
-/** The dock away: the picture has its room. */
+/** Hides the dock, so that the picture has its full size. */
 async function pictureOnly(p: Page): Promise<void> { await p.addInitScript(() => { localStorage.setItem('overbend.middle', '"picture"'); }); }
 
 const view = (name: string): Promise<void> => page.locator('.viewbuttons button', { hasText: new RegExp(`^${name}$`) }).click();
@@ -40,7 +40,7 @@ test('the legend ends at the yield stress, and names that are drawn do not cover
   await bench.shot(page, 'picture-overbend');
 });
 
-test('the side view draws pipe, hull and boxes and says its scale', async () => {
+test('the side view draws pipe, hull and boxes and shows its scale', async () => {
   await view('side');
   await page.waitForSelector('.sideview');
   await expect.poll(() => page.locator('.boxhandle').count()).toBe(13);
@@ -150,7 +150,7 @@ for (const [name, width, height] of [['flat', 1440, 560], ['narrow', 1024, 768]]
   });
 }
 
-test('events of a run are gone to one after another, and the largest of any history', async () => {
+test('playback goes to the events of a run in turn, and to the maximum of any history', async () => {
   await goTo(page, 'storm');
   await page.locator('.stormacts button.main').click();
   await page.waitForSelector('.animation', { timeout: 150_000 });
@@ -160,7 +160,7 @@ test('events of a run are gone to one after another, and the largest of any hist
   const first = await clock();
   await page.getByRole('button', { name: /^next event/ }).click();
   await expect.poll(clock).toBeGreaterThan(first);
-  await page.selectOption('[aria-label="Go to the largest of"]', { label: 'Top tension' });
+  await page.selectOption('[aria-label="Go to extreme of"]', { label: 'Top tension' });
   await expect.poll(() => page.locator('.caption .reached').innerText()).toMatch(/largest: Top tension, [\d.]+ kN/);
   await expect.poll(() => page.locator('.caption').innerText()).toMatch(/t = [\d.]+ s · roll -?[\d.]+° · heave -?[\d.]+ m · tension [\d.]+ kN/);
   await view('side');
@@ -175,7 +175,7 @@ test('in the dark, at 1024 px, the picture is readable', async () => {
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.evaluate(() => { document.documentElement.dataset.theme = 'dark'; });
   await page.setViewportSize({ width: 1024, height: 768 });
-  // a drawing is of few inks on dark paper
+  // a drawing has few colours on a dark background
   for (const [name, least] of [['whole', 5], ['side', 4], ['section', 4], ['plan', 4]] as const) {
     await view(name);
     await page.waitForTimeout(600);
@@ -202,4 +202,4 @@ test('models of other kinds have the drawings that they need', async () => {
   }
 });
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !c.includes('api/model/disk'))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !c.includes('api/model/disk'))).toEqual([]));

@@ -1,4 +1,4 @@
-// The report in its workspace: made, shown as it will be, printed in parts, marked when the model has changed.
+// The report in its workspace: created, previewed, partly printed, marked as outdated when the model has changed.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { goTo, solved, start, type Bench } from './harness';
@@ -21,7 +21,7 @@ afterAll(async () => { await bench?.stop(); });
 const printed = (): Promise<Printed['printed']> => page.evaluate(() => (window as unknown as Printed).printed);
 const frame = () => page.frameLocator('iframe.reportpage');
 
-test('the report itself stands in the middle', async () => {
+test('the report is shown in the middle', async () => {
   await goTo(page, 'report');
   await page.getByRole('button', { name: 'Make the report' }).click();
   await frame().locator('h1').waitFor({ timeout: 60_000 });
@@ -29,18 +29,18 @@ test('the report itself stands in the middle', async () => {
   await bench.shot(page, 'report');
 });
 
-test('document control is written into the model, and the report says so when it is made again', async () => {
+test('document control is written into the model, and shown in the updated report', async () => {
   await page.fill('#rp-document', 'OB-001');
   await page.fill('#rp-revision', 'B');
   await page.keyboard.press('Enter');
-  await page.locator('text=Of the model as it was before the last change').waitFor();
+  await page.locator('text=The model has changed since this report was made').waitFor();
   expect(await (await bench.api('model')).text()).toMatch(/document: OB-001/);
-  await page.click('text=Make it again');
+  await page.click('text=Update the report');
   await frame().locator('text=OB-001').first().waitFor({ timeout: 60_000 });
-  await expect.poll(() => page.locator('text=Of the model as it was before').count()).toBe(0);
+  await expect.poll(() => page.locator('text=The model has changed since this report was made').count()).toBe(0);
 });
 
-test('parts are left out of what is shown and printed, on the paper that is chosen', async () => {
+test('parts are omitted from display and print, on the selected paper', async () => {
   await page.click('.parts summary');
   await page.locator('.parts label', { hasText: 'Assumptions' }).click();
   await page.keyboard.press('Escape');
@@ -64,7 +64,7 @@ test('a run of the folder is reported as well', async () => {
   const run = await page.locator('#rp-subject optgroup option').first().getAttribute('value');
   await page.selectOption('#rp-subject', run!);
   await frame().locator('h1').waitFor();
-  await expect.poll(() => page.locator('.reportfiles >> text=Make again').count()).toBe(0);
+  await expect.poll(() => page.locator('.reportfiles >> text=Update').count()).toBe(0);
 });
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !c.includes('model/disk'))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !c.includes('model/disk'))).toEqual([]));

@@ -1,4 +1,4 @@
-// Runs of one model: told apart by their names, their reports printed.
+// Runs of one model: distinguished by name, with printed reports.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { goTo, openField, runToEnd, solved, start, type Bench } from './harness';
@@ -39,4 +39,4 @@ test('the report is printed with its figures drawn', async () => {
   expect(printed.charts).toBeGreaterThan(3);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -1,4 +1,4 @@
-// The list of runs: filter, names and notes, two of them compared, their models, cancel, delete, and what the program refuses.
+// The list of runs: filter, names and notes, comparison of two runs, their models, cancel, delete, rejected requests.
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
@@ -10,7 +10,7 @@ let page: Page;
 interface Run { id: string; state: string; name: string; note: string; utilisation?: number }
 const list = async (): Promise<Run[]> => (await bench.api('runs')).json() as Promise<Run[]>;
 const order = async (body: object): Promise<string> => ((await (await bench.api('runs', { method: 'POST', body: JSON.stringify(body) })).json()) as { id: string }).id;
-/** Not a poll of vitest, which `beforeAll` cannot have. */
+/** A poll of vitest cannot be used in `beforeAll`. */
 async function ended(id: string): Promise<void> {
   for (;;) {
     if (/done|failed|cancelled/.test((await list()).find((r) => r.id === id)?.state ?? '')) return;
@@ -24,7 +24,7 @@ async function set(path: string, value: string): Promise<void> {
   expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path, value }], revision }) })).status).toBe(200);
 }
 
-let first = '', second = '', still = '';
+let first = '', second = '', third = '';
 beforeAll(async () => {
   bench = await start('bgl1-workable-sea.yaml', { 'seed: 1': 'seed: 3' });
   page = await bench.open({ width: 1440, height: 900 });
@@ -33,8 +33,8 @@ beforeAll(async () => {
   await ended(first);
   await set('tensioner.tension', '255 kN');
   second = await order({ kind: 'dynamic', duration: 8 });
-  still = await order({ kind: 'static' });
-  await ended(still);
+  third = await order({ kind: 'static' });
+  await ended(third);
 }, 300_000);
 afterAll(async () => { await bench?.stop(); });
 
@@ -70,7 +70,7 @@ test('a run is given a name and a note', async () => {
   expect((await list()).find((r) => r.id === first)?.name).toBe('Workable limit');
 });
 
-test('a note that is written while the name is still on its way is kept, and so is the name', async () => {
+test('a note written while the name is pending is kept, and so is the name', async () => {
   let held = true;
   await page.route('**/annotate', async (r) => {
     if (held) { held = false; await new Promise((w) => setTimeout(w, 1000)); }
@@ -81,7 +81,7 @@ test('a note that is written while the name is still on its way is kept, and so 
   await page.fill('[aria-label="Note on the run"]', 'as agreed');
   await page.locator('.runnotes h3').click();
   await expect.poll(async () => { const run = (await list()).find((r) => r.id === first); return `${run?.name}, ${run?.note}`; }).toBe('Hs 2.5 m, as agreed');
-  await page.waitForTimeout(1000);  // for words that would come after
+  await page.waitForTimeout(1000);  // for a text that would come later
   expect((await list()).find((r) => r.id === first)?.name).toBe('Hs 2.5 m');
   await page.unroute('**/annotate');
 });
@@ -104,43 +104,43 @@ test('two runs stand side by side: keys of their models, results, diagrams', asy
   await bench.shot(page, 'runs-diagrams');
 });
 
-test('a run is looked at in its workspace, and its report is downloaded', async () => {
+test('a run is opened in its workspace, and its report is downloaded', async () => {
   await row(first).locator('td.name').click();
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('.runacts >> text=Report')]);
   expect(readFileSync(await file.path(), 'utf8').length).toBeGreaterThan(50_000);
-  await page.click('.runacts >> text=Look at it in Storm');
+  await page.click('.runacts >> text=Open in Storm');
   await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/storm/);
   await page.click('#workspace-runs');
 });
 
 test('a long run is followed and cancelled', async () => {
-  const long = await order({ kind: 'dynamic', duration: 10800 });  // longer than the test, however fast the machine
+  const long = await order({ kind: 'dynamic', duration: 10800 });  // longer than the test, on any machine
   await row(long).locator('[role=progressbar]').waitFor({ timeout: 60_000 });
   await row(long).locator('td.name').click();
   await page.click('.runacts >> text=Cancel');
   await expect.poll(() => row(long).innerText(), { timeout: 30_000 }).toMatch(/cancelled/);
 });
 
-test('several runs are deleted at once, when that is said twice', async () => {
+test('several runs are deleted at once, after confirmation', async () => {
   const all = await list();
-  for (const run of all) if (run.id !== first && run.id !== still) await row(run.id).locator('input[type=checkbox]').check();
+  for (const run of all) if (run.id !== first && run.id !== third) await row(run.id).locator('input[type=checkbox]').check();
   await row(first).locator('input[type=checkbox]').uncheck();
   await page.click('.runacts >> text=Delete…');
   await expect.poll(() => page.locator('.sure').innerText()).toMatch(/Delete 2 runs/);
   await page.click('.sure >> text=Keep');
   expect((await list()).length).toBe(4);
-  // what is still read of a run that is shown is waited for
+  // pending reads of the run are awaited
   await page.route(`**/api/runs/${second}/series*`, async (slow) => { await new Promise((next) => { setTimeout(next, 1500); }); await slow.continue(); });
-  await row(still).locator('td.name').click();
+  await row(third).locator('td.name').click();
   await Promise.all([page.waitForRequest(`**/api/runs/${second}/series*`), row(second).locator('td.name').click()]);
-  for (const run of all) if (run.id !== first && run.id !== still && run.id !== second) await row(run.id).locator('input[type=checkbox]').check();
+  for (const run of all) if (run.id !== first && run.id !== third && run.id !== second) await row(run.id).locator('input[type=checkbox]').check();
   await page.click('.runacts >> text=Delete…');
   await page.click('.sure .danger');
   await expect.poll(async () => (await list()).length, { timeout: 10_000 }).toBe(2);
   await expect.poll(() => page.locator('table.runlist tbody tr').count()).toBe(2);
 });
 
-test('a run that fails says so in its row', async () => {
+test('a failed run is marked in its row', async () => {
   await set('tensioner.tension', '2 kN');
   const failed = await order({ kind: 'static' });
   await ended(failed);
@@ -158,11 +158,11 @@ test('a closed tab does not stop a run', async () => {
   expect((await list()).find((r) => r.id === id)?.state).toBe('done');
 });
 
-test('strangers are refused', async () => {
+test('requests without the access token are rejected', async () => {
   const origin = { Origin: 'http://example.org' };
   expect((await bench.api('model', { headers: origin })).status).toBe(403);
   expect((await bench.api('model', { headers: { 'X-Overbend-Token': 'wrong' } })).status).toBe(401);
   expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: 'x'.repeat(3_000_000), revision: 1 }) })).status).toBe(413);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

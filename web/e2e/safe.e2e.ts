@@ -1,4 +1,4 @@
-// Nothing is lost silently: unsaved changes, files that others changed, undo over a reload, two tabs.
+// No silent loss of data: unsaved changes, files changed by others, undo after a reload, two tabs.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -35,7 +35,7 @@ test('Open and New ask before changes are lost, and do not where there are none'
   expect(file()).toContain('water_depth: 91 m');
 });
 
-test('a file that another program changed is not overwritten: both texts are shown, and each can be chosen', async () => {
+test('a file changed by another program is not overwritten: both texts are shown, and each can be chosen', async () => {
   writeFileSync(join(bench.folder, 'bgl1.yaml'), file().replace('water_depth: 91 m', 'water_depth: 85 m'));
   await type(page, '93 m');
   await page.waitForSelector('h1 i');
@@ -50,7 +50,7 @@ test('a file that another program changed is not overwritten: both texts are sho
 
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await dialog.locator('text=Replace the file').click();
-  await dialog.waitFor({ state: 'hidden' }); // behind it nothing can be typed; a notice of an earlier save may still stand there
+  await dialog.waitFor({ state: 'hidden' }); // nothing can be typed behind it; a notice of an earlier save may still be visible
   await page.waitForSelector('.notice.good');
   expect(file()).toContain('water_depth: 93 m');
 
@@ -58,9 +58,9 @@ test('a file that another program changed is not overwritten: both texts are sho
   await type(page, '94 m');
   await page.waitForSelector('h1 i');
   await page.keyboard.press('Control+s');
-  await dialog.locator("text=Take the file's").click();
+  await dialog.locator("text=Reload from disk").click();
   await holds(page, '86 m');
-  await page.click('[aria-label=Undo]'); // what stood here before is a step back
+  await page.click('[aria-label=Undo]'); // the previous text is one undo step back
   await holds(page, '94 m');
   await page.click('[aria-label=Redo]');
   await holds(page, '86 m');
@@ -83,26 +83,26 @@ test('undo and redo survive a reload', async () => {
   await holds(page, '86 m');
 });
 
-test('two tabs agree without being asked', async () => {
-  const other = await bench.open({ width: 1280, height: 620 });
-  await solved(other);
-  await selectObject(other, 'environment');
-  await type(other, '97 m');
+test('two tabs agree without a question', async () => {
+  const second = await bench.open({ width: 1280, height: 620 });
+  await solved(second);
+  await selectObject(second, 'environment');
+  await type(second, '97 m');
   await holds(page, '97 m');
   await page.click('[aria-label=Undo]');
-  await holds(other, '86 m');
-  await other.context().close();
+  await holds(second, '86 m');
+  await second.context().close();
 });
 
-test('changes of two tabs at the same time: the user says which stays', async () => {
-  for (const [choice, stays] of [['Take the newer', '98 m'], ['Keep mine', '92 m']] as const) {
-    // the news of the other tab's change is long on its way
+test('simultaneous changes of two tabs: the user decides between them', async () => {
+  for (const [choice, stays] of [['Use the newer', '98 m'], ['Keep mine', '92 m']] as const) {
+    // the event of the other tab is delayed
     await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 800)); await route.continue().catch(() => undefined); });
     const { revision } = await model();
     expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '98 m' }], revision }) })).status).toBe(200);
     await type(page, '92 m');
-    await page.waitForSelector('dialog >> text=Take the newer');
-    await page.waitForTimeout(1000); // when the news is there the question still stands
+    await page.waitForSelector('dialog >> text=Use the newer');
+    await page.waitForTimeout(1000); // after the event the question is still open
     await page.unroute('**/api/model');
     await page.click(`dialog >> text=${choice}`);
     await holds(page, stays);
@@ -111,13 +111,13 @@ test('changes of two tabs at the same time: the user says which stays', async ()
   }
 });
 
-test('a field shows what the model has once the newer text is taken, also where that changed another key', async () => {
+test('a field shows the model once the newer text is chosen, also if that changed another key', async () => {
   const before = await page.locator(depth).inputValue();
   await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 800)); await route.continue().catch(() => undefined); });
   const { revision } = await model();
   expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.tension', value: '255 kN' }], revision }) })).status).toBe(200);
   await type(page, '101 m');
-  await page.click('dialog >> text=Take the newer');
+  await page.click('dialog >> text=Use the newer');
   await page.unroute('**/api/model');
   await selectObject(page, 'tensioner');
   await expect.poll(() => page.locator('#f-tensioner\\.tension').getAttribute('data-written')).toBe('255 kN');
@@ -126,7 +126,7 @@ test('a field shows what the model has once the newer text is taken, also where 
   expect((await model()).text).toContain(`water_depth: ${before}`);
 });
 
-test('of two values that meet a change of another tab both stay when the user keeps them', async () => {
+test('two values typed during a change of another tab are both kept if the user keeps them', async () => {
   await page.route('**/api/model/set', async (route) => { await new Promise((done) => setTimeout(done, 600)); await route.continue().catch(() => undefined); });
   const { revision } = await model();
   await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 1500)); await route.continue().catch(() => undefined); });
@@ -135,7 +135,7 @@ test('of two values that meet a change of another tab both stay when the user ke
   await (await openField(page, 'tensioner.tension')).fill('256 kN');
   await page.keyboard.press('Enter');
   await page.waitForSelector('dialog >> text=Keep mine');
-  await page.waitForTimeout(1500);  // for the second refusal
+  await page.waitForTimeout(1500);  // for the second rejection
   await page.unrouteAll();
   await page.click('dialog >> text=Keep mine');
   await expect.poll(async () => (await model()).text).toMatch(/water_depth: 94 m[\s\S]*tension: 256 kN/);
@@ -144,7 +144,7 @@ test('of two values that meet a change of another tab both stay when the user ke
   await solved(page);
 });
 
-test('what is typed while a save is on its way stays, unsaved, and goes into the next one', async () => {
+test('text typed during a save is kept as unsaved, and included in the next one', async () => {
   await type(page, '90 m');
   await page.waitForSelector('h1 i');
   await showTab(page, 'yaml');
@@ -166,7 +166,7 @@ test('what is typed while a save is on its way stays, unsaved, and goes into the
   expect(file()).toContain('# typed meanwhile');
 });
 
-test('the browser asks before the page is left with words on their way, and does not afterwards', async () => {
+test('the browser warns before the page is closed with unsent text, and not afterwards', async () => {
   const asked: string[] = [];
   const answer = (d: Dialog): void => { asked.push(d.type()); void d.dismiss(); };
   page.on('dialog', answer);
@@ -187,4 +187,4 @@ test('the browser asks before the page is left with words on their way, and does
   page.off('dialog', answer);
 });
 
-test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409/.test(c))).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints.filter((c) => !/409/.test(c))).toEqual([]));

@@ -1,4 +1,4 @@
-// Search in the YAML: by Ctrl+F from anywhere on the page, also for lines that are not drawn.
+// Search in the YAML: by Ctrl+F from anywhere on the page, also for lines that are not rendered.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { showTab, solved, start, type Bench } from './harness';
@@ -19,16 +19,16 @@ test('a word far below is found and shown', async () => {
   await bench.shot(page, 'yaml-search');
 });
 
-test('within the narrow pane all of the search can be reached', async () => {
+test('all parts of the search are reachable in a narrow pane', async () => {
   const pane = (await page.locator('.editor').boundingBox())!;
   for (const button of await page.locator('.cm-search button, .cm-search input').all()) {
-    const at = (await button.boundingBox())!;
-    expect(at.x).toBeGreaterThanOrEqual(pane.x - 1);
-    expect(at.x + at.width).toBeLessThanOrEqual(pane.x + pane.width + 1);
+    const box = (await button.boundingBox())!;
+    expect(box.x).toBeGreaterThanOrEqual(pane.x - 1);
+    expect(box.x + box.width).toBeLessThanOrEqual(pane.x + pane.width + 1);
   }
 });
 
-test('what is replaced is in the model, and Escape closes the search', async () => {
+test('replacements are in the model, and Escape closes the search', async () => {
   await page.fill('.cm-search input[name=search]', 'title:');
   await page.fill('.cm-search input[name=replace]', 'title: Searched');
   await page.click('.cm-search button[name=replaceAll]');
@@ -37,4 +37,4 @@ test('what is replaced is in the model, and Escape closes the search', async () 
   await expect.poll(() => page.locator('.cm-search').count()).toBe(0);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

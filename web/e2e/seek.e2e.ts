@@ -1,4 +1,4 @@
-// Goal seek from a result: "make this ...".
+// Goal seek from a result.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
@@ -10,22 +10,22 @@ afterAll(async () => { await bench?.stop(); });
 
 const row = () => page.locator('.keyresults tr', { hasText: 'bottom tension' });
 
-test('a bottom tension is made what is wanted, and the tension goes into the model', async () => {
+test('goal seek reaches a bottom tension, and its tension is applied to the model', async () => {
   await row().hover();
   await row().locator('button.make').click();
   await page.fill('#s-value', '270');
   await bench.shot(page, 'seek-asked');
   await page.click('dialog button.main');
   await page.waitForSelector('.seek .found');
-  await expect.poll(() => page.locator('.seek .found').innerText()).toContain('makes it 270 kN');
+  await expect.poll(() => page.locator('.seek .found').innerText()).toContain('gives 270 kN');
   await bench.shot(page, 'seek-found');
-  await page.click('dialog button.main:has-text("Put into the model")');
+  await page.click('dialog button.main:has-text("Apply")');
   await page.waitForSelector('dialog', { state: 'detached' });
   await expect.poll(() => row().locator('th small').innerText()).toBe('kN');
   await expect.poll(async () => (await row().locator('td').first().innerText()).trim(), { timeout: 20_000 }).toMatch(/^270(\.0)?$/);
 });
 
-test('what cannot be reached is said with what is', async () => {
+test('an unreachable target is reported with the range that can be reached', async () => {
   await row().hover();
   await row().locator('button.make').click();
   await page.fill('#s-value', '5000 kN');

@@ -1,4 +1,4 @@
-// What a key result hangs on, with BGL-1.
+// Sensitivities of a key result, with BGL-1.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { goTo, showTab, solved, start, tryValue, type Bench } from './harness';
@@ -14,7 +14,7 @@ test('a tornado of the chosen result', async () => {
   await panel.locator('button').click();
   await panel.locator('.tornado li').first().waitFor();
   await panel.locator('select').selectOption('static.bottom_tension');
-  // The tension at the tensioner is that at touchdown and the weight that hangs between, nothing else.
+  // The top tension is the tension at touchdown plus the weight of the suspended pipe, and nothing else.
   const foremost = panel.locator('.tornado li').first();
   await expect.poll(() => foremost.locator('.what').innerText()).toMatch(/^tensioner\.tension ± 2\.5 kN/);
   await expect.poll(() => foremost.locator('b').innerText()).toMatch(/^\+2\.\d+ kN/);
@@ -23,7 +23,7 @@ test('a tornado of the chosen result', async () => {
   await bench.shot(page, 'sensitivities');
 });
 
-test('they are marked as old when a value is tried out', async () => {
+test('they are marked as outdated during a trial', async () => {
   await tryValue(page, 'tension', 300);
   await page.locator('section.sensitivities.old').waitFor();
 });
@@ -75,5 +75,5 @@ test('a new model has neither those of the earlier one nor its lay table', async
   await goTo(page, 'lay');
   await showTab(page, 'sensitivities');
   await expect.poll(() => page.locator('.tornado').count()).toBe(0);
-  await expect.poll(() => page.locator('section[aria-label="Sensitivities"] button').innerText()).toMatch(/^compute the/);
+  await expect.poll(() => page.locator('section[aria-label="Sensitivities"] button').innerText()).toMatch(/^Compute the/);
 });

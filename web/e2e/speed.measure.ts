@@ -1,6 +1,6 @@
-// How fast the picture follows a drag, how soon it is there after opening, how much memory a thousand drags take, and how
-// large the scripts are. Printed with what is aimed at, with modest least values: a machine without graphics card
-// draws by the processor, and others may use it at the same time.
+// Frame rate during a drag, time to the first picture, memory over a thousand drags, and size of the scripts.
+// Results are printed with their targets and checked against modest minimum values: a machine without a graphics card
+// renders on the processor, which other programs may use at the same time.
 import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { dirname, join, resolve } from 'node:path';

@@ -1,4 +1,4 @@
-// First start: from the dialogue to the first solution.
+// First start: from the dialog to the first solution.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { openField, reading, solved, start, type Bench } from './harness';
@@ -8,14 +8,14 @@ let page: Page;
 beforeAll(async () => { bench = await start(); page = await bench.open(); });
 afterAll(async () => { await bench?.stop(); });
 
-test('without a model the page asks for one', async () => {
+test('without a model the page offers to create one', async () => {
   await page.waitForSelector('dialog[aria-label="New model"] #n-depth');
   await bench.shot(page, 'start-dialogue');
 });
 
-test('a wrong answer is named at its place and keeps the button off', async () => {
+test('an invalid answer is reported at its field and disables the button', async () => {
   await page.fill('#n-depth', '89 kN');
-  await expect.poll(() => page.locator('.fault').innerText()).toMatch(/not one of m, mm, ft or in/);
+  await expect.poll(() => page.locator('.failuretext').innerText()).toMatch(/not one of m, mm, ft or in/);
   await expect.poll(() => page.locator('dialog button.main').isDisabled()).toBe(true);
 });
 
@@ -32,7 +32,7 @@ test('answers in mixed units lead to a solution', async () => {
 });
 
 test('it can be saved, and undone', async () => {
-  await page.click('[aria-label="Other ways to save"]');
+  await page.click('[aria-label="More save options"]');
   await page.click('[role=menuitem] >> text=Save as…');
   await page.fill('#save-name', 'mine');
   await page.click('dialog button.main');
@@ -46,4 +46,4 @@ test('it can be saved, and undone', async () => {
   await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth') as HTMLInputElement).value === '300 ft');
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

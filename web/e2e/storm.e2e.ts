@@ -1,4 +1,4 @@
-// The storm workspace, from a new model with the library hull: results of a run while it goes on and after, its seeds,
+// The storm workspace, from a new model with the library hull: results during and after a run, its seeds,
 // and results of a model that has changed since.
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -38,7 +38,7 @@ async function type(label: string, field: string, typed: string): Promise<void> 
   await page.waitForFunction(() => !document.querySelector('.valuepanel:popover-open'));
 }
 
-test('the library hull is said to be an assumption, in the strip and in the file', async () => {
+test('the library hull is named as an assumption, in the strip and in the file', async () => {
   await expect.poll(() => value('motion')).toBe('library hull');
   await expect.poll(() => page.locator('.stormstrip').innerText()).toMatch(/box hull of 120 × 30 m scaled from BGL-1: an assumption/);
   await expect.poll(() => text()).toMatch(/raos: box-hull-120x30m\.csv/);
@@ -51,13 +51,13 @@ test('while it runs its histories grow, and it can be cancelled', async () => {
     await expect.poll(() => page.locator('.stormbar').innerText()).toMatch(/\d+ %.* t = .* s/);
     await bench.shot(page, 'storm-running');
   } finally {
-    // else it would keep the later runs waiting
+    // otherwise it would delay the later runs
     await page.locator('.stormbar').getByRole('button', { name: 'Cancel' }).click();
   }
   await ended();
 }, 400_000);
 
-test('waves, motion and duration were set in one step of undo', async () => {
+test('waves, motion and duration are set in one undo step', async () => {
   await page.click('[aria-label="Undo"]');
   await expect.poll(text).not.toMatch(/jonswap|box-hull|duration/);
   await page.getByRole('button', { name: 'Set up a storm' }).waitFor();
@@ -77,7 +77,7 @@ test('settings are changed in their popovers', async () => {
   await bench.shot(page, 'storm-motion');
   await page.keyboard.press('Escape');
   await item('tensioner').click();
-  await page.getByRole('button', { name: /^Control it within/ }).click();
+  await page.getByRole('button', { name: /^Control within/ }).click();
   await expect.poll(() => value('tensioner')).toMatch(/^\d+ … \d+ kN$/);
   await page.keyboard.press('Escape');
   await expect.poll(() => text()).toMatch(/range: \[/);
@@ -103,7 +103,7 @@ test('a run goes to its end: histories, boxes, statistics, spectra and envelopes
   expect(Number(await top.locator('td').nth(5).innerText())).toBeCloseTo(dynamic.top_tension.max / 1e3, 0);
 }, 400_000);
 
-test('a box chosen in the table is the object that is selected', async () => {
+test('a box chosen in the table becomes the selected object', async () => {
   await page.click('#docktab-boxes');
   await page.locator('.stormtab .linkname', { hasText: 'stinger 2' }).click();
   await page.waitForFunction(() => decodeURI(location.hash) === '#/storm/supports.stinger.boxes[1]');
@@ -119,7 +119,7 @@ test('the spectrum of a history has its variance', async () => {
   expect(variance).toBeLessThan(3 * spectrum.std ** 2);
 });
 
-test('results of the model before a change are marked, and are not when it is undone', async () => {
+test('results before a change of the model are marked, until it is undone', async () => {
   await expect.poll(() => page.locator('.stormbar .stalebadge').count()).toBe(0);
   await type('sea', '[id="f-environment.waves.tp"]', '9');
   await expect.poll(() => page.locator('.stormbar .stalebadge').allInnerTexts()).toEqual([expect.stringMatching(/environment\.waves\.tp 9 s/)]);
@@ -132,7 +132,7 @@ test('the next run says how long it will take', async () => {
   await expect.poll(() => runButton().innerText()).toMatch(/^Run 20 s, about \d+ (s|min)$/);
 });
 
-test('seeds are looked at one by one, and together', async () => {
+test('seeds are shown one by one, and together', async () => {
   await type('seeds', '#storm-seeds', '3');
   await runButton().filter({ hasText: 'Run 3 × 20 s' }).click();
   await page.waitForSelector('.stormbar [role=progressbar]');
@@ -150,7 +150,7 @@ test('seeds are looked at one by one, and together', async () => {
 }, 400_000);
 
 test('tensioner modes are compared from the same place', async () => {
-  await page.selectOption('[aria-label="What Run does"]', 'tensioner');
+  await page.selectOption('[aria-label="Type of run"]', 'tensioner');
   await runButton().filter({ hasText: 'Compare tensioner modes, 20 s' }).click();
   await page.waitForSelector('.stormbar [role=progressbar]');
   await ended();
@@ -160,7 +160,7 @@ test('tensioner modes are compared from the same place', async () => {
 }, 400_000);
 
 test('the workspace fits on smaller screens and in the dark', async () => {
-  await page.selectOption('[aria-label="What Run does"]', 'storm');
+  await page.selectOption('[aria-label="Type of run"]', 'storm');
   await page.click('#docktab-histories');
   await page.setViewportSize({ width: 1024, height: 768 });
   await page.evaluate(() => { document.documentElement.dataset.theme = 'dark'; });
@@ -172,4 +172,4 @@ test('the workspace fits on smaller screens and in the dark', async () => {
   await bench.shot(page, 'storm-dark-boxes');
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

@@ -17,7 +17,7 @@ const results = (): ReturnType<Page['locator']> => page.locator('section[aria-la
 const numbers = async (text: RegExp): Promise<number[]> => (await results().locator('tbody', { hasText: text }).first().locator('td').allInnerTexts()).map(Number);
 
 test('several seeds are cancelled and resumed in the list of runs', async () => {
-  const id = await order({ kind: 'seeds', seeds: [1, 2], duration: 10_800 }); // longer than the test, however fast the machine
+  const id = await order({ kind: 'seeds', seeds: [1, 2], duration: 10_800 }); // longer than the test, on any machine
   await goTo(page, 'runs');
   await page.locator(`tr[data-run="${id}"] td.name`).click();
   for (const next of ['Resume', 'Delete…']) {
@@ -45,14 +45,14 @@ test('the table over the seeds is that of the cases', async () => {
   await bench.shot(page, 'study-seeds');
 });
 
-test('a case of it is a run that can be looked at', async () => {
+test('a case of it is a run that can be opened', async () => {
   await results().getByRole('button', { name: 'Seed 2' }).click();
   await page.waitForSelector('.animation');
   await page.locator('.right .standing', { hasText: /seed 2\b/ }).waitFor();
   await expect.poll(() => page.locator('[aria-label="Seed shown"] option:checked').innerText()).toMatch(/seed 2 of 2/);
 });
 
-test('modes of the tensioner are compared, with a page to keep', async () => {
+test('modes of the tensioner are compared, with a report', async () => {
   const id = await runToEnd(bench, { kind: 'comparison', of: 'tensioner', duration: 4 });
   await goTo(page, 'study');
   await page.selectOption('select[aria-label="Study shown"]', id);
@@ -81,4 +81,4 @@ test('a study is removed with its cases', async () => {
   await expect.poll(() => list()).toEqual([]);
 });
 
-test('nothing was complained about', () => expect(bench.complaints).toEqual([]));
+test('no errors were logged in the browser', () => expect(bench.complaints).toEqual([]));

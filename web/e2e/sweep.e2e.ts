@@ -1,4 +1,4 @@
-// The pointer goes over everything: the page answers after every move.
+// The pointer sweeps over the whole page, which responds after every move.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { goTo, showTab, solved, start, workspaces, type Bench } from './harness';
@@ -7,14 +7,14 @@ let bench: Bench;
 beforeAll(async () => { bench = await start('bgl1.yaml'); });
 afterAll(async () => { await bench?.stop(); });
 
-/** Fails where the page is too busy with itself to answer. */
+/** Fails if the page does not respond in time. */
 function answers(page: Page, where: string): Promise<void> {
   let late: NodeJS.Timeout;
   const busy = new Promise<never>((_, fail) => { late = setTimeout(() => fail(new Error(`the page no longer answers ${where}`)), 10_000); });
   return Promise.race([page.evaluate(() => undefined), busy]).finally(() => clearTimeout(late));
 }
 
-/** Along lines across the page, back and forth, a step in width that no row of the page shares. */
+/** Along lines across the page, back and forth, with a step that no row of the page shares. */
 async function sweep(page: Page, where: string, moves: number): Promise<void> {
   const { width, height } = page.viewportSize()!;
   const rows = 20, each = moves / rows;
@@ -30,7 +30,7 @@ test('the page answers after each move of the pointer over everything, in every 
   await solved(page);
   await page.selectOption('[aria-label="Diagram 1"]', 'von_mises');
   await page.selectOption('[aria-label="Diagram 2"]', 'reactions');
-  let whole = true;  // what surrounds the tabs is the same in all
+  let whole = true;  // the surroundings of the tabs are the same in all
   for (const workspace of workspaces) {
     await goTo(page, workspace);
     const tabs = (await page.locator('.docktabs [role=tab]').evaluateAll((all) => all.map((tab) => tab.id.replace('docktab-', ''))));
@@ -45,7 +45,7 @@ test('the page answers after each move of the pointer over everything, in every 
   await page.context().close();
 }, 600_000);
 
-test('a cursor on the pipe stands in every diagram along it', async () => {
+test('a cursor on the pipe is shown in every diagram along it', async () => {
   const page = await bench.open({ width: 1600, height: 900 });
   await solved(page);
   const first = (await page.locator('.slot').nth(0).locator('.u-over').boundingBox())!;

@@ -1,4 +1,4 @@
-// One switch shows results, tables, messages and reports in US customary units; the model keeps the units it is written in.
+// One switch shows results, tables, messages and reports in US customary units; the model keeps its own units.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { start, type Bench } from './harness';
 

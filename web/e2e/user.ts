@@ -1,4 +1,4 @@
-// A user whose actions are counted: a click, a drag, a typed or pasted value are one each, waiting and looking are none.
+// A user with counted actions: a click, a drag, a typed or pasted value count as one each, waiting and reading as none.
 import type { Locator, Page } from 'playwright-core';
 
 type Target = string | Locator;
@@ -14,7 +14,7 @@ export class User {
     await this.find(target).click();
   }
 
-  /** A value into a field, which takes it as soon as the field is left. */
+  /** Enters a value into a field, which is committed when the field is left. */
   async type(target: Target, value: string): Promise<void> {
     ++this.actions;
     const field = this.find(target);
@@ -22,14 +22,14 @@ export class User {
     await field.blur();
   }
 
-  /** Writes over the line of an editor at whose beginning the caret is. */
+  /** Replaces the line of an editor that begins at the caret. */
   async retypeLine(text: string): Promise<void> {
     ++this.actions;
     await this.page.keyboard.press('Shift+End');
     await this.page.keyboard.insertText(text);
   }
 
-  /** What a spreadsheet has copied, with Ctrl+V. */
+  /** Pastes a text copied from a spreadsheet with Ctrl+V. */
   async paste(text: string): Promise<void> {
     ++this.actions;
     await this.page.evaluate((copied) => {

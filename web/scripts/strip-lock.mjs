@@ -1,4 +1,4 @@
-// Takes the download addresses out of package-lock.json: checksums stay, and every registry may serve the files.
+// Removes the download addresses from package-lock.json: checksums remain, and any registry can serve the files.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const name = new URL('../package-lock.json', import.meta.url);

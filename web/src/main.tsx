@@ -49,5 +49,5 @@ void start().then(() => { if (!hasModel.value) dialog.value = 'start'; });
 void fetchRuns();
 connect();
 
-// For tests and screenshots: the first picture has been drawn.
+// For tests and screenshots: the first picture is complete.
 requestAnimationFrame(() => requestAnimationFrame(() => { (window as unknown as { __ready: boolean }).__ready = true; }));

@@ -9,7 +9,7 @@ const lay = { pipe, lines: [], supports: [], moorings: null, tensioner: null, to
 const line = { ...lay, pipe: { s: [], x: [], y: [], z: [] }, lines: [{ shape: [[0, 0, -10], [40, 0, -2]] }] } as unknown as Lay;
 const noVessel = { vessel: null } as unknown as Scene;
 
-describe('where the camera stands', () => {
+describe('camera position', () => {
   test('before lines by themselves, their ends within the picture', () => {
     const to = shot('lines', line, noVessel, camera())!;
     expect([...to.eye.toArray(), ...to.target.toArray()].every(Number.isFinite)).toBe(true);
@@ -25,5 +25,5 @@ describe('where the camera stands', () => {
       expect(to.target.length()).toBeLessThan(30);
     }
   });
-  test('nowhere as long as the scene is of another model than the solution', () => expect(shot('whole', lay, noVessel, camera())).toBeNull());
+  test('nowhere while scene and solution are of different models', () => expect(shot('whole', lay, noVessel, camera())).toBeNull());
 });

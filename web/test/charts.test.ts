@@ -22,7 +22,7 @@ describe('scales', () => {
     expect(ticks(3, 3, 5)).toEqual([3]);
   });
 
-  it('write ticks with the decimals that tell them apart, and no minus zero', () => {
+  it('write ticks with the decimals that distinguish them, and no minus zero', () => {
     expect(tickTexts([-0.5, 0, 0.5])).toEqual(['\u22120.5', '0.0', '0.5']);
     expect(tickTexts(ticks(-1e-6, 1e-6, 2))).toContain('0.000000');
     expect(tickTexts([100000, 200000])).toEqual(['100000', '200000']);
@@ -30,7 +30,7 @@ describe('scales', () => {
 });
 
 describe('ranges', () => {
-  it('leave out what is no number', () => {
+  it('omit values that are not numbers', () => {
     expect(extent([3, null, Number.NaN, 1, undefined])).toEqual([1, 3]);
     expect(extent([])).toEqual([0, 0]);
   });
@@ -60,7 +60,7 @@ describe('ranges', () => {
 describe('labels', () => {
   const plot = { x0: 0, x1: 400, y0: 0, y1: 200 };
 
-  it('stand right above their point where nothing is in the way', () => {
+  it('are directly above their point if it is free', () => {
     expect(new LabelRoom(plot).place([100, 100], 60)).toEqual([108, 90]);
   });
 
@@ -74,7 +74,7 @@ describe('labels', () => {
     expect(room.place([395, 150], 60)[0]).toBeLessThan(340);
   });
 
-  it('stay inside where all is taken', () => {
+  it('stay inside if all positions are occupied', () => {
     const room = new LabelRoom(plot);
     room.take(plot);
     const [x, y] = room.place([390, 5], 60);
@@ -90,7 +90,7 @@ describe('labels', () => {
     expect(room.placeUpright(200, 66)[1]).toBeGreaterThan(72);
   });
 
-  it('that run aslant leave out names that would cover the one before', () => {
+  it('that are slanted omit names that would cover the previous one', () => {
     const names = [0, 5, 30, 31, 60].map((x) => ({ x }));
     expect(visibleNames(names, 50, 12).map(({ x }) => x)).toEqual([0, 30, 60]);
   });
@@ -120,10 +120,10 @@ describe('charts', () => {
     expect(0.5 * (high.x.domain[0] + high.x.domain[1])).toBeCloseTo(5);
   });
 
-  it('set the legend beside the title, and in rows below it where it is long', () => {
+  it('set the legend next to the title, and in rows below it if it is long', () => {
     const entry = (text: string) => ({ text, colour: '#000' });
-    const [beside] = layout({ legend: [entry('one'), entry('two')] }).legends;
-    expect(beside!.entries.map(({ y }) => y)).toEqual([20, 20]);
+    const [legend] = layout({ legend: [entry('one'), entry('two')] }).legends;
+    expect(legend!.entries.map(({ y }) => y)).toEqual([20, 20]);
     const long = Array.from({ length: 8 }, (_, i) => entry(`a rather long name ${i}`));
     const { legends, frame } = layout({ legend: long });
     const rows = [...new Set(legends[0]!.entries.map(({ y }) => y))];
@@ -137,7 +137,7 @@ describe('charts', () => {
     expect(layout({ title: 'long '.repeat(60), legend: [] }).frame.top).toBe(34);
   });
 
-  it('set names of the x axis aslant where they have no room side by side', () => {
+  it('set names of the x axis slanted if they do not fit side by side', () => {
     const names = (count: number) => Array.from({ length: count }, (_, i) => ({ value: 10 * i / count, text: `stinger ${i}` }));
     expect(layout({ x: { range: [0, 10], names: names(4) } }).names.level).toBe(true);
     const { names: look, frame } = layout({ x: { range: [0, 10], names: names(40) } });

@@ -18,10 +18,10 @@ describe('code checks', () => {
     expect(governing(all).map((c) => c.id)).toEqual(['strain', 'stress', 'collapse']);
     expect(governing([])).toEqual([]);
   });
-  test('information and what could not be judged come last', () => {
+  test('checks for information and those not evaluated come last', () => {
     expect(ranked(all).map((c) => c.id)).toEqual(['strain', 'stress', 'load', 'collapse', 'propagation', 'api', 'second']);
   });
-  test('only what decides is good or bad', () => {
+  test('only governing checks are good or bad', () => {
     expect(all.map(level)).toEqual(['good', 'open', 'good', 'near', 'open', 'over', 'open']);
   });
 });
@@ -31,13 +31,13 @@ describe('a line of a calculation sheet', () => {
     symbol: 'f_y', meaning: '', formula: 'alpha_U SMYS', value: 430.08e6, units: 'Pa', origin: '5.3.3', confirmation: 'one source', sources: 'RigidPipe', ...more,
   });
   const drawn = (more: Partial<SheetLine>) => drawnSheet([line(more)])[0]!;
-  test('has its value in the units of the trade, with six digits', () => {
+  test('has its value in engineering units, with six digits', () => {
     expect(drawn({}).value).toBe('430.08 MPa');
     expect(drawn({ value: 0.0111251234, units: 'm' }).value).toBe('11.1251 mm');
     expect(drawn({ value: 1.15, units: '1' }).value).toBe('1.15');
     expect(drawn({ value: 2, units: '1/s' }).value).toBe('2 1/s');
   });
-  test('says what confirms it, and what nobody could', () => {
+  test('names its confirmation, or that there is none', () => {
     expect(drawn({}).confirmed).toBe('Confirmed by one source: RigidPipe');
     expect(drawn({ confirmation: 'unconfirmed', sources: '' })).toMatchObject({ confirmed: 'Recalled, not confirmed by a public text', soft: true });
     expect(drawn({ confirmation: 'not needed' })).toMatchObject({ origin: '5.3.3', confirmed: '' });

@@ -1,4 +1,4 @@
-// Every kind of block of a report, numbers and tables.
+// All kinds of blocks of a report, numbers and tables.
 import { expect, test } from 'vitest';
 import { Blocks, FigureContext, type FigureBlock } from '../src/components/Block';
 import type { BlockData, ReportDocument, TableData } from '../src/components/document';
@@ -112,7 +112,7 @@ test('a saved table has all decimals and is quoted where it must be', () => {
   expect(tableCsv(made)).toBe('Support,Tension: hold [kN],Tension: not below [kN],Verdict\r\n"a ""b"", c",210.1234,,-\r\n');
 });
 
-test('a head says what its column is, the name of a row can be chosen, numbers have words of their own', () => {
+test('a head explains its column, the name of a row can be selected, numbers have tooltips', () => {
   const chosen: string[] = [];
   const described = { ...table(), columns: table().columns.map((column) => ({ ...column, description: `About ${column.title}` })) };
   const action = (name: string) => (name === 'all' ? undefined : { act: () => { chosen.push(name); }, title: 'Show it', chosen: name === 'stinger 9' });
@@ -143,7 +143,7 @@ test('the first page has control box, verdict, bars, findings and contents', () 
   expect(page.all('li.serious')[0]!.text).toBe('Serious The pipe is off these rollers: stinger 8. pipe-off-rollers');
 });
 
-test('without bars only the note stands below the verdict', () => {
+test('without bars only the note is below the verdict', () => {
   const front = { ...report.front, control: undefined, findings: [], utilisation: { heading: 'Utilisation', bars: [], note: 'Of the static state.' } };
   const page = drawn(<FrontPage front={front} body={[]} />);
   expect(page.all('section')[0]!.all('p.small')[0]!.text).toBe('Of the static state.');
@@ -157,7 +157,7 @@ test('margins of printed pages carry the number of the document', () => {
   expect(marginStyle(report)).toMatch(/size: A4; @top-left \{ content: "BGL-OB-001, rev\. B";.*@bottom-left \{ content: "Static pipelay analysis, 2026-11-29 17:00 UTC"/);
 });
 
-test('a figure that is not known says so in its panel and leaves the caption', async () => {
+test('an unknown figure is reported in its panel and keeps the caption', async () => {
   const errors: unknown[] = [];
   const { error } = console;
   console.error = (e: unknown) => errors.push(e);

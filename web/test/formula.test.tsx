@@ -1,4 +1,4 @@
-// Formulas of the calculation sheet as they are set.
+// Typesetting of the formulas of the calculation sheet.
 import { expect, test } from 'vitest';
 import { Formula } from '../src/components/CalculationSheet';
 import { drawn } from './lightDom';
@@ -12,22 +12,22 @@ test('Greek letters, indices and products are set as in print', () => {
   expect(html('log10(x) (y)')).toBe('log(x)\u202f(y)');
 });
 
-test('powers are raised, those in brackets are written out', () => {
+test('powers are raised, those in brackets are in plain text', () => {
   expect(html('(D - t_2)^2')).toBe('(D − t<sub>2</sub>)<sup>2</sup>');
   expect(html('x^n_1')).toBe('x<sup>n<sub>1</sub></sup>');
   expect(html('x^(n + 1)')).toBe('x^(n + 1)');
 });
 
-test('a sign in front stands close, one between terms has room', () => {
+test('a leading sign is set close, a binary one has space', () => {
   expect(html('-a + b')).toBe('−a + b');
   expect(html('a (-b)')).toBe('a\u202f(−b)');
   expect(html('a/b')).toBe('a/b');
 });
 
-test('a function is no factor of its bracket', () => {
+test('a function is not a factor of its bracket', () => {
   expect(html('sigma_eq = sqrt(sigma_l^2 + 3 tau^2)')).toBe('σ<sub>eq</sub> = sqrt(σ<sub>l</sub><sup>2</sup> + 3\u202ftau<sup>2</sup>)');
 });
 
-test('what a page would read as markup stays text', () => {
+test('markup characters remain text', () => {
   expect(drawn(<Formula text="a < b" />).text).toBe('a < b');
 });

@@ -4,7 +4,7 @@ import { headUnit, readCell, shownValue, unitLike } from '../src/logic/gridCells
 import { listColumns, shownColumns, type GridColumn } from '../src/logic/gridColumns';
 import { parseTable, readHead, splitTitle, tabText } from '../src/logic/gridClipboard';
 import { cellChanges, duplicated, listChanges, nextItem, removal, shifted } from '../src/logic/gridEdits';
-import { arcBoxes, arcFaults, lastIncline, rowChanges, wishedBoxes, writtenOut } from '../src/logic/gridGenerate';
+import { arcBoxes, findArcErrors, lastIncline, rowChanges, generatedBoxes, writtenOut } from '../src/logic/gridGenerate';
 import { decimalMark, readNumber } from '../src/logic/gridNumbers';
 import { readPaste } from '../src/logic/gridPaste';
 import { rollerRows } from '../src/logic/gridResults';
@@ -36,7 +36,7 @@ const fields: Field[] = [
   field(`${list}[0].offset`, 'quantity', null, { given: false, default: '0 m' }),
   field(`${list}[1]`, 'map', null), field(`${list}[1].x`, 'quantity', '30 ft'), field(`${list}[1].z`, 'quantity', '-5.7 m'),
 ];
-const model = (own = fields, drafts = new Map()): ModelParts => ({ fields: own, byPath: new Map(own.map((f) => [f.path, f])), diagnostics: new Map(), drafts });
+const model = (list = fields, drafts = new Map()): ModelParts => ({ fields: list, byPath: new Map(list.map((f) => [f.path, f])), diagnostics: new Map(), drafts });
 
 describe('columns of a list', () => {
   test('are the members of its items with their units', () => {
@@ -50,7 +50,7 @@ describe('columns of a list', () => {
     ]);
   });
   test('a list of values has one', () => { expect(listColumns(root, 'seeds').map((c) => c.key)).toEqual(['']); });
-  test('beside results only those are shown that are needed, given or asked for', () => {
+  test('next to results only required, given or requested columns are shown', () => {
     expect(shownColumns(columns, (key) => key === 'rows', ['offset'], true).map((c) => c.key)).toEqual(['name', 'x', 'z', 'offset', 'rows']);
     expect(shownColumns(columns, () => false, [], false)).toHaveLength(6);
   });
@@ -74,7 +74,7 @@ describe('numbers as they are typed', () => {
     expect(readNumber('abc')).toBeNull();
     expect(readNumber('1.2.3,4,5')).toBeNull();
   });
-  test('three digits behind a comma may be thousands: the table decides, else nobody', () => {
+  test('three digits behind a comma may be thousands: the table decides, otherwise they are ambiguous', () => {
     expect(readNumber('1,234')).toBe('ambiguous');
     expect(readNumber('1,234', ',')).toEqual({ digits: '1.234', rest: '' });
     expect(readNumber('1,234', '.')).toEqual({ digits: '1234', rest: '' });
@@ -93,7 +93,7 @@ describe('a cell', () => {
     expect(shownValue('30 ft', 'm')).toBe('9.144');
     expect(shownValue('30 furlong', 'm')).toBe('30 furlong');
   });
-  test('takes the unit of the head or its own', () => {
+  test('takes the unit of the head or the typed unit', () => {
     expect(readCell('3', named('x'), 'm')).toEqual({ value: '3 m' });
     expect(readCell('3 ft', named('x'), 'm')).toEqual({ value: '3 ft' });
     expect(readCell(' ', named('x'), 'm')).toEqual({ value: null });
@@ -103,11 +103,11 @@ describe('a cell', () => {
     expect(unitLike('kNm', 'kN m')).toBe('kN m');
     expect(unitLike('kN', 'm')).toBeNull();
   });
-  test('says what is wrong with a text that it cannot take', () => {
-    expect(readCell('3 kN', named('x'), 'm')).toEqual({ message: '“kN” is no unit of x: m, mm, cm, km, in, ft.' });
+  test('reports the error in an unreadable text', () => {
+    expect(readCell('3 kN', named('x'), 'm')).toEqual({ message: '“kN” is not a unit of x. Units: m, mm, cm, km, in, ft.' });
     expect(readCell('abc', named('x'), 'm')).toHaveProperty('message');
-    expect(readCell('1,234', named('x'), 'm')).toHaveProperty('message', '“1,234” can be 1234 or 1.234: write one of them.');
-    expect(readCell('2.5', named('rows'), '')).toHaveProperty('message', 'A whole number.');
+    expect(readCell('1,234', named('x'), 'm')).toHaveProperty('message', '“1,234” is ambiguous: enter 1234 or 1.234.');
+    expect(readCell('2.5', named('rows'), '')).toHaveProperty('message', 'Enter a whole number.');
     expect(readCell('rope', named('core'), '')).toHaveProperty('message', 'One of: wire, fibre_rope.');
     expect(readCell('Fibre rope', named('core'), '')).toEqual({ value: 'fibre_rope' });
   });
@@ -121,7 +121,7 @@ describe('a table from a spreadsheet', () => {
     expect(parseTable('3,5\n4,25')).toEqual([['3,5'], ['4,25']]);
     expect(tabText([['a', 'b\nc']])).toBe('a\tb c\n');
   });
-  test('its heads are known by name, with units behind them or in a row below', () => {
+  test('headings are recognised by name, with units behind them or in a row below', () => {
     expect(splitTitle('x [m]')).toEqual({ title: 'x', unit: 'm' });
     expect(splitTitle('Elevation (ft)')).toEqual({ title: 'Elevation', unit: 'ft' });
     const known = columns.map((c) => ({ id: c.key, title: c.title, unit: c.unit }));
@@ -134,23 +134,23 @@ describe('a table from a spreadsheet', () => {
   const views: ViewColumn[] = inputColumns(columns, [{ path: list, title: 'stinger' }], model(), {});
   const values = (text: string, from = 0, sizes?: Map<string, number>) => readPaste(text, views, from, [], sizes).rows.map((row) => row.cells.map((c) => ('value' in c.read ? c.read.value : c.read.message)));
 
-  test('goes where its heads say, in the units that they name', () => {
+  test('goes to the columns of its headings, in their units', () => {
     expect(values('z (ft)\tx [mm]\n-15,5\t5230')).toEqual([['-15.5 ft', '5230 mm']]);
-    expect(values('x [kN]\n5')).toEqual([['“kN” is no unit of x: m, mm, cm, km, in, ft.']]);
+    expect(values('x [kN]\n5')).toEqual([['“kN” is not a unit of x. Units: m, mm, cm, km, in, ft.']]);
   });
-  test('without heads it goes from the selected column on', () => {
+  test('without headings it starts at the selected column', () => {
     expect(values('5\t-4\t0\t3', 1)).toEqual([['5 m', '-4 m', '0 m', 3]]);
   });
-  test('commas in all numbers are read by the size of what is there already', () => {
+  test('commas in all numbers are read by the magnitude of the present values', () => {
     expect(values('x\n5,200\n9,000', 0, new Map([['x', 31]]))).toEqual([['5.200 m'], ['9.000 m']]);
     expect(values('x [mm]\n5,200\n9,000', 0, new Map([['x', 31]]))).toEqual([['5200 mm'], ['9000 mm']]);
-    expect(values('x\n5,200')[0]![0]).toContain('can be');
+    expect(values('x\n5,200')[0]![0]).toContain('is ambiguous');
   });
 });
 
 describe('changes of a list', () => {
   const items = [{ name: 'a 1', x: '1 m' }, { name: 'a 2', x: '3 m' }];
-  test('cells are written by themselves, new rows as a whole with what rows have in common', () => {
+  test('cells are written individually, new rows as a whole with the common values of the rows', () => {
     expect(cellChanges('l', items, [{ row: 1, key: 'x', value: '4 m' }, { row: 0, key: 'z', value: null }, { row: 2, key: 'x', value: '5 m' }], () => ({ length: '2 m' }))).toEqual([
       { path: 'l[1].x', value: '4 m' }, { path: 'l[2]', value: { length: '2 m', x: '5 m' } },
     ]);
@@ -172,7 +172,7 @@ describe('changes of a list', () => {
     expect(shifted(['a', 'b', 'c', 'd'], 1, 2, 1)).toEqual(['a', 'd', 'b', 'c']);
     expect(shifted(['a', 'b'], 0, 0, -1)).toEqual(['a', 'b']);
   });
-  test('a new row goes on with the step of the last two', () => {
+  test('a new row continues with the step of the last two', () => {
     expect(nextItem(items, columns, null)).toEqual({ name: 'a 3', x: '5 m' });
     expect(nextItem([], [{ ...named('x'), example: '1 m' }], null)).toEqual({ x: '1 m' });
   });
@@ -184,20 +184,20 @@ describe('changes of a list', () => {
   });
 });
 
-describe('what a grid shows', () => {
+describe('contents of a grid', () => {
   const lists = [{ path: list, title: 'stinger', standardName: (i: number) => `stinger ${i + 1}` }];
   const rows = (parts = model()) => viewRows(lists, inputColumns(columns, lists, parts, {}), [], parts);
-  test('values in the unit of the column, and what stands for those left out', () => {
+  test('values in the unit of the column, and defaults of omitted ones', () => {
     expect(rows()[0]!.cells.map((c) => [c.text, c.state]).slice(0, 4)).toEqual([['first', ''], ['5.230', ''], ['-4.5', ''], ['0', 'standard']]);
     expect(rows()[1]!.cells.map((c) => c.text).slice(0, 2)).toEqual(['stinger 2', '9.144']);
     expect(rows()[1]!.name).toBe('stinger 2');
   });
-  test('a text that could not be read, until the model gets another value there', () => {
+  test('an unreadable text, until the model gets another value there', () => {
     const drafts = (base: string) => new Map([[`${list}[0].x`, { text: 'abc', message: 'A number.', base }]]);
     expect(rows(model(fields, drafts('5.230 m')))[0]!.cells[1]).toMatchObject({ text: 'abc', state: 'bad', message: 'A number.' });
     expect(rows(model(fields, drafts('4 m')))[0]!.cells[1]).toMatchObject({ text: '5.230', state: '' });
   });
-  test('what the model says of a key in its cell', () => {
+  test('the diagnostic of a key in its cell', () => {
     const parts = { ...model(), diagnostics: new Map([[`${list}[1].x`, { severity: 'error' as const, line: 1, column: 1, key: '', message: 'x increases' }]]) };
     expect(rows(parts)[1]!.cells[1]).toMatchObject({ severity: 'error', message: 'x increases' });
   });
@@ -205,7 +205,7 @@ describe('what a grid shows', () => {
     expect(sortedRows(rows(), 1, true).map((r) => r.index)).toEqual([1, 0]);
     expect(sortedRows(rows(), 4, false).map((r) => r.index)).toEqual([0, 1]);
   });
-  test('boxes of ramp and stinger, or of its sections with their numbers counted on', () => {
+  test('boxes of ramp and stinger, or of its sections with continuous numbers', () => {
     const given = (path: string, kind: Field['kind'], more = {}): [string, Field] => [path, field(path, kind, null, more)];
     const two = new Map([given('supports.ramp', 'map'), given('supports.stinger', 'map'), given('supports.stinger.sections', 'list', { count: 2 }), given('supports.stinger.sections[0].boxes', 'list', { count: 3 })]);
     expect(boxLists(two).map((l) => [l.path, l.standardName!(0)])).toEqual([['supports.ramp.boxes', 'ramp 1'], ['supports.stinger.sections[0].boxes', 'stinger 1'], ['supports.stinger.sections[1].boxes', 'stinger 4']]);
@@ -218,13 +218,13 @@ describe('what a grid shows', () => {
 
 describe('the selection', () => {
   test('is moved by keys, extended with Shift, and stays within the table', () => {
-    const here = spotRange({ row: 1, column: 1 });
-    expect(moved(here, 'ArrowDown', {}, 3, 3)!.focus).toEqual({ row: 2, column: 1 });
-    expect(moved(here, 'ArrowRight', { control: true }, 3, 5)!.focus).toEqual({ row: 1, column: 4 });
-    expect(rectangle(moved(here, 'ArrowUp', { shift: true }, 3, 3)!)).toEqual({ top: 0, bottom: 1, left: 1, right: 1 });
-    expect(moved(here, 'PageDown', {}, 3, 3)!.focus.row).toBe(2);
-    expect(moved(here, 'a', {}, 3, 3)).toBeNull();
-    expect(clamped(here, 0, 3)).toBeNull();
+    const range = spotRange({ row: 1, column: 1 });
+    expect(moved(range, 'ArrowDown', {}, 3, 3)!.focus).toEqual({ row: 2, column: 1 });
+    expect(moved(range, 'ArrowRight', { control: true }, 3, 5)!.focus).toEqual({ row: 1, column: 4 });
+    expect(rectangle(moved(range, 'ArrowUp', { shift: true }, 3, 3)!)).toEqual({ top: 0, bottom: 1, left: 1, right: 1 });
+    expect(moved(range, 'PageDown', {}, 3, 3)!.focus.row).toBe(2);
+    expect(moved(range, 'a', {}, 3, 3)).toBeNull();
+    expect(clamped(range, 0, 3)).toBeNull();
   });
   test('Tab goes on in the next row and leaves the table at its end', () => {
     expect(tabbed(spotRange({ row: 0, column: 2 }), false, 2, 3)!.focus).toEqual({ row: 1, column: 0 });
@@ -233,11 +233,11 @@ describe('the selection', () => {
 });
 
 describe('boxes on an arc', () => {
-  const wish = { radius: '120 m', count: '8', spacing: '4 m', length: '3 m', x: '', z: '', incline: '' };
+  const request = { radius: '120 m', count: '8', spacing: '4 m', length: '3 m', x: '', z: '', incline: '' };
   const ramp = [{ x: -18.29, z: 0.036 }, { x: -9.47, z: -1.24 }, { x: -0.452, z: -3.089 }];
   const end = { ...ramp[2]!, incline: lastIncline(ramp, 0) };
-  test('stand where the program puts them: bgl1 with a radius of 120 m', () => {
-    const boxes = wishedBoxes(wish, end);
+  test('are placed as by the program: bgl1 with a radius of 120 m', () => {
+    const boxes = generatedBoxes(request, end);
     expect(boxes).toHaveLength(8);
     expect(boxes[0]!.x).toBeCloseTo(3.4248, 3);
     expect(boxes[0]!.z).toBeCloseTo(-0.255344 - 3.818, 3);
@@ -248,19 +248,19 @@ describe('boxes on an arc', () => {
     const circle = arcBoxes({ x: 0, z: 0, incline: 0.1 }, 100, 5, 3);
     expect(lastIncline(circle, 0)).toBeCloseTo(circle[2]!.incline, 9);
   });
-  test('what is missing is said before anything is written', () => {
-    expect(arcFaults(wish, end)).toEqual([]);
-    expect(arcFaults({ ...wish, radius: '0 m', count: 'x' }, end).map((f) => f.key)).toEqual(['radius', 'count']);
-    expect(arcFaults(wish, null).map((f) => f.key)).toEqual(['x', 'z']);
+  test('missing input is reported before anything is written', () => {
+    expect(findArcErrors(request, end)).toEqual([]);
+    expect(findArcErrors({ ...request, radius: '0 m', count: 'x' }, end).map((f) => f.key)).toEqual(['radius', 'count']);
+    expect(findArcErrors(request, null).map((f) => f.key)).toEqual(['x', 'z']);
   });
   test('are written as a row, or as a list in the place of what was there', () => {
-    expect(rowChanges('supports.stinger', wish)[0]).toEqual({ path: list, value: { count: 8, spacing: '4 m', length: '3 m' } });
-    const changes = writtenOut('supports.stinger', wish, [{ x: 3.42481, z: -4.07334, incline: 0 }], true);
+    expect(rowChanges('supports.stinger', request)[0]).toEqual({ path: list, value: { count: 8, spacing: '4 m', length: '3 m' } });
+    const changes = writtenOut('supports.stinger', request, [{ x: 3.42481, z: -4.07334, incline: 0 }], true);
     expect(changes).toEqual([{ path: list, value: null }, { path: `${list}[0]`, value: { x: '3.4248 m', z: '-4.0733 m', length: '3 m' } }, { path: 'supports.stinger.radius', value: null }]);
   });
 });
 
-test('boxes that the program places on an arc are rows that cannot be typed into', () => {
+test('boxes that the program places on an arc are read-only rows', () => {
   const lists = [{ path: list, title: 'stinger', standardName: (i: number) => `stinger ${i + 1}`, placed: [{ x: '3.425 m', z: '-4.073 m' }] }];
   const rows = viewRows(lists, inputColumns(columns, lists, model([]), {}), [], model([]));
   expect(rows[0]!.cells.map((c) => [c.text, c.state]).slice(0, 3)).toEqual([['stinger 1', 'fixed'], ['3.425', 'fixed'], ['-4.073', 'fixed']]);

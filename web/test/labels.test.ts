@@ -11,7 +11,7 @@ test('a name upright stands below the curves, else above them, else it is left o
   expect(upright(120, plot, null)).toBeNull();
 });
 
-test('names along an axis do not run into each other', () => {
+test('names along an axis do not overlap', () => {
   expect(wordStep(['36', '38', '40'], 80, 10)).toBe(1);
   const names = ['trapezoid', 'minimum_jerk', 'zero_vibration', 'trapezoid'];
   expect(wordStep(names, 60, 10) * 60).toBeGreaterThan(5.6 * 'zero_vibration'.length);

@@ -1,26 +1,26 @@
-// What a lay table asks for, and how its curves are laid out.
+// Request of a lay table, and the layout of its curves.
 import { expect, test } from 'vitest';
 import type { LayTable } from '../src/api/types';
 import { valueRange } from '../src/components/LayTableCharts';
-import { layRowKeys, layRows, rangeText, usualRange, layWishFault } from '../src/logic/laytable';
+import { layRowKeys, layRows, rangeText, usualRange, findLayTableError } from '../src/logic/laytable';
 
-test('a range is asked for as the command line does', () => {
+test('a range is requested as on the command line', () => {
   expect(rangeText({ vary: 'tension', from: ' 200 kN', to: '400 kN ', steps: '20' })).toBe('200 kN..400 kN/20');
 });
 
-test('the usual range lies around the lay that is shown', () => {
+test('the default range is about the lay shown', () => {
   expect(usualRange('tension', { top_tension: 250e3, lay_back: 330 }, 89)).toEqual({ vary: 'tension', from: '200 kN', to: '400 kN', steps: '16' });
   expect(usualRange('lay_back', { top_tension: 250e3, lay_back: 330 }, 89).to).toBe('396 m');
   expect(usualRange('depth', null, 89).from).toBe('71.2 m');
-  expect(layWishFault(usualRange('tension', null, null))).not.toBeNull();
+  expect(findLayTableError(usualRange('tension', null, null))).not.toBeNull();
 });
 
-test('what cannot be asked for is said before it is sent', () => {
+test('an invalid request is reported before it is sent', () => {
   const good = { vary: 'tension', from: '200', to: '400 kN', steps: '20' } as const;
-  expect(layWishFault(good)).toBeNull();
-  expect(layWishFault({ ...good, to: '400' })).toMatch(/unit/);
-  expect(layWishFault({ ...good, steps: '0' })).toMatch(/steps/);
-  expect(layWishFault({ ...good, from: 'much' })).toMatch(/numbers/);
+  expect(findLayTableError(good)).toBeNull();
+  expect(findLayTableError({ ...good, to: '400' })).toMatch(/unit/);
+  expect(findLayTableError({ ...good, steps: '0' })).toMatch(/steps/);
+  expect(findLayTableError({ ...good, from: 'much' })).toMatch(/numbers/);
 });
 
 test('a panel holds its curves and the limit', () => {
@@ -30,7 +30,7 @@ test('a panel holds its curves and the limit', () => {
   expect(low).toBeLessThan(0.4);
 });
 
-test('rows have their units in the heads; limits and what does not pass stand out', () => {
+test('rows have their units in the heads; limits and failed rows are highlighted', () => {
   const step = { kind: 'step', verdict: 'exceeded', cells: ['step', 200, null] } as const, limit = { kind: 'least', verdict: 'passed', cells: ['least', 210, 0.98] } as const;
   const columns = [{ heading: 'row', digits: 0 }, { heading: 'tension [kN]', digits: 1 }, { heading: 'checks', digits: 6 }];
   const table = layRows({ columns, rows: [step, limit] } as unknown as LayTable);

@@ -1,4 +1,4 @@
-// Just enough of a document to draw components without a browser.
+// A minimal document to draw components without a browser.
 import { render, type ComponentChild } from 'preact';
 
 type Listener = (this: LightNode, event: { type: string }) => void;
@@ -69,7 +69,7 @@ export class LightNode {
     return this.nodeType === 3 ? this.data : this.childNodes.map((child) => child.text).join('');
   }
 
-  /** Elements below this one with a name, "td" or "td.over", in their order. */
+  /** Elements below this one with a name, "td" or "td.over", in order. */
   all(selector: string): LightNode[] {
     const [name, look] = selector.split('.');
     const fits = (node: LightNode): boolean =>
@@ -91,7 +91,7 @@ const lightDocument = {
   createTextNode: (text: string) => Object.assign(new LightNode(3, '#text'), { data: text }),
 };
 
-/** Draws into a root of its own, which further drawings change. */
+/** Draws into a separate root, which further drawings change. */
 export function drawn(content: ComponentChild): LightNode {
   Object.assign(globalThis, { document: lightDocument });
   const root = new LightNode(1, 'root');

@@ -17,9 +17,9 @@ const known: NumericField[] = [
   ]),
 ];
 
-describe('values tried out', () => {
+describe('trial values', () => {
   const base = readBase(known);
-  test('the model says what there is to vary', () => {
+  test('the model determines the available variables', () => {
     expect(base.radius).toBeCloseTo(150, 6);
     expect(base.current).toEqual([1, 0.4]);
     expect(base.boxes).toHaveLength(4);
@@ -48,7 +48,7 @@ describe('values tried out', () => {
     expect(alone.every((c) => c.path.startsWith('supports.stinger.boxes['))).toBe(true);
     expect(alone.some((c) => c.path.startsWith('supports.stinger.boxes[0]'))).toBe(false);
   });
-  test('listed boxes come to lie on the circle that is varied, whatever radius they had', () => {
+  test('listed boxes move to the varied circle from any radius', () => {
     const moved = new Map(liveChanges(base, { [stingerRadius]: 200 }).map((c) => [c.path, Number.parseFloat(String(c.value))]));
     const boxes = base.boxes.map((b) => ({ x: moved.get(`${b.path}.x`) ?? b.x, z: moved.get(`${b.path}.z`) ?? b.z }));
     expect(fittedRadius(boxes)! / 200).toBeCloseTo(1, 2); // places to a tenth of a millimetre, over an arc 0.3 m high
@@ -58,7 +58,7 @@ describe('values tried out', () => {
     expect(raised.map((c) => c.path)).toEqual([0, 1, 2, 3].map((i) => `supports.stinger.boxes[${i}].z`));
     expect(Number.parseFloat(String(raised[0]!.value)) - base.boxes[0]!.z).toBeCloseTo(0.1, 4);
   });
-  test('of boxes given as a row the radius is a key of its own', () => {
+  test('of boxes given as a row the radius is a separate key', () => {
     const row = readBase([quantity('supports.stinger.radius', '150 m', 150), { path: 'supports.stinger.boxes.count', kind: 'integer', value: 8, si: 8, given: true }]);
     expect(row).toMatchObject({ radius: null, boxes: [] });
     expect(liveChanges(row, { 'supports.stinger.radius': 200 })).toEqual([{ path: 'supports.stinger.radius', value: '200 m' }]);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { complete, fromSi, inUnitOf, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
+import { complete, fromSi, convertLike, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
 import { UndoStack } from '../src/logic/undo';
 import { LatestGate } from '../src/logic/gate';
 import { loadShares, pictureScale, quantityLimit } from '../src/logic/colour';
@@ -31,10 +31,10 @@ describe('units', () => {
     expect(parseQuantity('.5 m')).toEqual({ number: 0.5, unit: 'm' });
     expect(parseQuantity('kN')).toBeNull();
   });
-  test('what a slider gives is written in the unit that the file has', () => {
-    expect(inUnitOf('250 kN', '55 kip')).toBe('56.20224 kip');
-    expect(inUnitOf('250 kN', '240 kN')).toBe('250 kN');
-    expect(inUnitOf('250 kN', '')).toBe('250 kN');
+  test('slider values are written in the unit of the file', () => {
+    expect(convertLike('250 kN', '55 kip')).toBe('56.20224 kip');
+    expect(convertLike('250 kN', '240 kN')).toBe('250 kN');
+    expect(convertLike('250 kN', '')).toBe('250 kN');
   });
   test('a bare number takes the unit that was there', () => {
     expect(complete('260', 'kN')).toBe('260 kN');
@@ -50,7 +50,7 @@ describe('units', () => {
     expect(axisNames('horizontal distance from the tensioner [m]')).toEqual(['horizontal distance from the tensioner [m]', 'from the tensioner [m]', '[m]']);
     expect(axisNames('time [s]')).toEqual(['time [s]', '[s]']);
   });
-  test('tell lengths to a tenth of a millimetre', () => {
+  test('shows lengths to a tenth of a millimetre', () => {
     expect(tidyLength(-8.228e-5)).toBe('-0.0001');
     expect(tidyLength(-3e-5)).toBe('0');
     expect(tidyLength(335.6143)).toBe('335.6');
@@ -70,7 +70,7 @@ describe('undo', () => {
     expect(u.redo()).toBe('abcd');
     expect(u.redo()).toBeNull();
   });
-  test('a new change forgets what was undone', () => {
+  test('a new change discards the redo steps', () => {
     const u = new UndoStack('a');
     u.push('b', 'form', 0);
     u.undo();
@@ -78,7 +78,7 @@ describe('undo', () => {
     expect(u.canRedo).toBe(false);
     expect(u.undo()).toBe('a');
   });
-  test('kept and taken up again, it goes on where it was', () => {
+  test('is restored with its position', () => {
     const u = new UndoStack('a');
     u.push('b', 'form', 0);
     u.push('c', 'form', 1);
@@ -142,7 +142,7 @@ test('stresses have the yield stress of the model as their limit, tension has no
   expect(quantityLimit('checks', null)).toEqual({ value: 1, name: 'allowable' });
 });
 
-test('no load of a roller has a colour of the pipe', () => {
+test('roller loads have no colour of the pipe', () => {
   for (let k = 0; k <= 20; ++k) {
     const load = loadShares(k / 20).map((v) => 255 * v);
     for (let m = 0; m <= 20; ++m) expect(Math.hypot(...readHex(viridis(m / 20)).map((v, i) => v - load[i]!))).toBeGreaterThan(45);
@@ -189,7 +189,7 @@ describe('stinger radius', () => {
     expect(c.slope).toBeCloseTo(0.2, 7);
     expect(wide[7]!.z).toBeGreaterThan(boxes[7]!.z);
   });
-  test('the least squares of distances do not ask for the first box to lie on the circle', () => {
+  test('the least-squares circle need not pass through the first box', () => {
     expect(fittedRadius(boxes)).toBeCloseTo(150, 5);
     const off = boxes.map((b, i) => ({ x: b.x, z: b.z + (i === 0 ? 0.05 : 0) }));
     expect(Math.abs(fittedRadius(off)! - 150)).toBeLessThan(Math.abs(fitCircle(off)!.radius - 150));
@@ -208,25 +208,25 @@ test('water: grid and point agree', () => {
   expect(grid[4]).toBeCloseTo(elevation(waves, 10, 5, 12), 5);
 });
 
-describe('start dialogue', () => {
+describe('start dialog', () => {
   const good: Answers = { title: '', pipe: '16 in', wall: '11.1 mm', yield: '414 MPa', coating: '3 mm', concrete: '40 mm', depth: '89 m', vessel: 'bgl1', lay: 's', stinger_radius: '150 m', boxes: '8', tension: '250 kN' };
-  test('good answers have no faults, left out ones neither', () => {
+  test('valid and omitted answers have no errors', () => {
     expect(check(good, 0.4064)).toEqual({});
     expect(check({ ...good, wall: '', tension: '', boxes: '' }, 0.4064)).toEqual({});
   });
-  test('faults are named at their answer', () => {
+  test('errors are reported at their answer', () => {
     expect(check({ ...good, depth: '89', wall: '11.1' }, 0.4)).toEqual({}); // taken in m and mm
     expect(check({ ...good, depth: '1' }, 0.4).depth).toMatch(/between/);
     expect(check({ ...good, depth: '89 kN' }, 0.4).depth).toMatch(/not one of/);
     expect(check({ ...good, depth: '' }, 0.4).depth).toMatch(/number/);
-    expect(check({ ...good, wall: '90 mm' }, 0.1683).wall).toMatch(/thicker/);
+    expect(check({ ...good, wall: '90 mm' }, 0.1683).wall).toMatch(/pipe radius/);
     expect(check({ ...good, boxes: '2.5' }, 0.4).boxes).toMatch(/whole/);
     expect(check({ ...good, tension: '0 kN' }, 0.4).tension).toMatch(/between/);
     expect(check({ ...good, lay: 'j', boxes: 'x' }, 0.4).boxes).toBeUndefined();
   });
 });
 
-test('an answer without unit takes that of the answer before, as a field does', () => {
+test('an answer without unit takes the previous unit, as a field does', () => {
   expect(completed('depth', '290')).toBe('290 m');
   expect(completed('depth', '290', '300 ft')).toBe('290 ft');
   expect(completed('depth', '290 in', '300 ft')).toBe('290 in');

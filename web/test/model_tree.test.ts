@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Field } from '../src/api/types';
 import { tree } from '../src/logic/formTree';
-import { absentObjects, findNode, objectOfKey, objectTitle, partsWithin, pathsAbove, tellingValue, topObjects } from '../src/logic/modelTree';
+import { absentObjects, findNode, objectOfKey, objectTitle, partsWithin, pathsAbove, summaryValue, topObjects } from '../src/logic/modelTree';
 import { lineOfKey } from '../src/logic/yamlPlace';
 
 const field = (path: string, kind: string, value: unknown = null, more: Partial<Field> = {}): Field => ({ path, kind, value, given: true, si: null, unit: '', ...more }) as Field;
@@ -22,18 +22,18 @@ const sections = tree(fields), values = new Map(fields.map((f) => [f.path, f]));
 const node = (path: string) => findNode(sections, path)!;
 
 describe('the tree of objects', () => {
-  it('has what the model has, in the order of an installation, and the document', () => {
+  it('has the objects of the model, in the order of an installation, and the document', () => {
     expect(topObjects(sections).map((n) => objectTitle(n))).toEqual(['Site', 'Pipe', 'Supports', 'Document']);
   });
-  it('offers what the model lacks apart', () => {
+  it('offers missing objects separately', () => {
     expect(absentObjects(sections).map((n) => n.path)).toEqual(['moorings']);
   });
-  it('goes down to items of lists, but not to single values', () => {
+  it('includes items of lists, but not single values', () => {
     expect(partsWithin(node('supports.stinger.boxes')).map(objectTitle)).toEqual(['first', '2']);
     expect(partsWithin(node('supports.stinger.boxes[0]'))).toEqual([]);
   });
-  it('says the value that tells most of each', () => {
-    expect(['environment', 'environment.current', 'pipe', 'supports', 'supports.stinger'].map((path) => tellingValue(node(path), values)))
+  it('shows a summary value of each object', () => {
+    expect(['environment', 'environment.current', 'pipe', 'supports', 'supports.stinger'].map((path) => summaryValue(node(path), values)))
       .toEqual(['89 m', '1 row', '16 in × 11.1 mm', '2 boxes', '2']);
   });
   it('finds the object that shows a key', () => {

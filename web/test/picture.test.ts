@@ -1,16 +1,16 @@
-// The picture: names that keep apart, the window of the side view, coordinates, sections, the ruler, and events of a run.
+// The picture: separation of names, window of the elevation, coordinates, sections, the ruler, and events of a run.
 import { describe, expect, test } from 'vitest';
 import type { Column, Impact, Lay, Scene, Support } from '../src/api/types';
 import { boxName, boxPath } from '../src/logic/boxes';
 import { elevation } from '../src/logic/elevation';
-import { eventsOfRun, extremeOf, nextEvent, objectOfColumn, tensionerEvents, wantedExtremes, worstImpact } from '../src/logic/events';
+import { eventsOfRun, findExtreme, nextEvent, objectOfColumn, tensionerEvents, wantedExtremes, worstImpact } from '../src/logic/events';
 import { labelHeight, placeNames } from '../src/logic/labelPlaces';
 import { liveChanges, readBase } from '../src/logic/live';
 import { measure, withPoint } from '../src/logic/ruler';
 import { boxSection, heaviestBox, pipeLayers } from '../src/logic/section';
 import { inBoxFrame, shipAxes, toShip, toWorld } from '../src/logic/shipAxes';
-import { exaggeration, fitWindow, scaleWords, zoomWindow } from '../src/logic/sideFrame';
-import { drawingsOf, shownDrawings } from '../src/logic/views';
+import { exaggeration, fitWindow, scaleText, zoomWindow } from '../src/logic/sideFrame';
+import { availableDrawings, shownDrawings } from '../src/logic/views';
 
 describe('names', () => {
   const room = { x0: 0, y0: 0, x1: 400, y1: 300 };
@@ -46,18 +46,18 @@ describe('the window of the side view', () => {
     expect(exaggeration(w, plot)).toBeCloseTo(1);
     expect(w.x0).toBeLessThan(seen.x0);
     expect(w.z0).toBeLessThan(seen.z0);
-    expect(scaleWords(exaggeration(w, plot))).toBe('true to scale');
+    expect(scaleText(exaggeration(w, plot))).toBe('true to scale');
   });
 
   test('exaggerated heights fill the room, and heights are never drawn smaller than lengths', () => {
     const factor = exaggeration(fitWindow(seen, plot, false), plot);
     expect(factor).toBeGreaterThan(1.5);
-    expect(scaleWords(factor)).toMatch(/^heights × \d/);
+    expect(scaleText(factor)).toMatch(/^heights × \d/);
     expect(exaggeration(fitWindow({ x0: 0, x1: 10, z0: -500, z1: 0 }, plot, false), plot)).toBeCloseTo(1);
     expect(exaggeration(fitWindow({ x0: 0, x1: 5000, z0: -1, z1: 0 }, plot, false), plot)).toBeLessThanOrEqual(20.001);
   });
 
-  test('what is under the pointer stays there while it is zoomed', () => {
+  test('the point under the pointer is fixed while zooming', () => {
     const w = zoomWindow(seen, 100, -20, 0.5);
     expect((100 - w.x0) / (w.x1 - w.x0)).toBeCloseTo((100 - seen.x0) / (seen.x1 - seen.x0));
     expect(w.x1 - w.x0).toBeCloseTo(250);
@@ -106,11 +106,11 @@ describe('ship axes', () => {
 });
 
 test('the side view has pipe, boxes and hull in ship axes, at rest and at a moment of a run', () => {
-  const still = elevation(lay, scene, null, null, 0.32);
-  expect(still.lay.stations.x).toEqual([0, 10, 20]);
-  expect(still.lay.supports[0]!.p).toMatchObject({ 0: 5, 2: 5 });
-  expect(still.lay.supports[1]!.rows[0]!.rollers[0]!.reaction).toBe(9000);
-  expect(still.bed(100)).toBe(-50);
+  const staticView = elevation(lay, scene, null, null, 0.32);
+  expect(staticView.lay.stations.x).toEqual([0, 10, 20]);
+  expect(staticView.lay.supports[0]!.p).toMatchObject({ 0: 5, 2: 5 });
+  expect(staticView.lay.supports[1]!.rows[0]!.rollers[0]!.reaction).toBe(9000);
+  expect(staticView.bed(100)).toBe(-50);
   const raised = [...pose];
   raised[2] = 1;
   const moment = { pose: raised, places: new Float32Array([0, 0, 6, 10, 0, 6, 20, 0, 6]), lines: null, reactions: new Map([['first', 70]]) };
@@ -121,7 +121,7 @@ test('the side view has pipe, boxes and hull in ship axes, at rest and at a mome
 });
 
 describe('sections', () => {
-  test('a section looks from astern: port rollers lie at the left, the pipe above the bottom roller', () => {
+  test('a section is viewed from astern: port rollers on the left, the pipe above the bottom roller', () => {
     const [row] = boxSection(lay, scene, lay.supports[0]!);
     expect(row!.pipe[0]).toBeCloseTo(0);
     expect(row!.pipe[1]).toBeCloseTo(0.35);
@@ -151,7 +151,7 @@ describe('the ruler', () => {
     expect(m).toMatchObject({ distance: 13, astern: 3, port: 4, up: 12 });
     expect(measure(axes, [{ place: [0, 0, 0], flat: false }, { place: [3, 4, 0], flat: true }])).toMatchObject({ distance: 5, up: null });
   });
-  test('a third click begins anew', () => {
+  test('a third click starts again', () => {
     const p = { place: [0, 0, 0] as [number, number, number], flat: false };
     expect([[], [p], [p, p]].map((points) => withPoint(points, p).length)).toEqual([1, 2, 1]);
   });
@@ -169,9 +169,9 @@ describe('selection', () => {
 
 test('drawings follow from what the model has', () => {
   const part = (of: Partial<Lay>): Lay => ({ pipe: { s: [] }, moorings: null, lines: [], supports: [], ...of }) as unknown as Lay;
-  expect(drawingsOf(lay)).toEqual(['side', 'section', 'plan']);
-  expect(drawingsOf(part({ lines: [{}] as Lay['lines'] }))).toEqual(['side', 'plan']);
-  expect(drawingsOf(part({}))).toEqual([]);
+  expect(availableDrawings(lay)).toEqual(['side', 'section', 'plan']);
+  expect(availableDrawings(part({ lines: [{}] as Lay['lines'] }))).toEqual(['side', 'plan']);
+  expect(availableDrawings(part({}))).toEqual([]);
   expect(shownDrawings(part({ lines: [{}] as Lay['lines'] }))).toEqual([['side', '2'], ['plan', '3']]);
 });
 
@@ -183,7 +183,7 @@ describe('events of a run', () => {
     lines: [{ name: 'port bow', parted_at: 8, events: [{ time: 7, what: 'slack' }] } as never],
   });
 
-  test('they are in the order of time, whatever they are', () => {
+  test('events of all kinds are in order of time', () => {
     expect(events.map((e) => [e.time, e.name])).toEqual([[1, 'impact on box 1'], [2, 'tensioner pays out'], [5, 'impact on box 5'], [7, 'port bow: slack'], [8, 'port bow: parted']]);
   });
 
@@ -196,15 +196,15 @@ describe('events of a run', () => {
 
   test('the worst impact is the hardest', () => expect(worstImpact([impact(1, 300), impact(5, 900)])?.time).toBe(5));
 
-  test('a state before t = 0 is no event', () => expect(tensionerEvents({ t: [-2, -1, 1], min: [0, 1, 1], max: [0, 1, 1] })).toEqual([]));
+  test('a state before t = 0 is not an event', () => expect(tensionerEvents({ t: [-2, -1, 1], min: [0, 1, 1], max: [0, 1, 1] })).toEqual([]));
 
   test('extremes of a history are found from t = 0 on', () => {
     const series = { t: [-5, 0, 1, 2], min: [-90, 1, 3, -2], max: [90, 2, 7, 0] };
-    expect(extremeOf(series, 1)).toEqual({ time: 1, value: 7 });
-    expect(extremeOf(series, -1)).toEqual({ time: 2, value: -2 });
+    expect(findExtreme(series, 1)).toEqual({ time: 1, value: 7 });
+    expect(findExtreme(series, -1)).toEqual({ time: 2, value: -2 });
   });
 
-  test('every history can be gone to at its largest, tensions at their smallest too', () => {
+  test('every history has its maximum in the menu, tensions also their minimum', () => {
     const columns = ['top_tension', 'support/stinger 8/reaction', 'tensioner/state'].map((name): Column => ({ name, unit: 'N', text: '' }));
     expect(wantedExtremes(columns).map((w) => [w.column.name, w.sign])).toEqual([['top_tension', 1], ['support/stinger 8/reaction', 1], ['top_tension', -1]]);
     expect(objectOfColumn('support/stinger 8/reaction')).toBe('stinger 8');

@@ -1,8 +1,8 @@
-// Painter, colour scale and placing of names: what can be tested without a browser.
+// Painter, colour scale and placing of names, without a browser.
 import { describe, expect, test } from 'vitest';
 import { spreadNames } from '../src/components/EndNames';
 import { aboveLimit, paperScale, readHex, viridis } from '../src/components/colourScale';
-import { hangingAndLaid, hullOutline, offsetInWorld, type MooringLineData, type MooringSpread } from '../src/components/mooringSpread';
+import { suspendedAndLaid, hullOutline, offsetInWorld, type MooringLineData, type MooringSpread } from '../src/components/mooringSpread';
 import { Camera, Painter, fitInto, placeLabels, type Vector } from '../src/components/painter';
 
 const luminance = (hex: string): number => readHex(hex).reduce((sum, v, k) => sum + v / 255 * [0.2126, 0.7152, 0.0722][k]!, 0);
@@ -54,7 +54,7 @@ describe('painter', () => {
     expect(painter.sortedPieces()).toHaveLength(1);
   });
 
-  test('what must be seen fills the room within the margins', () => {
+  test('the visible extent fills the room within the margins', () => {
     const place = fitInto([[0, 0, 0], [10, 2, 0]], 120, 100, { left: 10, right: 10, top: 20, bottom: 20 });
     expect(place([0, 0, 0])[0]).toBe(10);
     expect(place([10, 2, 0])[0]).toBe(110);
@@ -64,13 +64,13 @@ describe('painter', () => {
   test('a label that would cover another moves along its leader', () => {
     const label = { seen: [0, 0, 0] as Vector, text: 'box', dx: 0, dy: 20, anchor: 'middle' as const, movable: true };
     const placed = placeLabels([label, label], () => [50, 50], () => 30, 200);
-    expect(placed.map((one) => one.dy)).toEqual([20, 37]);
+    expect(placed.map((label) => label.dy)).toEqual([20, 37]);
     expect(placeLabels([label, label], () => [50, 50], () => 30, 90)).toHaveLength(1);
   });
 });
 
 describe('names at the ends of curves', () => {
-  test('they stand apart within the plot, in the order of their curves', () => {
+  test('they are separated within the plot, in the order of their curves', () => {
     const rows = spreadNames([{ text: 'b', colour: '', y: 98 }, { text: 'a', colour: '', y: 96 }], 0, 100);
     expect(rows.map((row) => row.text)).toEqual(['a', 'b']);
     expect(rows[1]!.row).toBeLessThanOrEqual(100);
@@ -92,10 +92,10 @@ describe('moored vessel', () => {
     expect(Math.max(...outline.map((p) => p[1]))).toBeCloseTo(15);
   });
 
-  test('a line lies from its touchdown on', () => {
+  test('a line is laid from its touchdown on', () => {
     const shape: Vector[] = [[0, 0, 0], [50, 0, -20], [100, 0, -30], [150, 0, -30]];
     const line = { fairlead: [0, 0, 0], shape, touchdown: 100, on_bed: 50 } as unknown as MooringLineData;
-    expect(hangingAndLaid(line).map((part) => part.length)).toEqual([3, 2]);
-    expect(hangingAndLaid({ ...line, on_bed: 0 }).map((part) => part.length)).toEqual([4, 0]);
+    expect(suspendedAndLaid(line).map((part) => part.length)).toEqual([3, 2]);
+    expect(suspendedAndLaid({ ...line, on_bed: 0 }).map((part) => part.length)).toEqual([4, 0]);
   });
 });

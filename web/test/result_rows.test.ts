@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { KeyResults, Region } from '../src/api/results';
-import { changeInWords, resultRows } from '../src/logic/resultRows';
+import { changeText, resultRows } from '../src/logic/resultRows';
 
 const region = (von_mises: number): Region => ({ von_mises, bending_stress: von_mises / 2, strain: 0.001, utilisation: 0.5, s: 10 }) as Region;
 const key = (top: number): KeyResults => ({
@@ -15,29 +15,29 @@ describe('key results as rows', () => {
   const rows = resultRows(lay(2.5e5), storm as never, lay(2e5));
   const row = (name: string) => rows.find((r) => r.name === name);
 
-  it('have the largest of a storm, but the least of a clearance and of the tension at the bottom', () => {
+  it('have the maximum of a storm, but the minimum of clearances and bottom tension', () => {
     expect(row('top tension')).toMatchObject({ static: 2.5e5, storm: 3e5, compared: 2e5 });
     expect(row('overbend von Mises')!.storm).toBe(4e8);
     expect(row('tip clearance')!.storm).toBe(0.06);
     expect(row('bottom tension')!.storm).toBe(1);
   });
-  it('leave out what the model does not have', () => {
+  it('omit quantities that the model does not have', () => {
     expect(row('tower von Mises')).toBeUndefined();
-    expect(row('sagbend von Mises')).toBeUndefined(); // a cable alone reaches the bed: no steel there
+    expect(row('sagbend von Mises')).toBeUndefined(); // a cable alone reaches the seabed: no steel there
     expect(row('largest reaction')).toBeUndefined();
   });
-  it('are of moorings and lines where there is no pipe', () => {
+  it('are of moorings and lines if there is no pipe', () => {
     const moored = { rest: { name: '', vessel: { surge: -1, sway: 2, yaw: 0 }, moorings: [{ fairlead_tension: 4e5, utilisation: 0.2 }, { fairlead_tension: 3e5, utilisation: 0.1 }] }, operation: '', stages: [] };
     const rows = resultRows({ key: null, moorings: moored as never, lines: [{ name: 'jumper', largest_tension: 9e3 }] as never }, null, null);
     expect(rows.map((r) => [r.name, r.static])).toEqual([['surge', -1], ['sway', 2], ['yaw', 0], ['largest line tension', 4e5], ['of breaking load', 0.2], ['jumper, tension', 9e3]]);
   });
-  it('lead to where a value can be sought', () => {
+  it('have the path of values that goal seek supports', () => {
     expect(row('overbend von Mises')!.result).toBe('static.overbend.max_von_mises');
   });
 });
 
-describe('a change in words', () => {
-  it.each([[104.1, 100, '+4.1 %'], [80, 100, '−20 %'], [-0.5, -1, '+50 %'], [1, 1, '='], [1, 0, '> 0']])('of %d against %d is %s', (now, before, words) => {
-    expect(changeInWords(now, before)).toBe(words);
+describe('a change as text', () => {
+  it.each([[104.1, 100, '+4.1 %'], [80, 100, '−20 %'], [-0.5, -1, '+50 %'], [1, 1, '='], [1, 0, '> 0']])('of %d against %d is %s', (value, before, text) => {
+    expect(changeText(value, before)).toBe(text);
   });
 });

@@ -48,9 +48,9 @@ describe('runs next to each other', () => {
     ]);
     expect(differenceTable(['a', 'b'], modelDifferences([first, second])).rows[1]).toEqual(['pipe.wall', '11 mm', 'not given']);
   });
-  test('a group or key that is not given is no difference', () => expect(modelDifferences([[{ ...field('a', 'x'), given: false }], []])).toEqual([]));
+  test('a group or key that is not given is not a difference', () => expect(modelDifferences([[{ ...field('a', 'x'), given: false }], []])).toEqual([]));
   const summary = (tension: number, used: number) => ({ static: { top_tension: tension, overbend: { max_von_mises: 300e6 } }, checks: { list: [], worst: { utilisation: used } } }) as never;
-  test('have results that any of them has, with differences from the first', () => {
+  test('have the results of all runs, with differences from the first', () => {
     const rows = resultRows([summary(250e3, 0.7), summary(275e3, 0.77), null]);
     expect(rows.map((r) => r.name)).toEqual(['utilisation', 'static top tension', 'static overbend von Mises']);
     expect(rows[1]!.values).toEqual([250e3, 275e3, null]);
@@ -64,13 +64,13 @@ describe('runs next to each other', () => {
     const envelopes = (s: number[], values: number[]): Envelopes => ({ s, x: s, z: s, effective_tension: band(values), bending_moment: band(values), bending_stress: band(values), von_mises: band(values), strain: band(values) });
     const chart = envelopeChart('von_mises', [{ name: 'a', colour: 'red', data: envelopes([0, 10], [100e6, 200e6]) }, { name: 'b', colour: 'blue', data: envelopes([0, 5, 20], [1e6, 2e6, 3e6]) }, { name: 'c', colour: 'green', data: null }]);
     expect(chart.x).toEqual([0, 5, 10, 20]);
-    expect(chart.lines.map((l) => l.name)).toEqual(['a', 'a, least', 'b', 'b, least']);
+    expect(chart.lines.map((l) => l.name)).toEqual(['a', 'a, min', 'b', 'b, min']);
     expect(chart.lines[0]!.values).toEqual([100, 150, 200, null]);
     expect(chart.lines[2]!.values.map((v) => Number(v!.toFixed(6)))).toEqual([1, 2, 2.333333, 3]);
   });
   test('have histories in one diagram', () => {
     const chart = historyChart('Top tension', 'N', [{ name: 'a', colour: 'red', data: { t: [0, 1, 2], min: [1e3, 2e3, 3e3], max: [1e3, 2e3, 3e3] } }, { name: 'b', colour: 'blue', data: { t: [0, 2], min: [0, 0], max: [4e3, 4e3] } }]);
-    expect(chart.lines.map((l) => l.name)).toEqual(['a', 'b', 'b, least']);
+    expect(chart.lines.map((l) => l.name)).toEqual(['a', 'b', 'b, min']);
     expect(chart.lines[1]!.values).toEqual([4, 4, 4]);
     expect(chart.yName).toBe('top tension [kN]');
   });

@@ -5,18 +5,18 @@ import { bullet, bullets, keyName, withoutPaths, withoutPlace } from '../src/log
 
 describe('findings', () => {
   const boxes = ['stinger 1', 'stinger 12', 'ramp 1'];
-  test('no path of this machine is told', () => {
+  test('no path of this machine is shown', () => {
     expect(withoutPaths("'/home/me/models/data/rao.csv': 3 headings")).toBe("'rao.csv': 3 headings");
     expect(withoutPaths('C:\\Users\\me\\a b.csv and /tmp/x/y.yaml:12')).not.toMatch(/Users|tmp/);
     expect(withoutPaths('kN/m^2, 1/2, and/or, m/s')).toBe('kN/m^2, 1/2, and/or, m/s');
     expect(withoutPaths("'/home/me/my models/a b.csv': 3 headings")).toBe("'a b.csv': 3 headings");
     expect(withoutPaths('../data/bgl1/rao.csv')).toBe('../data/bgl1/rao.csv');
   });
-  test('the box stands in front, not another whose name begins alike', () => {
+  test('the box is named first, not another with the same beginning', () => {
     expect(bullet('the pipe runs off the end of a roller: stinger 12, port roller, by 71 mm', boxes)).toMatchObject({ name: 'stinger 12', full: 'the pipe runs off the end of a roller: port roller, by 71 mm' });
     expect(bullet('nothing of that', boxes).name).toBe('');
   });
-  test('a key is named in the words of the form', () => {
+  test('a key is named as in the form', () => {
     expect(keyName('supports.stinger.boxes[3].z')).toBe('stinger box 4 z');
     expect(bullet('is unusual', [], 'environment.waves.hs').name).toBe('waves hs');
   });
@@ -29,8 +29,8 @@ describe('findings', () => {
     expect(bullet(`${place}${said}`, [])).toMatchObject({ full: said, short: 'the wall thickness of 7.1 mm is below the smallest of API 5L for 30 in …' });
     expect(withoutPlace('rao.yaml is read: 3 columns')).toBe('rao.yaml is read: 3 columns');
   });
-  test('a word longer than a bullet is cut where it must be', () => expect(bullet('x'.repeat(200), []).short).toBe(`${'x'.repeat(96)} …`));
-  test('what is said twice is one bullet, and the serious ones come first', () => {
+  test('a word longer than a bullet is cut', () => expect(bullet('x'.repeat(200), []).short).toBe(`${'x'.repeat(96)} …`));
+  test('repeated findings are one bullet, and the serious ones come first', () => {
     const finding = (message: string, severity: 'serious' | 'caution' | 'note') => ({ code: 'free-spans', severity, message });
     const list = bullets([finding('a', 'note'), finding('a', 'note'), finding('b', 'caution'), finding('c', 'serious')], []);
     expect(list.map((b) => `${b.severity} ${b.full}`)).toEqual(['serious c', 'caution b', 'note a']);
@@ -43,8 +43,8 @@ describe('two texts side by side', () => {
     expect(rows.filter((r) => r.left !== r.right)).toEqual([{ left: '6', right: 'six' }, { left: null, right: '9' }]);
     expect(rows[0]).toEqual({ left: '4', right: '4' });
   });
-  test('alike texts have none', () => expect(differences('a\nb', 'a\nb')).toEqual([]));
-  test('a line put in does not shift the others', () => expect(differences('a\nb\nc', 'a\nx\nb\nc').filter((r) => r.left !== r.right)).toEqual([{ left: null, right: 'x' }]));
+  test('equal texts have none', () => expect(differences('a\nb', 'a\nb')).toEqual([]));
+  test('an inserted line does not shift the others', () => expect(differences('a\nb\nc', 'a\nx\nb\nc').filter((r) => r.left !== r.right)).toEqual([{ left: null, right: 'x' }]));
 });
 
 describe('motion', () => {
@@ -55,15 +55,15 @@ describe('motion', () => {
     expect(motionKind(of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv' }))).toBe('raos');
   });
   test('another file keeps what is said of its conventions', () => {
-    const now = of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv', 'vessel.motion.convention': null, 'vessel.motion.convention.set': 'wamit', 'vessel.motion.convention.reference.x': '2 m' });
-    expect(motionValue('raos', 'b.4', now)).toEqual({ raos: 'b.4', convention: { set: 'wamit', reference: { x: '2 m' } } });
-    expect(motionValue('history', 'b.csv', now)).toEqual({ history: 'b.csv' });
+    const changed = of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv', 'vessel.motion.convention': null, 'vessel.motion.convention.set': 'wamit', 'vessel.motion.convention.reference.x': '2 m' });
+    expect(motionValue('raos', 'b.4', changed)).toEqual({ raos: 'b.4', convention: { set: 'wamit', reference: { x: '2 m' } } });
+    expect(motionValue('history', 'b.csv', changed)).toEqual({ history: 'b.csv' });
     const barge = new Map(Object.entries({ length: 120, beam: 30, depth: 9, draught: 5.182 }).map(([k, si]) => [`vessel.${k}`, { given: true, si }]));
-    // the displacement of a box in sea water, by which the files of BGL-1 were made
+    // the displacement of a box in sea water, from which the files of BGL-1 were made
     expect(motionValue('coupled', 'data/bgl1/bgl1.hst', barge)).toMatchObject({ coupled: { hydrodynamics: 'data/bgl1/bgl1', mass: '19122 t', gyration: { roll: '10.5 m', pitch: '30 m', yaw: '30 m' } } });
     expect(motionValue('coupled', 'ship.nc', barge)).toMatchObject({ coupled: { hydrodynamics: 'ship.nc' } });
   });
-  test('what a sea asks for', () => {
+  test('fields required by a sea state', () => {
     expect(askedOfWaves('jonswap')).toEqual(['hs', 'tp']);
     expect(askedOfWaves('airy')).toEqual(['height', 'period']);
     expect(askedOfWaves('none')).toEqual([]);

@@ -11,7 +11,7 @@ const list = prepare([
 const names = (query: string): string[] => findEntries(list, query, 10).map((e) => e.name);
 
 describe('search', () => {
-  test('a whole name comes first, the one that the model has before others', () => {
+  test('a whole name comes first, keys of the model before others', () => {
     expect(findEntries(list, 'tension', 3).map((e) => e.more)).toEqual(['tensioner.tension', 'moorings.lines[0].tension', 'tensioner']);
     expect(names('stinger 3')[0]).toBe('stinger 3');
     expect(names('stinger 3 z')[0]).toBe('stinger 3 z');
@@ -26,8 +26,8 @@ describe('search', () => {
     expect(names('sa')[0]).toBe('Save');
   });
   test('a path finds its key', () => expect(names('pipe.steel.wall_thickness')[0]).toBe('wall thickness'));
-  test('a letter left out does not matter', () => expect(names('tnsion')).toContain('tension'));
-  test('without a query what matters most is listed', () => {
+  test('an omitted letter still matches', () => expect(names('tnsion')).toContain('tension'));
+  test('without a query the most important entries are listed', () => {
     expect(names('')[0]).toBe('Save');
     expect(findEntries(list, '', 10).every((e) => e.weight! > 0)).toBe(true);
   });

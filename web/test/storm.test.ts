@@ -31,18 +31,18 @@ test('the direction is written as in the model with its side', () => {
   expect(directionText(model({}))).toBe('');
 });
 
-test('a library hull is said as such, with its dimensions', () => {
+test('a library hull is named with its dimensions', () => {
   expect(libraryHull('box-hull-118.5x29m.csv')).toEqual({ length: 118.5, beam: 29 });
   expect(libraryHull('data/bgl1/rao.csv')).toBeNull();
-  const own = { 'vessel.motion.raos': 'box-hull-120x30m.csv', 'vessel.length': 120, 'vessel.beam': 30 };
-  expect(motionText(model(own))).toEqual({ text: 'library hull', note: 'Motion of a box hull of 120 × 30 m scaled from BGL-1: an assumption.' });
-  expect(hullDiffers(model(own))).toBe(false);
-  expect(motionText(model({ ...own, 'vessel.length': 130 })).note).toBe('Library hull of 120 × 30 m: the vessel has other dimensions.');
+  const scaled = { 'vessel.motion.raos': 'box-hull-120x30m.csv', 'vessel.length': 120, 'vessel.beam': 30 };
+  expect(motionText(model(scaled))).toEqual({ text: 'library hull', note: 'RAOs of a box hull of 120 × 30 m scaled from BGL-1: an assumption.' });
+  expect(hullDiffers(model(scaled))).toBe(false);
+  expect(motionText(model({ ...scaled, 'vessel.length': 130 })).note).toBe('Library hull of 120 × 30 m: the vessel has other dimensions.');
   expect(motionText(model({ 'vessel.motion.raos': 'data/bgl1/rao.csv' }))).toEqual({ text: 'RAO file, rao.csv' });
   expect(motionText(model({ 'vessel.motion': 'fixed' }))).toEqual({ text: 'fixed' });
 });
 
-test('a tensioner is named by its range, or by what holds the tension without one', () => {
+test('a tensioner is named by its range, or by its mode without one', () => {
   expect(tensionerText(model({ 'tensioner.range[0]': '200 kN', 'tensioner.range[1]': '300 kN', 'tensioner.tension': '250 kN' })).text).toBe('200 … 300 kN');
   expect(tensionerText(model({ 'tensioner.mode': 'locked', 'tensioner.tension': '250 kN' })).text).toBe('250 kN, locked');
   const constant = tensionerText(model({ 'tensioner.tension': '250 kN' }));
@@ -51,7 +51,7 @@ test('a tensioner is named by its range, or by what holds the tension without on
   expect(tensionerText(model({})).text).toBe('');
 });
 
-test('a first range lies a fifth to either side of the tension', () => {
+test('the default range is a fifth to either side of the tension', () => {
   expect(firstRange(model({ 'tensioner.tension': '250 kN' }))![0]).toEqual({ path: 'tensioner.range', value: ['200 kN', '300 kN'] });
   expect(firstRange(model({}))).toBeNull();
 });
@@ -69,7 +69,7 @@ test('seeds are a number or a list', () => {
 
 test('a new model gets waves on the bow, the library hull and three hours', () => {
   const fields = model({ vessel: { given: true }, 'vessel.motion': 'fixed', 'vessel.heading': { given: true, value: '90 deg', si: Math.PI / 2 } });
-  expect(missingInStorm(fields)).toEqual(['waves', 'motion of the vessel', 'duration']);
+  expect(missingInStorm(fields)).toEqual(['waves', 'vessel motion', 'duration']);
   expect(firstStorm(fields, 'box-hull-120x30m.csv')).toEqual([
     { path: 'environment.waves', value: { type: 'jonswap', hs: '2 m', tp: '8 s', from: '90 deg' } },
     { path: 'vessel.motion', value: { raos: 'box-hull-120x30m.csv' } },
@@ -77,7 +77,7 @@ test('a new model gets waves on the bow, the library hull and three hours', () =
   ]);
 });
 
-test('a model that has a storm keeps what it says, a fixed vessel too', () => {
+test('a model with a storm keeps its values, also a fixed vessel', () => {
   const fields = model({ vessel: { given: true }, 'vessel.motion': 'fixed', 'environment.waves.type': 'airy', 'analysis.dynamic': { given: true } });
   expect(missingInStorm(fields)).toEqual([]);
   expect(firstStorm(fields, null)).toEqual([]);

@@ -13,14 +13,14 @@ const summary = {
   smallest_tension: spread(90e3, 140e3), overbend: null, tower: null, supports: [support], impacts: [{ name: 'stinger 8', count: 3, largest_impact_force: 55e3, dent_depth: 0.001 }],
 } as unknown as DynamicSummary;
 
-test('statistics of a run have each quantity in its own unit, and leave out what it has none of', () => {
+test('statistics of a run have each quantity in its unit, and omit missing ones', () => {
   const table = statisticsTable(summary, null);
   expect(table.rows[0]).toEqual(['top tension', 'kN', null, '200.0', '250.0', '300.0', '1.0']);
   expect(table.rows.map((row) => row[0])).not.toContain('stinger tip clearance');
   expect(table.rows.find((row) => row[0] === 'lay-back')).toEqual(['lay-back', 'm', null, '300.000', '320.000', '340.000', '1000.000']);
 });
 
-test('boxes have their reactions over time, contact, impacts and a mark where the pipe left them', () => {
+test('boxes have reactions over time, contact, impacts, and a mark if the pipe left them', () => {
   const table = boxesTable(summary, null);
   expect(table.rows[0]).toEqual(['stinger 8', null, 0, 40, 75, 80, 1, 50, 3, 55, 1]);
   expect(table.columns.map((column) => column.title)).toContain('99 %');
@@ -45,7 +45,7 @@ test('seeds are shown by their statistics, variants side by side', () => {
   expect(variants.rows).toEqual([['Largest tension', 'kN', '300', null]]);
 });
 
-test('extremes from seeds stand with their confidence, and are none without enough seeds', () => {
+test('extremes over seeds have confidence intervals, and need enough seeds', () => {
   expect(seedExtremes(study('seeds'))!.rows).toEqual([['Largest tension', 'kN', '350', '330', '380', null, null, null]]);
   const few = study('seeds');
   few.quantities[0]!.gumbel = null;

@@ -1,14 +1,14 @@
-// The study file that the page writes, and how its cases lie in tables and charts.
+// The study file of the page, and the layout of its cases in tables and charts.
 import { expect, test } from 'vitest';
 import type { Matrix, MatrixCase } from '../src/api/types';
-import { depthLimits, gridFault, gridYaml, usualLimits } from '../src/logic/layGrid';
-import { baseCase, cellsOver, governingChecks, gridAxes, kUtilisation, shapeOf, spreadAxes, swings, tally, worstValue } from '../src/logic/studies';
-import { axisValues, axisYaml, caseCount, emptyAxis, roundRange, studyFault, studyYaml, type AxisWish, type ModelKeys, type StudyWish } from '../src/logic/studyFile';
+import { depthLimits, findGridError, gridYaml, usualLimits } from '../src/logic/layGrid';
+import { baseCase, cellsOver, governingChecks, gridAxes, kUtilisation, findShape, spreadAxes, swings, tally, worstValue } from '../src/logic/studies';
+import { axisValues, axisYaml, caseCount, emptyAxis, roundRange, findStudyError, studyYaml, type AxisRequest, type ModelKeys, type StudyRequest } from '../src/logic/studyFile';
 import { casesTable, decimals, studySheets, tensionTable } from '../src/logic/studyTables';
 
-const tension: AxisWish = { key: 'tensioner.tension', from: '200 kN', to: '400', count: '21', list: '' };
-const depth: AxisWish = { ...emptyAxis('environment.water_depth'), list: '80, 89, 100 m' };
-const wish: StudyWish = { analysis: 'static', axes: [tension, depth], seeds: '', duration: '', gather: '', over: '', resolution: '' };
+const tension: AxisRequest = { key: 'tensioner.tension', from: '200 kN', to: '400', count: '21', list: '' };
+const depth: AxisRequest = { ...emptyAxis('environment.water_depth'), list: '80, 89, 100 m' };
+const request: StudyRequest = { analysis: 'static', axes: [tension, depth], seeds: '', duration: '', gather: '', over: '', resolution: '' };
 const model: ModelKeys = { unit: (key) => (key === 'tensioner.tension' ? 'kN' : 'm'), value: (key) => (key === 'tensioner.tension' ? '250 kN' : '89 m') };
 
 test('axes are ranges or lists, and numbers take the unit of their key', () => {
@@ -22,34 +22,34 @@ test('axes are ranges or lists, and numbers take the unit of their key', () => {
 });
 
 test('every combination is a case, with every seed in time, and one at a time a case for each value', () => {
-  expect(caseCount('study', wish)).toBe(63);
-  expect(caseCount('study', { ...wish, seeds: '1-5' })).toBe(63);
-  expect(caseCount('study', { ...wish, analysis: 'dynamic', seeds: '1-5' })).toBe(315);
-  expect(caseCount('operability', { ...wish, over: 'tensioner.tension' })).toBe(3);
-  expect(caseCount('each', wish)).toBe(25);
+  expect(caseCount('study', request)).toBe(63);
+  expect(caseCount('study', { ...request, seeds: '1-5' })).toBe(63);
+  expect(caseCount('study', { ...request, analysis: 'dynamic', seeds: '1-5' })).toBe(315);
+  expect(caseCount('operability', { ...request, over: 'tensioner.tension' })).toBe(3);
+  expect(caseCount('each', request)).toBe(25);
 });
 
-test('the file has what the fields say', () => {
-  const text = studyYaml('study', { ...wish, analysis: 'dynamic', seeds: '1-2', duration: '60 s', gather: 'dynamic.top_tension.max' }, 'lay.yaml', model);
+test('the file has the values of the fields', () => {
+  const text = studyYaml('study', { ...request, analysis: 'dynamic', seeds: '1-2', duration: '60 s', gather: 'dynamic.top_tension.max' }, 'lay.yaml', model);
   expect(text).toContain('analysis: dynamic\nduration: 60 s\naxes:\n  - {key: tensioner.tension');
   expect(text).toContain('seeds: [1, 2]\ngather: [dynamic.top_tension.max]\n');
-  expect(studyYaml('operability', { ...wish, over: 'environment.water_depth', resolution: '5' }, 'lay.yaml', model))
+  expect(studyYaml('operability', { ...request, over: 'environment.water_depth', resolution: '5' }, 'lay.yaml', model))
     .toContain('operability: {over: environment.water_depth, resolution: 5 m, criterion: checks}\n');
 });
 
 test('one at a time starts from the case of the model and changes one key in each case', () => {
   const axes = [{ ...tension, list: '240, 260' }, { ...depth, list: '80' }];
-  const text = studyYaml('each', { ...wish, axes }, 'lay.yaml', model);
+  const text = studyYaml('each', { ...request, axes }, 'lay.yaml', model);
   expect(text).toContain('{key: tensioner.tension, values: [250 kN, 240 kN, 260 kN, 250 kN]}');
   expect(text).toContain('{key: environment.water_depth, values: [89 m, 89 m, 89 m, 80 m], with: tensioner.tension}');
 });
 
-test('what cannot be asked for is said before it is sent', () => {
-  expect(studyFault('study', wish, model)).toBeNull();
-  expect(studyFault('study', { ...wish, axes: [] }, model)).toMatch(/add a key/);
-  expect(studyFault('study', { ...wish, axes: [emptyAxis('tensioner.tension')] }, model)).toMatch(/from and to/);
-  expect(studyFault('study', { ...wish, axes: [tension, tension] }, model)).toMatch(/once/);
-  expect(studyFault('operability', { ...wish, over: 'vessel.trim' }, model)).toMatch(/choose the key/);
+test('an invalid request is reported before it is sent', () => {
+  expect(findStudyError('study', request, model)).toBeNull();
+  expect(findStudyError('study', { ...request, axes: [] }, model)).toMatch(/add a key/);
+  expect(findStudyError('study', { ...request, axes: [emptyAxis('tensioner.tension')] }, model)).toMatch(/enter from, to/);
+  expect(findStudyError('study', { ...request, axes: [tension, tension] }, model)).toMatch(/once/);
+  expect(findStudyError('operability', { ...request, over: 'vessel.trim' }, model)).toMatch(/select the key/);
 });
 
 test('ranges about the value of a model are round', () => {
@@ -61,41 +61,41 @@ test('ranges about the value of a model are round', () => {
 test('a lay table of depths by tensions is a study of both', () => {
   const grid = { rows: { ...emptyAxis(), from: '70 m', to: '110 m' }, columns: tension };
   expect(gridYaml(grid, 'lay.yaml', model)).toContain('- {key: environment.water_depth, from: 70 m, to: 110 m, steps: 5}\n  - {key: tensioner.tension, from: 200 kN');
-  expect(gridFault(grid, model)).toBeNull();
-  expect(gridFault({ ...grid, rows: { ...grid.rows, to: '' } }, model)).toMatch(/depths/);
+  expect(findGridError(grid, model)).toBeNull();
+  expect(findGridError({ ...grid, rows: { ...grid.rows, to: '' } }, model)).toMatch(/depths/);
 });
 
-const one = (number: number, at: number[], value: number | null, more: Partial<MatrixCase> = {}): MatrixCase =>
-  ({ number, at, words: [], inputs: [], seed: null, state: value === null ? 'failed' : 'done', values: [value], passed: value !== null && value < 10, verdict: value === null ? 'not judged' : value < 10 ? 'passed' : 'exceeded', obstacle: '', governing: '', utilisation: null, reason: '', ...more });
-const axis = (key: string, words: string[], more = {}) => ({ key, unit: '', with: '', sampled: false, words, values: words.map(Number), ...more });
+const makeCase = (number: number, place: number[], value: number | null, more: Partial<MatrixCase> = {}): MatrixCase =>
+  ({ number, at: place, words: [], inputs: [], seed: null, state: value === null ? 'failed' : 'done', values: [value], passed: value !== null && value < 10, verdict: value === null ? 'not judged' : value < 10 ? 'passed' : 'exceeded', obstacle: '', governing: '', utilisation: null, reason: '', ...more });
+const axis = (key: string, labels: string[], more = {}) => ({ key, unit: '', with: '', sampled: false, words: labels, values: labels.map(Number), ...more });
 const matrix = (cases: MatrixCase[]): Matrix => ({ title: '', analysis: 'static', inputs: [axis('a', ['1', '2']), axis('b', ['1', '2', '3']), axis('c', ['1', '2'], { with: 'a' })], outputs: [{ name: 'x.max', unit: '' }], cases, operability: null, findings: [] });
 
-test('cells lie where their values are, and tell of what failed', () => {
-  const m = matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], 20), one(2, [0, 2, 0], null), one(3, [1, 0, 1], 4), one(4, [1, 1, 1], 5, { state: 'open' })]);
+test('cells lie at their values, and report failed cases', () => {
+  const m = matrix([makeCase(0, [0, 0, 0], 1), makeCase(1, [0, 1, 0], 20), makeCase(2, [0, 2, 0], null), makeCase(3, [1, 0, 1], 4), makeCase(4, [1, 1, 1], 5, { state: 'open' })]);
   expect(spreadAxes(m)).toEqual([0, 1]);
   const cells = cellsOver(m, [0, 1], {}, 0);
   expect(cells.map((row) => row.map((c) => c.state))).toEqual([['passed', 'passed'], ['exceeded', 'open'], ['failed', 'open']]);
   expect(cells[1]![0]!.value).toBe(20);
   expect(cellsOver(m, [1], { 0: 1 }, 0)[0]!.map((c) => c.value)).toEqual([4, 5, null]);
-  expect(tally(m)).toBe('5 cases: 2 pass, 1 exceed a check, 1 have no solution, 1 still to come');
+  expect(tally(m)).toBe('5 cases: 2 pass, 1 exceed a check, 1 have no solution, 1 pending');
 });
 
-test('a case with a serious finding passes with reservations, one that nothing judges does not pass', () => {
-  const m = matrix([one(0, [0, 0, 0], 1, { verdict: 'reserved', passed: false, obstacle: 'pipe-off-rollers' }), one(1, [0, 1, 0], 1, { verdict: 'not judged', passed: false }), one(2, [0, 2, 0], 1)]);
+test('a case with a serious finding passes with reservations, one without checks does not pass', () => {
+  const m = matrix([makeCase(0, [0, 0, 0], 1, { verdict: 'reserved', passed: false, obstacle: 'pipe-off-rollers' }), makeCase(1, [0, 1, 0], 1, { verdict: 'not judged', passed: false }), makeCase(2, [0, 2, 0], 1)]);
   expect(tally(m)).toBe('3 cases: 1 pass, 1 pass with reservations, 1 solved, not judged');
   expect(cellsOver(m, [0, 1], {}, 0).map((row) => row[0]!.state)).toEqual(['reserved', 'not judged', 'passed']);
 });
 
-test('of several seeds the one farther out counts', () => {
-  const seeds = [one(0, [], 3), one(1, [], 5), one(2, [], null)];
+test('of several seeds the more extreme value counts', () => {
+  const seeds = [makeCase(0, [], 3), makeCase(1, [], 5), makeCase(2, [], null)];
   expect(worstValue(seeds, 0, 'dynamic.top_tension.max')).toBe(5);
   expect(worstValue(seeds, 0, 'dynamic.top_tension.min')).toBe(3);
-  expect(worstValue([one(0, [], null)], 0, 'x')).toBeNull();
+  expect(worstValue([makeCase(0, [], null)], 0, 'x')).toBeNull();
 });
 
-const laid = (number: number, at: [number, number], tensionHere: number, utilisation: number | null, governing = 'A'): MatrixCase => (
-  { ...one(number, at, utilisation), words: [`${70 + 10 * at[0]} m`, `${tensionHere} kN`], inputs: [70 + 10 * at[0], tensionHere], utilisation, governing,
-    verdict: utilisation === null ? 'not judged' : utilisation > 1 ? 'exceeded' : 'passed', values: [300 + at[1]] });
+const laid = (number: number, place: [number, number], tensionHere: number, utilisation: number | null, governing = 'A'): MatrixCase => (
+  { ...makeCase(number, place, utilisation), words: [`${70 + 10 * place[0]} m`, `${tensionHere} kN`], inputs: [70 + 10 * place[0], tensionHere], utilisation, governing,
+    verdict: utilisation === null ? 'not judged' : utilisation > 1 ? 'exceeded' : 'passed', values: [300 + place[1]] });
 const layGrid = (cases: MatrixCase[]): Matrix => (
   { ...matrix(cases), inputs: [axis('environment.water_depth', ['70', '80']), axis('tensioner.tension', ['200', '300', '400'], { unit: 'kN' })],
     outputs: [{ name: 'static.lay_back', unit: 'm' }] });
@@ -113,7 +113,7 @@ test('each depth has the tensions that keep the limit, between two of them where
   expect(table.rows[0]).toEqual([70, '250', '≥ 400', 301, 302, 'A', '']);
 });
 
-test('a workbook has the table, what governs, the tensions and all cases', () => {
+test('a workbook has the table, governing checks, tensions and all cases', () => {
   const tables = studySheets(solvedGrid, [1, 0], {}, depthLimits(solvedGrid, 1, 0, {}, usualLimits));
   expect(tables.map(({ title }) => title)).toEqual(['Utilisation', 'Governing check', 'Tensions', 'Cases']);
   expect(tables[0]!.rows[0]).toEqual(['70', 1.2, 0.8, 0.9]);
@@ -122,10 +122,10 @@ test('a workbook has the table, what governs, the tensions and all cases', () =>
   expect(governingChecks(solvedGrid).map(({ name, count }) => [name, count])).toEqual([['A', 4], ['B', 1]]);
 });
 
-test('one key at a time is seen by its cases, and each key has its swing', () => {
+test('one key at a time is recognised by its cases, and each key has its range', () => {
   const cases = [laid(0, [0, 0], 250, 0.8), laid(1, [0, 1], 240, 0.9), laid(2, [0, 2], 260, 0.7), { ...laid(3, [1, 0], 250, 0.95), words: ['80 m', '250 kN'] }];
   const each: Matrix = { ...layGrid(cases), inputs: [axis('environment.water_depth', ['70', '70', '70', '80']), axis('tensioner.tension', ['250', '240', '260', '250'], { with: 'environment.water_depth' })] };
-  expect(shapeOf(each)).toBe('each');
+  expect(findShape(each)).toBe('each');
   expect(swings(each, baseCase(each)!, kUtilisation).map(({ key, low, high }) => [key, low, high])).toEqual([['tensioner.tension', 0.7, 0.9], ['environment.water_depth', 0.8, 0.95]]);
   expect(baseCase(solvedGrid)).toBeNull();
 });

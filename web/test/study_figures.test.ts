@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { gradientStops, valueColour, valueScale } from '../src/components/colourScale';
-import { stateWords } from '../src/components/HeatMap';
+import { stateLabels } from '../src/components/HeatMap';
 import { axisPlaces, nameEnd, roomAround, wholeRange } from '../src/components/keyAxis';
 import { passEdges } from '../src/components/passEdges';
 import { isClosed } from '../src/components/Rose';
@@ -8,8 +8,8 @@ import type { SeekData, StudyData, StudyGroupData } from '../src/report/data';
 import { pathPoints } from '../src/report/figures/seek';
 import { describeGroup, groupsWith, mapLayout } from '../src/report/figures/study_cases';
 
-const group = (at: number[], value: number | null, more: Partial<StudyGroupData> = {}): StudyGroupData => ({
-  at, x: [], words: at.map(String), mean: [value], low: [value], high: [value], state: value === null ? 'failed' : 'passed', governing: '', utilisation: null,
+const group = (place: number[], value: number | null, more: Partial<StudyGroupData> = {}): StudyGroupData => ({
+  at: place, x: [], words: place.map(String), mean: [value], low: [value], high: [value], state: value === null ? 'failed' : 'passed', governing: '', utilisation: null,
   case: 0, ...more });
 const axis = (name: string, values: number[]) => ({ name, words: values.map(String), values, sampled: false });
 const study = (groups: StudyGroupData[]): StudyData => ({
@@ -39,9 +39,9 @@ test('the border runs between cells that pass and their neighbours that do not',
 });
 
 test('marks of cells are explained where they occur', () => {
-  expect(stateWords(['passed'])).toBe('');
-  expect(stateWords(['passed', 'exceeded', 'failed'])).toBe('struck through: a check is exceeded; hatched: no result');
-  expect(stateWords(['not judged'])).toBe('');
+  expect(stateLabels(['passed'])).toBe('');
+  expect(stateLabels(['passed', 'exceeded', 'failed'])).toBe('struck through: a check is exceeded; hatched: no result');
+  expect(stateLabels(['not judged'])).toBe('');
 });
 
 test('a rose is closed where directions go all the way round', () => {
@@ -56,7 +56,7 @@ test('the two keys with most values span a map, the others distinguish the maps'
   expect(facets.map((facet) => [facet.title, facet.groups.length])).toEqual([['b 0', 2], ['b 1', 1]]);
 });
 
-test('every case that was solved has a result, also where it is not judged', () => {
+test('every solved case has a result, also if it is not judged', () => {
   const all = [group([0, 0, 0], 1, { state: 'reserved' }), group([0, 0, 1], 2, { state: 'not judged' }), group([0, 1, 0], null), group([1, 0, 0], null, { state: 'passed' })];
   expect(groupsWith(study(all), 0).map((g) => g.mean[0])).toEqual([1, 2]);
   expect(describeGroup(study(all), all[0]!)).toBe('case 0\na: 0\nb: 0\nc: 0\npassed with reservations');
@@ -64,7 +64,7 @@ test('every case that was solved has a result, also where it is not judged', () 
 
 test('a key without numbers has its values side by side', () => {
   expect(axisPlaces(axis('a', [2, 4])).places).toEqual([2, 4]);
-  expect(axisPlaces({ name: 'a', words: ['x', 'y'], values: [null, null] })).toEqual({ places: [0, 1], words: ['x', 'y'], numeric: false });
+  expect(axisPlaces({ name: 'a', words: ['x', 'y'], values: [null, null] })).toEqual({ places: [0, 1], labels: ['x', 'y'], numeric: false });
 });
 
 test('ranges have room, but not across zero', () => {

@@ -6,8 +6,8 @@ import { tube } from '../src/logic/tube';
 import type { Scene } from '../src/api/types';
 
 describe('the tensioner', () => {
-  test('its states have words', () => {
-    expect([0, 1, 2, 3, 4].map((v) => tensionerState(v)?.words)).toEqual(['holds', 'waiting for its delay', 'pays out', 'hauls in', 'at its limit']);
+  test('its states have labels', () => {
+    expect([0, 1, 2, 3, 4].map((v) => tensionerState(v)?.label)).toEqual(['holds', 'in delay', 'pays out', 'hauls in', 'at its limit']);
     expect(tensionerState(null)).toBeNull();
     expect(tensionerState(7)).toBeNull();
   });
@@ -19,9 +19,9 @@ describe('the tensioner', () => {
   });
 });
 
-test('the next request is sent before the last answer is taken in', async () => {
+test('the next request is sent before the last answer is processed', async () => {
   const order: string[] = [];
-  const gate = new LatestGate<number, number>(async (r) => { order.push(`ask ${r}`); await Promise.resolve(); return r; }, (a) => { order.push(`take ${a}`); }, () => order.push('fault'));
+  const gate = new LatestGate<number, number>(async (r) => { order.push(`ask ${r}`); await Promise.resolve(); return r; }, (a) => { order.push(`take ${a}`); }, () => order.push('failed'));
   gate.submit(1);
   gate.submit(2);
   gate.submit(3);
@@ -30,9 +30,9 @@ test('the next request is sent before the last answer is taken in', async () => 
   expect(gate.inFlight).toBe(false);
 });
 
-describe('what stands still', () => {
+describe('the fixed scene', () => {
   const scene = { water_depth: 90, seabed: { normal: [0, 0, 1], point: [1, 2, -90] }, vessel: { pose: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1] } } as unknown as Scene;
-  test('is the same without values tried out', () => expect(liveScene(scene, undefined, undefined, 0)).toBe(scene));
+  test('is the same without trial values', () => expect(liveScene(scene, undefined, undefined, 0)).toBe(scene));
   test('the seabed goes down with the depth', () => expect(liveScene(scene, 100, undefined, 0)).toMatchObject({ water_depth: 100, seabed: { point: [1, 2, -100] } }));
   test('a trim lifts the bow', () => {
     const { pose } = liveScene(scene, undefined, 0.1, 0).vessel!;

@@ -21,9 +21,9 @@ describe('a variable', () => {
   test('every numeric key is one, with its default where it is left out', () => {
     expect(variable('friction').si).toBe(0.1);
     expect(variable('title')).toBeNull();
-    expect(variable('vessel.stiffness').scale).toBe(1000); // a unit that the page does not know
+    expect(variable('vessel.stiffness').scale).toBe(1000); // a unit that the page does not support
   });
-  test('names are short and tell boxes apart', () => {
+  test('names are short and distinguish boxes', () => {
     expect(variable('tensioner.tension').name).toBe('tension');
     expect(variable('pipe.steel.wall_thickness').name).toBe('wall thickness');
     expect(variableName('supports.stinger.boxes[2].z', base.fields)).toBe('last z');
@@ -42,7 +42,7 @@ describe('a variable', () => {
     expect(onStep(variable('tensioner.tension'), -5e3, 1)).toBe(1e3);
     expect(onStep(variable('pipe.steel.wall_thickness'), 0.01123, 0.1)).toBeCloseTo(0.0112, 9);
   });
-  test('bounds are read from the words of the program', () => {
+  test('bounds are read from the range text of the program', () => {
     expect(readBounds('above 0 m and at most 12000 m', 1)).toEqual({ min: 0, max: 12000, openMin: true, openMax: false });
     expect(readBounds('from -90 deg to 90 deg', 1)).toEqual({ min: -90, max: 90, openMin: false, openMax: false });
     expect(readBounds('', 1)).toEqual({ min: -Infinity, max: Infinity, openMin: false, openMax: false });
@@ -55,7 +55,7 @@ describe('a variable', () => {
 });
 
 describe('usual pins', () => {
-  test('tension, depth and what bends the overbend', () => {
+  test('tension, depth and curvature of the overbend', () => {
     expect(usualVariables(base)).toEqual(['tensioner.tension', 'environment.water_depth']);
     const tower = readBase([...list, quantity('tensioner.incline', '70 deg', 1.22)]);
     expect(usualVariables(tower)).toEqual(['tensioner.tension', 'environment.water_depth', 'tensioner.incline']);
@@ -77,24 +77,24 @@ describe('the range in which every check passes', () => {
     expect(found![0]!.to).toBeGreaterThan(339);
     expect(passSentence(found!, (v) => `${Math.round(v)} kN`)).toMatch(/^every check passes from 18\d kN to 3\d\d kN$/);
   });
-  test('values without an equilibrium do not pass, and a range may go on beyond the slider', async () => {
+  test('values without an equilibrium do not pass, and a range may continue beyond the slider', async () => {
     const found = await findPassIntervals(between(180, 1e9, 'failed'), 100, 600, 250);
     expect(found).toMatchObject([{ fromOpen: false, toOpen: true }]);
     expect(passSentence(found!, String)).toMatch(/^every check passes above 18\d/);
   });
-  test('reservations are said', async () => {
+  test('reservations are reported', async () => {
     const found = await findPassIntervals((v) => Promise.resolve(v > 300 ? 'reserved' : 'passed'), 100, 600, 250);
-    expect(passSentence(found!, String)).toBe('every check passes on the whole slider (in part with reservations)');
+    expect(passSentence(found!, String)).toBe('every check passes over the whole range (partly with reservations)');
   });
   test('a narrow range about the value itself is not missed', async () => {
     const found = await findPassIntervals(between(247, 253), 100, 600, 250);
     expect(found).toHaveLength(1);
   });
-  test('without checks there is none, and with none passing that is said', async () => {
+  test('without checks there is none, and no passing value is reported', async () => {
     expect(await findPassIntervals(() => Promise.resolve('open'), 0, 1, 0.5)).toBeNull();
-    expect(passSentence((await findPassIntervals(() => Promise.resolve('exceeded'), 0, 1, 0.5))!, String)).toBe('in no part of this slider does every check pass');
+    expect(passSentence((await findPassIntervals(() => Promise.resolve('exceeded'), 0, 1, 0.5))!, String)).toBe('no value of this slider passes every check');
   });
-  test('what lies far beyond the range is not solved', async () => {
+  test('values far beyond the range are not solved', async () => {
     const asked: number[] = [];
     await findPassIntervals((v) => { asked.push(v); return between(200, 300)(v); }, 100, 600, 250);
     expect(Math.max(...asked)).toBe(400);

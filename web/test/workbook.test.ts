@@ -1,13 +1,13 @@
-// Workbooks made in the page: archives that spreadsheets open.
+// Workbooks made by the page: archives that spreadsheets can open.
 import { expect, test } from 'vitest';
-import { columnLetters, crc32, sheetOf, workbookBytes } from '../src/components/workbook';
+import { columnLetters, crc32, makeSheet, workbookBytes } from '../src/components/workbook';
 
 test('columns are named as in a spreadsheet', () => expect([0, 25, 26, 701, 702].map(columnLetters)).toEqual(['A', 'Z', 'AA', 'ZZ', 'AAA']));
 
 test('the check sum is that of zip archives', () => expect(crc32(new TextEncoder().encode('123456789'))).toBe(0xcbf43926));
 
 test('a workbook is a sound archive with its sheets, numbers as numbers and texts escaped', () => {
-  const sheet = sheetOf({ title: 'A/B', look: '', columns: [{ title: 'depth', unit: 'm' }, { title: 'check', words: true }], rows: [[70.5, 'f < 1 & "x"'], [null, { verdict: 'passed', text: 'passes' }]] });
+  const sheet = makeSheet({ title: 'A/B', look: '', columns: [{ title: 'depth', unit: 'm' }, { title: 'check', words: true }], rows: [[70.5, 'f < 1 & "x"'], [null, { verdict: 'passed', text: 'passes' }]] });
   const bytes = workbookBytes([sheet, sheet]), text = new TextDecoder().decode(bytes);
   const end = new DataView(bytes.buffer, bytes.length - 22), entries = end.getUint16(10, true), directory = end.getUint32(16, true);
   expect([end.getUint32(0, true), entries]).toEqual([0x06054b50, 7]);

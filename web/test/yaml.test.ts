@@ -2,20 +2,20 @@ import { describe, expect, test } from 'vitest';
 import { placeAt } from '../src/logic/yamlPlace';
 import { keyOffers, valueOffers, type Schema } from '../src/logic/schema';
 
-const at = (text: string): ReturnType<typeof placeAt> => { const offset = text.indexOf('|'); return placeAt(text.replace('|', ''), offset); };
+const findPlace = (text: string): ReturnType<typeof placeAt> => { const offset = text.indexOf('|'); return placeAt(text.replace('|', ''), offset); };
 
-describe('where the cursor stands', () => {
-  test('top level', () => expect(at('overbend: 1\nten|')).toMatchObject({ path: [], typed: 'ten', kind: 'key' }));
-  test('a key in a group', () => expect(at('tensioner:\n  x: 1 m\n  ten|')).toMatchObject({ path: ['tensioner'], typed: 'ten', kind: 'key' }));
-  test('a value', () => expect(at('tensioner:\n  mode: con|')).toMatchObject({ path: ['tensioner', 'mode'], typed: 'con', kind: 'value' }));
-  test('in braces', () => expect(at('environment:\n  waves: {type: jonswap, h|')).toMatchObject({ path: ['environment', 'waves'], typed: 'h', kind: 'key' }));
-  test('a value in braces', () => expect(at('environment:\n  waves: {type: j|')).toMatchObject({ path: ['environment', 'waves', 'type'], typed: 'j', kind: 'value' }));
-  test('in a list with braces', () => expect(at('supports:\n  ramp:\n    rows: 3\n    boxes:\n      - {name: a, x: 1 m}\n      - {na|')).toMatchObject({ path: ['supports', 'ramp', 'boxes', '[]'], typed: 'na', kind: 'key' }));
-  test('second line of a list item', () => expect(at('pipe:\n  coatings:\n    - name: a\n      thi|')).toMatchObject({ path: ['pipe', 'coatings', '[]'], typed: 'thi', kind: 'key' }));
-  test('comments between are skipped', () => expect(at('pipe:\n  # steel\n  steel:\n    # more\n    out|')).toMatchObject({ path: ['pipe', 'steel'], kind: 'key' }));
+describe('cursor position', () => {
+  test('top level', () => expect(findPlace('overbend: 1\nten|')).toMatchObject({ path: [], typed: 'ten', kind: 'key' }));
+  test('a key in a group', () => expect(findPlace('tensioner:\n  x: 1 m\n  ten|')).toMatchObject({ path: ['tensioner'], typed: 'ten', kind: 'key' }));
+  test('a value', () => expect(findPlace('tensioner:\n  mode: con|')).toMatchObject({ path: ['tensioner', 'mode'], typed: 'con', kind: 'value' }));
+  test('in braces', () => expect(findPlace('environment:\n  waves: {type: jonswap, h|')).toMatchObject({ path: ['environment', 'waves'], typed: 'h', kind: 'key' }));
+  test('a value in braces', () => expect(findPlace('environment:\n  waves: {type: j|')).toMatchObject({ path: ['environment', 'waves', 'type'], typed: 'j', kind: 'value' }));
+  test('in a list with braces', () => expect(findPlace('supports:\n  ramp:\n    rows: 3\n    boxes:\n      - {name: a, x: 1 m}\n      - {na|')).toMatchObject({ path: ['supports', 'ramp', 'boxes', '[]'], typed: 'na', kind: 'key' }));
+  test('second line of a list item', () => expect(findPlace('pipe:\n  coatings:\n    - name: a\n      thi|')).toMatchObject({ path: ['pipe', 'coatings', '[]'], typed: 'thi', kind: 'key' }));
+  test('comments between are skipped', () => expect(findPlace('pipe:\n  # steel\n  steel:\n    # more\n    out|')).toMatchObject({ path: ['pipe', 'steel'], kind: 'key' }));
 });
 
-describe('what may stand there', () => {
+describe('permitted keys', () => {
   const schema: Schema = {
     type: 'object',
     properties: {
@@ -24,7 +24,7 @@ describe('what may stand there', () => {
     },
   };
   test('keys', () => expect(keyOffers(schema, ['tensioner']).map((o) => [o.label, o.detail])).toEqual([['mode', ''], ['x', 'm']]));
-  test('groups are told from values', () => expect(keyOffers(schema, []).every((o) => o.group)).toBe(true));
+  test('groups are distinguished from values', () => expect(keyOffers(schema, []).every((o) => o.group)).toBe(true));
   test('choices', () => expect(valueOffers(schema, ['tensioner', 'mode']).map((o) => o.label)).toEqual(['controlled', 'locked']));
   test('names of one\'s own and either-or', () => {
     expect(keyOffers(schema, ['rollers', 'mine', 'friction']).map((o) => o.label)).toEqual(['axial']);

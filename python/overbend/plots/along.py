@@ -10,29 +10,29 @@ from . import drawing as draw
 
 
 class AlongPipe:
-    """The axes of a figure along the pipe of a lay, and what stands behind its curves."""
+    """The axes of a figure along the pipe of a lay, and the background of its curves."""
 
     def __init__(self, static: Any, ax: Any, part: str) -> None:
         self.static = static
-        self.overbend = draw.part_of(part)
+        self.overbend = draw.is_overbend(part)
         self.top = float(static.total_length)
         self.touchdown = self.top - float(static.touchdown.s)
         self.boxes = _boxes(static)
-        self.end = self.end_of(static, self.overbend)
+        self.end = self.find_end(static, self.overbend)
         self.lane = draw.lane_for([name for name, _, _ in self.boxes]) if self.overbend else 0.0
         self.ax = draw.axes(ax)
         self.ax.set_xlim(0.0, self.end)
 
     @staticmethod
-    def end_of(static: Any, overbend: bool) -> float:
-        """How far from the tensioner [m] a figure reaches: to a little beyond the last box, or beyond touchdown."""
+    def find_end(static: Any, overbend: bool) -> float:
+        """Range of a figure from the tensioner [m]: just beyond the last box, or beyond touchdown."""
         top, boxes = float(static.total_length), _boxes(static)
         if not overbend:
             touchdown = top - float(static.touchdown.s)
             return min(top, max(touchdown + max(30.0, 0.15 * touchdown), top - _last_span(static) + 20.0))
         if not boxes:
             raise ValueError("part: found 'overbend', but this line hangs from its tensioner without supports")
-        last = max(at + 0.5 * length for _, at, length in boxes)
+        last = max(middle + 0.5 * length for _, middle, length in boxes)
         return min(top, last + max(5.0, 0.12 * last))
 
     def from_tensioner(self, s: Any) -> np.ndarray:
@@ -40,41 +40,41 @@ class AlongPipe:
         return self.top - np.asarray(s, dtype=float)
 
     def inside(self, s: Any) -> np.ndarray:
-        """Which of the stations at `s` [m] the figure shows."""
-        at = self.from_tensioner(s)
-        return (at >= -1e-9) & (at <= self.end + 1e-9)
+        """Mask of the stations at `s` [m] that the figure shows."""
+        distance = self.from_tensioner(s)
+        return (distance >= -1e-9) & (distance <= self.end + 1e-9)
 
     def finish(self, title: str, y_label: str, limits: tuple[float, float]) -> Any:
         """Sets limits, labels, boxes and legend, once all curves are drawn. Returns the axes."""
         self.ax.set_ylim(*limits)
-        for _, at, length in self.boxes:
-            self.ax.axvspan(at - 0.5 * length, at + 0.5 * length, color=draw.BOX, linewidth=0, zorder=0)
+        for _, middle, length in self.boxes:
+            self.ax.axvspan(middle - 0.5 * length, middle + 0.5 * length, color=draw.BOX, linewidth=0, zorder=0)
         if limits[0] < 0 < limits[1]:
             self.ax.axhline(0.0, color=draw.STEEL, linewidth=0.8, zorder=1)
         if self.overbend:
-            draw.names_above(self.ax, [name for name, _, _ in self.boxes], np.array([at for _, at, _ in self.boxes]))
+            draw.names_above(self.ax, [name for name, _, _ in self.boxes], np.array([middle for _, middle, _ in self.boxes]))
         else:
             draw.upright(self.ax, self.touchdown, "touchdown")
         where = "overbend" if self.overbend else "whole line"
         draw.label(self.ax, f"{title}, {where}", draw.FROM_TENSIONER, y_label, self.lane, of=self.static.title)
         return self.ax
 
-    def place(self, at: float) -> str:
-        """Name of the box over which a distance `at` from the tensioner [m] lies, or the region."""
+    def place(self, distance: float) -> str:
+        """Name of the box over which a `distance` from the tensioner [m] lies, or the region."""
         for name, middle, length in self.boxes:
-            if abs(at - middle) <= 0.5 * length + 0.5:
+            if abs(distance - middle) <= 0.5 * length + 0.5:
                 return name
-        return "tensioner" if at < 0.5 else ""
+        return "tensioner" if distance < 0.5 else ""
 
-    def mark_at(self, at: float, value: float, digits: int, unit: str, more: str = "", colour: str = draw.PIPE) -> None:
+    def mark_at(self, distance: float, value: float, digits: int, unit: str, more: str = "", colour: str = draw.PIPE) -> None:
         """Marks a value at a distance from the tensioner [m] with number, distance and box."""
-        place = self.place(at)
-        text = f"{value:.{digits}f} {unit}".rstrip() + f" at {draw.length(at)}" + (f" ({place})" if place else "") + more
-        draw.mark(self.ax, at, value, text, colour)
+        place = self.place(distance)
+        text = f"{value:.{digits}f} {unit}".rstrip() + f" at {draw.length(distance)}" + (f" ({place})" if place else "") + more
+        draw.mark(self.ax, distance, value, text, colour)
 
 
 def has_supports(static: Any) -> bool:
-    """Returns whether the pipe passes over roller boxes; it does not in a J-lay."""
+    """Returns True if the pipe passes over roller boxes, False in a J-lay."""
     return len(static.supports) > 0
 
 
@@ -98,7 +98,7 @@ def _boxes(static: Any) -> list[tuple[str, float, float]]:
 
 
 def yield_stress(static: Any) -> float:
-    """Returns the least yield stress along the pipe [Pa], 0 where none is given."""
+    """Returns the minimum yield stress along the pipe [Pa], 0 if none is given."""
     values = np.asarray(static.pipe["yield_stress"], dtype=float)
     values = values[values > 0]
     return float(values.min()) if values.size else 0.0

@@ -1,4 +1,4 @@
-"""What all figures share: colours, axes, bands of the roller boxes, marks."""
+"""Common parts of all figures: colours, axes, bands of the roller boxes, marks."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def axes(ax: Optional[Axes], size: tuple[float, float] = (9.6, 3.4)) -> Axes:
     return ax
 
 
-def size_of(ax: Axes) -> tuple[float, float]:
+def axes_size(ax: Axes) -> tuple[float, float]:
     """Returns about how wide and high the axes are [in], before the layout makes room for labels."""
     box = ax.get_position()
     more = 1.15 if ax.figure.get_layout_engine() is not None else 1.0  # layouts use the margins of the figure
@@ -64,7 +64,7 @@ def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0, of: str = "")
     ax.set_xlabel(_in_units(ax.xaxis, x), color=SOFT)
     ax.set_ylabel(_in_units(ax.yaxis, y), color=SOFT)
     rows = _legend(ax, title, lane)
-    room = max(20, int(72 * size_of(ax)[0] / 6.5))
+    room = max(20, int(72 * axes_size(ax)[0] / 6.5))
     lines = [textwrap.shorten(of, room, placeholder=" ...")] if of else []
     ax.set_title("\n".join([*lines, title]), loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane + 14 * rows)
 
@@ -92,20 +92,20 @@ def length(metres: float) -> str:
 
 
 def _legend(ax: Axes, title: str, lane: float) -> int:
-    """A legend beside the title, or in rows below it where the plot is narrow. Returns the number of rows."""
+    """A legend next to the title, or in rows below it if the plot is narrow. Returns the number of rows."""
     from matplotlib.transforms import ScaledTranslation
 
     handles, names = ax.get_legend_handles_labels()
     if not handles:
         return 0
-    wide, widest = 72 * size_of(ax)[0], 34 + 4.9 * max(map(len, names))
-    beside = 6.5 * len(title) + sum(34 + 4.9 * len(name) for name in names) < wide
-    columns = len(names) if beside else min(len(names), max(1, int(wide / widest)))
+    wide, widest = 72 * axes_size(ax)[0], 34 + 4.9 * max(map(len, names))
+    fits = 6.5 * len(title) + sum(34 + 4.9 * len(name) for name in names) < wide
+    columns = len(names) if fits else min(len(names), max(1, int(wide / widest)))
     above = ax.transAxes + ScaledTranslation(0, (lane + 2) / 72, ax.figure.dpi_scale_trans)
-    ax.legend(handles, names, loc="lower right" if beside else "lower left", bbox_to_anchor=(float(beside), 1.0),
+    ax.legend(handles, names, loc="lower right" if fits else "lower left", bbox_to_anchor=(float(fits), 1.0),
               bbox_transform=above, frameon=False, ncol=columns, borderaxespad=0, borderpad=0.1, fontsize="small",
               handlelength=1.8, columnspacing=1.4, labelspacing=0.25)
-    return 0 if beside else -(-len(names) // columns)
+    return 0 if fits else -(-len(names) // columns)
 
 
 def halo() -> list[Any]:
@@ -140,29 +140,29 @@ def level(ax: Axes, y: float, text: str) -> None:
 
 
 def lane_for(names: list[str]) -> float:
-    """Height [pt] of names that stand aslant."""
+    """Height [pt] of slanted names."""
     longest = max((len(name) for name in names), default=0)
     return 5.2 * longest * np.sin(np.radians(_SLANT)) + 8 if longest else 0.0
 
 
 def names_above(ax: Axes, names: list[str], x: np.ndarray) -> None:
-    """Names aslant above the plot, as many as find room. The limits of `ax` must be set."""
+    """Slanted names above the plot, as many as fit. The limits of `ax` must be set."""
     left, right = ax.get_xlim()
-    points = 72 * size_of(ax)[0] / (right - left)  # per unit of x
+    points = 72 * axes_size(ax)[0] / (right - left)  # per unit of x
     last = -np.inf
-    for name, at in zip(names, x):
-        if (at - last) * points < 11 or not left <= at <= right:
+    for name, position in zip(names, x):
+        if (position - last) * points < 11 or not left <= position <= right:
             continue
-        last = at
-        ax.annotate(name, (at, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 3), textcoords="offset points",
+        last = position
+        ax.annotate(name, (position, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 3), textcoords="offset points",
                     rotation=_SLANT, rotation_mode="anchor", ha="left", va="bottom", color=SOFT, fontsize="small")
 
 
-def names_below(ax: Axes, names: list[str], at: np.ndarray) -> None:
-    """Names as ticks of the x axis; aslant where they would run into each other."""
-    wide = 72 * size_of(ax)[0] / max(len(names), 1)
+def names_below(ax: Axes, names: list[str], positions: np.ndarray) -> None:
+    """Names as ticks of the x axis; slanted if they would overlap."""
+    wide = 72 * axes_size(ax)[0] / max(len(names), 1)
     aslant = max((len(name) for name in names), default=0) * 5.2 + 6 > wide
-    ax.set_xticks(at)
+    ax.set_xticks(positions)
     turn = {"rotation": _SLANT, "ha": "right", "rotation_mode": "anchor"} if aslant else {}
     ax.set_xticklabels(names, fontsize="small", **turn)
     ax.tick_params(axis="x", length=0)
@@ -170,7 +170,7 @@ def names_below(ax: Axes, names: list[str], at: np.ndarray) -> None:
 
 
 def extent(*curves: Any) -> tuple[float, float]:
-    """Returns the least and the largest of the finite values of all `curves`, (0, 1) where there is none."""
+    """Returns the minimum and maximum of the finite values of all `curves`, (0, 1) if there are none."""
     finite = np.concatenate([np.ravel(np.asarray(curve, dtype=float)) for curve in curves])
     finite = finite[np.isfinite(finite)]
     return (float(finite.min()), float(finite.max())) if finite.size else (0.0, 1.0)
@@ -184,8 +184,8 @@ def room(low: float, high: float, above: float = 0.18, below: float = 0.05, zero
     return (low if zero and low == 0.0 else low - below * span), high + above * span
 
 
-def part_of(part: str) -> bool:
-    """Returns whether `part` asks for the overbend alone. Raises: ValueError where it is neither."""
+def is_overbend(part: str) -> bool:
+    """Returns True if `part` selects the overbend only. Raises: ValueError for an unknown part."""
     if part not in ("whole", "overbend"):
         raise ValueError(f"part: found {part!r}, expected 'whole' or 'overbend'")
     return part == "overbend"

@@ -10,7 +10,7 @@ import numpy as np
 from . import drawing as draw
 from .along import AlongPipe, yield_stress
 from .rollers import Slots
-from .units import shown, with_unit, words_of
+from .units import display_name, shown, with_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -57,13 +57,13 @@ class DynamicPlots:
             ax.axvspan(start / seconds, 0, color="#eceff2", linewidth=0, zorder=0)
         ax.set_xlim(start / seconds, end / seconds)
         ax.set_ylim(*draw.room(*draw.extent(*values), above=0.08, below=0.08))
-        title = ", ".join(words_of(each) for each in histories)
+        title = ", ".join(display_name(each) for each in histories)
         draw.label(ax, title, f"Time from the end of the build-up [{time_unit}]",
                    with_unit("" if more else title, unit).strip(), of=self._run.title)
         return ax
 
     def envelope(self, name: str, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
-        """Draws least and largest values along the pipe over the run, their mean, and the static state.
+        """Draws the envelope of a quantity along the pipe over the run, its mean, and the static state.
 
         Args:
             name: 'effective_tension', 'bending_moment', 'bending_stress', 'von_mises' or 'strain'.
@@ -74,22 +74,22 @@ class DynamicPlots:
         figure = AlongPipe(self._run.static, ax, part)
         s = np.asarray(envelope["s"])
         seen = figure.inside(s)
-        at = figure.from_tensioner(s)[seen]
+        distance = figure.from_tensioner(s)[seen]
         low, high, mean, static = (factor * np.asarray(envelope[key])[seen] for key in ("min", "max", "mean", "static"))
-        figure.ax.fill_between(at, low, high, color=draw.BAND, linewidth=0, zorder=1.2, label="min to max")
-        figure.ax.plot(at, high, color=draw.DYNAMIC, linewidth=1.2)
-        figure.ax.plot(at, low, color=draw.DYNAMIC, linewidth=0.8)
-        figure.ax.plot(at, mean, color=draw.SECOND, linestyle=(0, (6, 3)), linewidth=1.3, label="mean")
-        figure.ax.plot(at, static, color=draw.PIPE, linewidth=1.6, label="static")
+        figure.ax.fill_between(distance, low, high, color=draw.BAND, linewidth=0, zorder=1.2, label="min to max")
+        figure.ax.plot(distance, high, color=draw.DYNAMIC, linewidth=1.2)
+        figure.ax.plot(distance, low, color=draw.DYNAMIC, linewidth=0.8)
+        figure.ax.plot(distance, mean, color=draw.SECOND, linestyle=(0, (6, 3)), linewidth=1.3, label="mean")
+        figure.ax.plot(distance, static, color=draw.PIPE, linewidth=1.6, label="static")
         limits = draw.room(*draw.extent(low, high, static), zero=name != "effective_tension")
         least = 1e-6 * yield_stress(self._run.static) if name in ("von_mises", "bending_stress") else 0.0
         if least > 0 and high.max() > 0.5 * least:
             draw.level(figure.ax, least, f"yield {least:.0f} MPa")
             limits = limits[0], max(limits[1], 1.12 * least)
-        words = words_of(name)
-        axes = figure.finish(words, with_unit(words, unit), limits)
+        title = display_name(name)
+        axes = figure.finish(title, with_unit(title, unit), limits)
         most = int(np.nanargmax(high))
-        figure.mark_at(float(at[most]), float(high[most]), digits, unit, colour=draw.DYNAMIC)
+        figure.mark_at(float(distance[most]), float(high[most]), digits, unit, colour=draw.DYNAMIC)
         return axes
 
     def spectrum(self, name: str, ax: Optional[Axes] = None) -> Axes:
@@ -105,8 +105,8 @@ class DynamicPlots:
         ax.set_xlim(0.0, float(frequency.max()))
         ax.set_ylim(0.0, 1.12 * float(density.max()) or 1.0)
         peak = frequency[density.argmax()]
-        words = words_of(name) + (f", peak at {1 / peak:.1f} s" if peak > 0 else "")
-        draw.label(ax, words, "Frequency [Hz]", f"Spectral density [{unit or '1'}²/Hz]", lane=16,
+        title = display_name(name) + (f", peak at {1 / peak:.1f} s" if peak > 0 else "")
+        draw.label(ax, title, "Frequency [Hz]", f"Spectral density [{unit or '1'}²/Hz]", lane=16,
                    of=self._run.title)
         _periods(ax, float(frequency.max()))
         return ax
@@ -130,8 +130,8 @@ class DynamicPlots:
             return ax
         force, x = factor * np.asarray(hits["peak_force"]), (1.0 if over == "time" else speed.factor) * np.asarray(hits[over])
         rollers = self._run.rollers
-        at = np.asarray(hits["roller"], dtype=int)
-        position = np.asarray(rollers["position"]).astype(str)[at]
+        roller = np.asarray(hits["roller"], dtype=int)
+        position = np.asarray(rollers["position"]).astype(str)[roller]
         for name, colour in draw.ROLLERS.items():
             these = position == name
             if these.any():
@@ -142,7 +142,7 @@ class DynamicPlots:
         draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], f"Peak force [{unit}]",
                    of=self._run.title)
         hardest = int(force.argmax())
-        box = str(np.asarray(self._run.static.supports["name"])[int(np.asarray(rollers["box"])[at[hardest]])])
+        box = str(np.asarray(self._run.static.supports["name"])[int(np.asarray(rollers["box"])[roller[hardest]])])
         draw.mark(ax, float(x[hardest]), float(force[hardest]), f"{force[hardest]:.{digits}f} {unit} ({box}, {position[hardest]})",
                   draw.ROLLERS[position[hardest]])
         return ax
@@ -159,35 +159,35 @@ class DynamicPlots:
             raise ValueError(f"position: found {position!r}, but no box has such rollers")
         box, row = (np.asarray(rollers[key], dtype=int)[these] for key in ("box", "row"))
         first = np.array([np.flatnonzero(slots.box_of_row == k)[0] for k in range(len(slots.names))])
-        at = slots.of_row[first[box] + row]
+        slot = slots.of_row[first[box] + row]
         unit, factor, digits = shown("reaction", "N")
         low, high, mean = (factor * np.asarray(rollers[f"reaction_{key}"])[these] for key in ("min", "max", "mean"))
         static = factor * np.asarray(rollers["static_reaction"])[these]
         loaded = (high > 0) | (static > 0)
         ax = draw.axes(ax)
-        ax.bar(at[loaded], (high - low)[loaded], 0.72, low[loaded], color=draw.BAND, edgecolor=draw.DYNAMIC,
+        ax.bar(slot[loaded], (high - low)[loaded], 0.72, low[loaded], color=draw.BAND, edgecolor=draw.DYNAMIC,
                linewidth=0.9, label="min to max", zorder=2)
-        ax.hlines(mean[loaded], at[loaded] - 0.36, at[loaded] + 0.36, color=draw.SECOND, linewidth=1.8, label="mean",
+        ax.hlines(mean[loaded], slot[loaded] - 0.36, slot[loaded] + 0.36, color=draw.SECOND, linewidth=1.8, label="mean",
                   zorder=3)
-        ax.plot(at[static > 0], static[static > 0], "o", color=draw.PIPE, markersize=4.5, label="static", zorder=4)
+        ax.plot(slot[static > 0], static[static > 0], "o", color=draw.PIPE, markersize=4.5, label="static", zorder=4)
         ax.set_ylim(0.0, draw.room(0.0, max(high.max(), static.max()) or 1.0)[1])
         slots.furnish(ax)
         draw.label(ax, f"{position.capitalize()} rollers", "Roller rows of each box, from the tensioner astern",
                    f"Reaction [{unit}]", of=self._run.title)
         most = int(high.argmax())
-        draw.mark(ax, at[most], high[most], f"{high[most]:.{digits}f} {unit} ({slots.names[box[most]]})", draw.DYNAMIC)
+        draw.mark(ax, slot[most], high[most], f"{high[most]:.{digits}f} {unit} ({slots.names[box[most]]})", draw.DYNAMIC)
         return ax
 
 
 def _periods(ax: Any, end: float) -> None:
-    """Periods above the plot, as many as find room."""
+    """Periods above the plot, as many as fit."""
     last, chosen = np.inf, []
-    wide = 72 * draw.size_of(ax)[0] / end
+    wide = 72 * draw.axes_size(ax)[0] / end
     for period in (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 60, 120):
-        at = 1 / period
-        if at <= end and (last - at) * wide > 18 and at * wide > 16:
+        frequency = 1 / period
+        if frequency <= end and (last - frequency) * wide > 18 and frequency * wide > 16:
             chosen.append(period)
-            last = at
+            last = frequency
     above = ax.secondary_xaxis("top")
     above.set_xticks([1 / period for period in chosen])
     above.set_xticklabels([f"{period}" for period in chosen], fontsize="small")

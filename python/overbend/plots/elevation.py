@@ -15,7 +15,7 @@ X_LABEL, Z_LABEL = "Distance astern of the stern shoe [m]", "Height [m]"
 def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     """Draws heights over the distance astern: the whole line true to scale, the overbend with its heights enlarged."""
     pipe, scene = static.pipe, static.scene
-    end = AlongPipe.end_of(static, overbend)
+    end = AlongPipe.find_end(static, overbend)
     seen = float(static.total_length) - np.asarray(pipe["s"]) <= end
     x, z = np.asarray(pipe["astern"])[seen], np.asarray(pipe["z"])[seen]
     hull = _hull(scene)
@@ -40,15 +40,16 @@ def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     if overbend:
         return ax
     touchdown = static.touchdown
-    at = float(touchdown["astern"])
-    ax.plot([at], [float(touchdown["z"])], "o", color=draw.ACCENT, markeredgecolor="white", markersize=7, zorder=5)
-    ax.annotate(f"touchdown at {draw.length(at)}", (at, float(touchdown["z"])), xytext=(0, 9), textcoords="offset points",
-                ha="center", color=draw.ACCENT, fontsize="small", fontweight="bold", path_effects=draw.halo(), zorder=6)
+    astern = float(touchdown["astern"])
+    ax.plot([astern], [float(touchdown["z"])], "o", color=draw.ACCENT, markeredgecolor="white", markersize=7, zorder=5)
+    ax.annotate(f"touchdown at {draw.length(astern)}", (astern, float(touchdown["z"])), xytext=(0, 9),
+                textcoords="offset points", ha="center", color=draw.ACCENT, fontsize="small", fontweight="bold",
+                path_effects=draw.halo(), zorder=6)
     ax.set_aspect("equal", adjustable="box")
     return ax
 
 
-def astern_of(scene: Any, places: np.ndarray) -> np.ndarray:
+def distance_astern(scene: Any, places: np.ndarray) -> np.ndarray:
     """Distances astern of the stern shoe [m] along the vessel's axis of places in W [m], shape (n, 3)."""
     forward = np.asarray(scene["vessel_axes"]).reshape(3, 3)[:, 0].copy()
     forward[2] = 0.0
@@ -62,21 +63,21 @@ def _figure(wide: float, tall: float) -> tuple[float, float]:
 
 
 def _hull(scene: Any) -> np.ndarray:
-    """Corners of the hull's side, astern and up [m], shape (4, 2); a point where its size is not known."""
+    """Corners of the hull's side, astern and up [m], shape (4, 2); a point if its size is unknown."""
     length, deck = float(scene["vessel_length"]), float(scene["vessel_depth"]) - float(scene["vessel_draught"])
     keel = -float(scene["vessel_draught"])
     return np.array([(0, keel), (-length, keel), (-length, deck), (0, deck)])
 
 
 def _bed(static: Any, x: np.ndarray) -> np.ndarray:
-    """Heights of the seabed under the line, shape (n, 2): of a plane through touchdown, or of an uneven bed."""
+    """Elevations of the seabed under the line, shape (n, 2): of a plane through touchdown, or of an uneven seabed."""
     if "bed_heights" in dir(static):
         heights = static.bed_heights
         return np.column_stack([x, np.interp(x, np.asarray(heights["x"]), np.asarray(heights["z"]))])
     scene, touchdown = static.scene, static.touchdown
-    at, z = float(touchdown["astern"]), float(touchdown["z"]) - 0.5 * float(scene["pipe_outer_diameter"])
+    astern, z = float(touchdown["astern"]), float(touchdown["z"]) - 0.5 * float(scene["pipe_outer_diameter"])
     z0 = -float(scene["water_depth"])
-    slope = (z - z0) / at if abs(at) > 1 else 0.0
+    slope = (z - z0) / astern if abs(astern) > 1 else 0.0
     return np.column_stack([x, z0 + slope * x])
 
 
@@ -92,7 +93,7 @@ def _structure(static: Any, ax: Any) -> None:
     """Ramp and stinger as a thick line under the pipe."""
     if has_supports(static):
         places = np.column_stack([np.asarray(static.supports[key]) for key in ("x", "y", "z")])
-        ax.plot(astern_of(static.scene, places), places[:, 2], color=draw.STEEL, linewidth=3.0, zorder=2,
+        ax.plot(distance_astern(static.scene, places), places[:, 2], color=draw.STEEL, linewidth=3.0, zorder=2,
                 solid_capstyle="butt")
 
 
@@ -100,13 +101,13 @@ def _rollers(static: Any, ax: Any) -> None:
     """A dot for each row of rollers, and the names of the boxes."""
     rows = static.rows
     places = np.column_stack([np.asarray(rows[key]) for key in ("x", "y", "z")])
-    at, carries = astern_of(static.scene, places), np.asarray(rows["reaction"]) > 0
-    for these, fill, words in ((carries, draw.CONTACT, "row in contact"), (~carries, "white", "without contact")):
-        ax.plot(at[these], places[these, 2], "o", markersize=5, markerfacecolor=fill, markeredgecolor="#3d4a56",
-                markeredgewidth=0.8, label=words, zorder=4)
+    astern, carries = distance_astern(static.scene, places), np.asarray(rows["reaction"]) > 0
+    for these, fill, label in ((carries, draw.CONTACT, "row in contact"), (~carries, "white", "without contact")):
+        ax.plot(astern[these], places[these, 2], "o", markersize=5, markerfacecolor=fill, markeredgecolor="#3d4a56",
+                markeredgewidth=0.8, label=label, zorder=4)
     box = np.asarray(rows["support"], dtype=int)
     for k, name in enumerate(np.asarray(static.supports["name"]).astype(str)):
         middle = np.flatnonzero(box == k)
-        ax.annotate(name, (at[middle].mean(), places[middle, 2].min()), xytext=(-2, -6), textcoords="offset points",
+        ax.annotate(name, (astern[middle].mean(), places[middle, 2].min()), xytext=(-2, -6), textcoords="offset points",
                     rotation=40, rotation_mode="anchor", ha="right", va="center", color=draw.SOFT, fontsize="small",
                     path_effects=draw.halo())

@@ -10,9 +10,9 @@ from . import drawing as draw
 from .study_grid import Axis
 
 
-def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: Optional[np.ndarray] = None,
+def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, label: str, passed: Optional[np.ndarray] = None,
              beyond: Optional[np.ndarray] = None) -> None:
-    """Draws cells of shape (y, x) with a colour scale named `words`.
+    """Draws cells of shape (y, x) with a colour scale named `label`.
 
     Args:
         passed: Where checks are passed, shape (y, x): a line runs round these cells.
@@ -24,7 +24,7 @@ def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: 
     cells = ax.pcolormesh(x.edges(), y.edges(), np.ma.masked_invalid(values), cmap="viridis", edgecolor="white",
                           linewidth=0.4)
     bar = ax.figure.colorbar(cells, ax=ax, pad=0.02)
-    bar.set_label(words, color=draw.SOFT)
+    bar.set_label(label, color=draw.SOFT)
     bar.outline.set_visible(False)
     bar.ax.tick_params(colors=draw.SOFT)
     if passed is not None:
@@ -32,7 +32,7 @@ def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: 
     if beyond is not None:
         _numbers(ax, x, y, values, cells, beyond)
     for axis, of in ((ax.xaxis, x), (ax.yaxis, y)):
-        axis.set_ticks(of.at[::max(1, -(-len(of.at) // 12))]) if of.numbers else of.ticks(axis)
+        axis.set_ticks(of.positions[::max(1, -(-len(of.positions) // 12))]) if of.numbers else of.ticks(axis)
 
 
 def _border(ax: Any, x: np.ndarray, y: np.ndarray, good: np.ndarray) -> None:
@@ -49,6 +49,6 @@ def _border(ax: Any, x: np.ndarray, y: np.ndarray, good: np.ndarray) -> None:
 def _numbers(ax: Any, x: Axis, y: Axis, values: np.ndarray, cells: Any, beyond: np.ndarray) -> None:
     for (j, i), value in np.ndenumerate(values):
         dark = np.isfinite(value) and cells.norm(value) < 0.55
-        words = ("≥ " if beyond[j, i] else "") + f"{value:g}" if np.isfinite(value) else "none"
-        ax.annotate(words, (x.at[i], y.at[j]), ha="center", va="center", fontsize="small",
+        text = ("≥ " if beyond[j, i] else "") + f"{value:g}" if np.isfinite(value) else "none"
+        ax.annotate(text, (x.positions[i], y.positions[j]), ha="center", va="center", fontsize="small",
                     color="white" if dark else draw.INK)

@@ -14,7 +14,7 @@ _GAP = 0.8  # between boxes, in widths of a row
 
 
 class Slots:
-    """Where bars stand: one slot per row of rollers, a gap between boxes. `of_row` is by the number of the row."""
+    """Positions of bars: one slot per row of rollers, a gap between boxes. `of_row` is by the number of the row."""
 
     def __init__(self, static: Any) -> None:
         names = [str(name) for name in np.asarray(static.supports["name"])]
@@ -22,13 +22,13 @@ class Slots:
         self.box_of_row = np.asarray(static.rows["support"], dtype=int)
         self.of_row = np.empty(len(self.box_of_row))
         self.spans: list[tuple[float, float]] = []
-        at = 0.5
+        position = 0.5
         for box in range(len(names)):
             rows = np.flatnonzero(self.box_of_row == box)
-            self.of_row[rows] = at + np.arange(len(rows))
-            self.spans.append((at - 0.5, at - 0.5 + len(rows)))
-            at += len(rows) + _GAP
-        self.end = at - 0.5 - _GAP
+            self.of_row[rows] = position + np.arange(len(rows))
+            self.spans.append((position - 0.5, position - 0.5 + len(rows)))
+            position += len(rows) + _GAP
+        self.end = position - 0.5 - _GAP
 
     def furnish(self, ax: Any) -> None:
         """Grey bands and names of the boxes."""
@@ -39,7 +39,7 @@ class Slots:
         draw.names_below(ax, self.names, np.array([0.5 * sum(span) for span in self.spans]))
 
 
-def rollers_of(static: Any) -> tuple[np.ndarray, np.ndarray]:
+def roller_rows(static: Any) -> tuple[np.ndarray, np.ndarray]:
     """Returns the row number and the position (bottom, port, starboard) of every roller.
 
     Raises: ValueError where the lay has no rollers.
@@ -51,7 +51,7 @@ def rollers_of(static: Any) -> tuple[np.ndarray, np.ndarray]:
 
 def roller_bars(static: Any, what: str, ax: Optional[Any], position: str = "bottom") -> Any:
     """Draws reactions of all rollers, or the separations of those in one position."""
-    rows, positions = rollers_of(static)
+    rows, positions = roller_rows(static)
     if position not in draw.ROLLERS:
         raise ValueError(f"position: found {position!r}, expected one of {', '.join(map(repr, draw.ROLLERS))}")
     slots = Slots(static)
@@ -72,8 +72,8 @@ def _reactions(static: Any, ax: Any, slots: Slots, rows: np.ndarray, positions: 
         these = positions == position
         if not these.any():
             continue
-        at = slots.of_row[rows[these]]
-        ax.bar(at, values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
+        slot = slots.of_row[rows[these]]
+        ax.bar(slot, values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
         np.add.at(below, rows[these], values[these])
     ax.set_ylim(0.0, draw.room(0.0, float(below.max()) or 1.0)[1])
     draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", f"Reaction [{unit}]",
@@ -90,12 +90,12 @@ def _separations(static: Any, ax: Any, slots: Slots, rows: np.ndarray, these: np
         raise ValueError(f"position: found {position!r}, but no box has {position} rollers")
     unit, factor, digits = small()
     values = factor * np.asarray(static.rollers["separation"])[these]
-    at = slots.of_row[rows[these]]
+    slot = slots.of_row[rows[these]]
     passed = np.isnan(values) | (np.asarray(static.rollers["off_end"])[these] > 0)
     colour = draw.ROLLERS[position]
-    ax.bar(at[~passed], values[~passed], 0.72, color=colour, zorder=2)
+    ax.bar(slot[~passed], values[~passed], 0.72, color=colour, zorder=2)
     if passed.any():
-        ax.plot(at[passed], np.zeros(passed.sum()), "x", color=colour, zorder=4,
+        ax.plot(slot[passed], np.zeros(passed.sum()), "x", color=colour, zorder=4,
                 label="the pipe has passed the end of the roller")
     ax.set_ylim(*draw.room(*draw.extent(values[~passed]), above=0.12, below=0.12, zero=True))
     least = f"; smallest {np.min(values[~passed]):.{digits + 1}f} {unit}" if not passed.all() else ""

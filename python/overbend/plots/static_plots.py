@@ -10,13 +10,13 @@ from . import drawing as draw
 from .along import AlongPipe, yield_stress
 from .elevation import elevation
 from .rollers import roller_bars
-from .units import shown, with_unit, words_of
+from .units import display_name, shown, with_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# Further curves beside a quantity: column, name, colour, dashes.
-_BESIDE = {
+# Further curves in the figure of a quantity: column, name, colour, dashes.
+_FURTHER_CURVES = {
     "effective_tension": [("wall_tension", "wall tension", draw.SECOND, (0, (6, 4)))],
     "bending_moment": [
         ("vertical_moment", "vertical, sagging +", draw.THIRD, (0, (9, 3))),
@@ -47,7 +47,7 @@ class StaticPlots:
         The whole line is true to scale; the overbend has its heights enlarged and shows which roller rows carry.
         """
         self._require_pipe()
-        return elevation(self._static, ax, draw.part_of(part))
+        return elevation(self._static, ax, draw.is_overbend(part))
 
     def tension(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
         """Draws effective and true wall tension along the pipe [kN]."""
@@ -58,7 +58,7 @@ class StaticPlots:
         return self.along("bending_moment", ax, part=part)
 
     def stress(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
-        """Draws the largest von Mises stress of each section along the pipe [MPa], beside the yield stress."""
+        """Draws the largest von Mises stress of each section along the pipe [MPa], with the yield stress."""
         return self.along("von_mises", ax, part=part)
 
     def strain(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -78,18 +78,18 @@ class StaticPlots:
         figure = AlongPipe(self._static, ax, part)
         s = np.asarray(self._static.pipe["s"])
         seen = figure.inside(s)
-        at, values = figure.from_tensioner(s)[seen], factor * np.asarray(column)[seen]
+        distance, values = figure.from_tensioner(s)[seen], factor * np.asarray(column)[seen]
         drawn = [values]
-        figure.ax.plot(at, values, color=draw.PIPE, linewidth=1.9, label=_OWN_NAME.get(name), zorder=3)
-        for key, words, colour, dashes in _BESIDE.get(name, []):
-            beside = factor * np.asarray(self._static.pipe[key])[seen]
-            if np.abs(beside).max() > 1e-3 * np.abs(values).max():  # out of the plane there may be nothing
-                drawn.append(beside)
-                figure.ax.plot(at, beside, color=colour, linestyle=dashes, linewidth=1.3, label=words)
+        figure.ax.plot(distance, values, color=draw.PIPE, linewidth=1.9, label=_OWN_NAME.get(name), zorder=3)
+        for key, label, colour, dashes in _FURTHER_CURVES.get(name, []):
+            curve = factor * np.asarray(self._static.pipe[key])[seen]
+            if np.abs(curve).max() > 1e-3 * np.abs(values).max():  # out of the plane there may be nothing
+                drawn.append(curve)
+                figure.ax.plot(distance, curve, color=colour, linestyle=dashes, linewidth=1.3, label=label)
         limits = _with_yield(figure, name, draw.room(*draw.extent(*drawn), zero=True), drawn)
-        words = words_of(name)
-        axes = figure.finish(words, with_unit(words, unit), limits)
-        self._marks(figure, name, at, values, digits, unit)
+        title = display_name(name)
+        axes = figure.finish(title, with_unit(title, unit), limits)
+        self._marks(figure, name, distance, values, digits, unit)
         return axes
 
     def reactions(self, ax: Optional[Axes] = None) -> Axes:
@@ -105,12 +105,12 @@ class StaticPlots:
         """
         return roller_bars(self._static, "separation", ax, position)
 
-    def _marks(self, figure: AlongPipe, name: str, at: np.ndarray, values: np.ndarray, digits: int, unit: str) -> None:
-        """The largest values of the regions that the figure shows."""
+    def _marks(self, figure: AlongPipe, name: str, distance: np.ndarray, values: np.ndarray, digits: int, unit: str) -> None:
+        """Maxima of the regions that the figure shows."""
         if name == "effective_tension":
-            figure.mark_at(float(at[values.argmax()]), float(values.max()), digits, unit)
+            figure.mark_at(float(distance[values.argmax()]), float(values.max()), digits, unit)
             if not figure.overbend:
-                bottom = float(np.interp(figure.touchdown, at[::-1], values[::-1]))  # stations run from the anchor
+                bottom = float(np.interp(figure.touchdown, distance[::-1], values[::-1]))  # stations run from the anchor
                 draw.mark(figure.ax, figure.touchdown, bottom, f"{bottom:.{digits}f} {unit} at touchdown", below=True)
             return
         if name not in ("bending_moment", "bending_stress", "von_mises", "strain"):
@@ -128,7 +128,7 @@ class StaticPlots:
 
 def _with_yield(figure: AlongPipe, name: str, limits: tuple[float, float],
                 drawn: list[np.ndarray]) -> tuple[float, float]:
-    """Adds the yield stress to a figure of stress that comes near it. Returns the limits."""
+    """Adds the yield stress to a stress figure whose values come near it. Returns the limits."""
     least = 1e-6 * yield_stress(figure.static) if name in ("von_mises", "bending_stress", "axial_stress") else 0.0
     if least <= 0 or draw.extent(*drawn)[1] < 0.5 * least:
         return limits

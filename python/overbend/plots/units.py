@@ -8,7 +8,7 @@ from .. import _core
 
 
 class Shown(NamedTuple):
-    """A unit to read values in: an SI value times `factor` is in `unit`, usually written with `digits` decimals."""
+    """A display unit: an SI value times `factor` is in `unit`, usually written with `digits` decimals."""
 
     unit: str
     factor: float
@@ -16,12 +16,12 @@ class Shown(NamedTuple):
 
 
 def shown(name: str, units: str) -> Shown:
-    """Returns how the quantity `name`, kept in the SI unit `units`, is shown: see overbend.use_units()."""
+    """Returns the display unit of the quantity `name` with the SI unit `units`: see overbend.use_units()."""
     return Shown(*_core.shown_unit(name, units))
 
 
 def small() -> Shown:
-    """Returns how gaps and other small lengths are shown: in millimetres or inches."""
+    """Returns the display unit of gaps and other small lengths: millimetres or inches."""
     return Shown(*_core.section_length())
 
 
@@ -30,9 +30,9 @@ def with_unit(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-_WORDS = {"von_mises": "von Mises stress"}
+_DISPLAY_NAMES = {"von_mises": "von Mises stress"}
 
 
-def words_of(name: str) -> str:
+def display_name(name: str) -> str:
     """Returns the name of a quantity or a history in words: "Bending moment", "Support, stinger 8, reaction"."""
-    return _WORDS.get(name, (name[:1].upper() + name[1:]).replace("_", " ").replace("/", ", "))
+    return _DISPLAY_NAMES.get(name, (name[:1].upper() + name[1:]).replace("_", " ").replace("/", ", "))

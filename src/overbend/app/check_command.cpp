@@ -7,13 +7,13 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/finding_lines.h"
-#include "app/stage_lines.h"
+#include "app/print_findings.h"
+#include "app/print_stages.h"
 #include "base/constants.h"
 #include "base/finding.h"
 #include "base/shown_unit.h"
 #include "model/box_dip.h"
-#include "model/material_words.h"
+#include "model/material_description.h"
 #include "model/model.h"
 #include "model/vessel/rao_limits.h"
 #include "report/page/quantity.h"
@@ -34,7 +34,7 @@ void print_section(const Section& section, const SteelDescription& material) {
                             shown_digits(section.wall_thickness, section_length(), 6),
                             shown_digits(section.yield_stress, "Pa", 6)));
   const FirstYield yield = first_yield(material);
-  line("material", material_words(material));
+  line("material", material_law_label(material));
   line("first yield",
        fmt::format("{} at a curvature of {}", shown(yield.moment, "N m", 2), shown(yield.curvature, "1/m", 6)));
   line("steel area", shown_digits(section.steel_area, steel_area(), 6));
@@ -63,23 +63,23 @@ void print_places(const Model& model) {
   place("tensioner (pipe axis)", {tensioner.x, 0.0, tensioner.z});
 }
 
-/// The rollers of a row by their place: "bottom", "bottom, port, starboard".
-std::string rollers_of(const Supports& supports, const SupportRow& row) {
-  std::string words;
+/// Returns the positions of the rollers of a row: "bottom", "bottom, port, starboard".
+std::string roller_positions(const Supports& supports, const SupportRow& row) {
+  std::string text;
   for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
-    words += (words.empty() ? "" : ", ") + std::string(word(supports.rollers[i].position));
+    text += (text.empty() ? "" : ", ") + std::string(word(supports.rollers[i].position));
   }
-  return words;
+  return text;
 }
 
 void print_supports(const Model& model) {
   const Supports& supports = model.supports;
   if (supports.boxes.empty()) {
-    std::cout << "\nSupports: none, the pipe hangs from the tensioner (J-lay)\n";
+    std::cout << "\nSupports: none, the pipe is suspended from the tensioner (J-lay)\n";
     return;
   }
   std::cout << fmt::format(
-      "\nSupports: {} boxes, {} rows, {} rollers; points where the underside of the pipe rests [{}]\n",
+      "\nSupports: {} boxes, {} rows, {} rollers; support points at the underside of the pipe [{}]\n",
       supports.boxes.size(), supports.rows.size(), supports.rollers.size(), shown_name("m"));
   std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}{:>14}{:>12}  rollers\n", "box / row", "x", "y", "z",
                            "incline [deg]", "length [" + shown_name("m") + "]");
@@ -91,12 +91,12 @@ void print_supports(const Model& model) {
       const SupportRow& row = supports.rows[box.first_row + r];
       std::cout << fmt::format("  {:<24}{}{:>26}  {}\n", fmt::format("  row {}", r + 1),
                                point(point_from_ramp(model, model.mean_pose, row.point_S)), "",
-                               rollers_of(supports, row));
+                               roller_positions(supports, row));
     }
   }
 }
 
-/// The table by which wrong conventions of RAOs show.
+/// Prints the long-wave limits of the RAOs, which reveal wrong conventions.
 void print_raos(const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   if (!vessel.raos) return;
@@ -135,7 +135,7 @@ int run_check(const std::string& model_file) {
   const Model model = build_model(*description);
   std::cout << description->title << "\n" << model_file << " is a valid model.\n";
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    print_section(model.sections[i], model.description_of(i).steel);
+    print_section(model.sections[i], model.find_section_description(i).steel);
   }
   if (description->has_pipe) {
     print_places(model);
@@ -144,9 +144,9 @@ int run_check(const std::string& model_file) {
   std::cout << planned_stages(*description);
   Findings findings = input_findings(model);
   if (is_lay_operation(description->operation.type)) {
-    if (const auto obstacle = operation_obstacle(*description)) {
-      findings.push_back({FindingCode::stage_without_equilibrium,
-                          "the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why});
+    if (const auto unsupported = unsupported_in_operation(*description)) {
+      findings.push_back({FindingCode::stage_without_equilibrium, "the stages of the operation cannot be solved: " +
+                                                                      failure_result(*unsupported, *description).why});
     }
   }
   print_raos(model);

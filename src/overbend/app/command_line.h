@@ -1,10 +1,10 @@
-/// The command line: which commands there are and how the program ends.
+/// Command line of the program.
 #pragma once
 
 namespace overbend {
 
-/// Runs the program; returns its exit code (app/exit_code.h). Throws nothing: a fault of our own ends in one line on
+/// Runs the program and returns its exit code (app/exit_code.h). Does not throw: an internal error prints one line on
 /// stderr.
-int run_command_line(int count, const char* const* words);
+int run_command_line(int count, const char* const* arguments);
 
 }  // namespace overbend

@@ -5,8 +5,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/finding_lines.h"
-#include "app/follow_study.h"
+#include "app/print_findings.h"
+#include "app/study_progress.h"
 #include "base/finding.h"
 #include "resultfiles/studies/seeds_writer.h"
 #include "study/seeds/compare_variants.h"
@@ -38,7 +38,8 @@ int run_compare(const CompareArguments& arguments) {
   const bool folders = !arguments.others.empty() || fs::is_directory(arguments.model_file, ignored) ||
                        fs::path(arguments.model_file).extension() == ".h5";
   if (folders && !arguments.of.empty()) {
-    return tell({RunEnding::wrong_input, "--of is for a model file; folders of results are compared without it"});
+    return report_status(
+        {RunStatus::wrong_input, "--of applies to a model file; omit it to compare folders of results"});
   }
   if (folders) {
     std::vector<std::string> places = {arguments.model_file};
@@ -46,32 +47,35 @@ int run_compare(const CompareArguments& arguments) {
     return run_compare_folders(places, arguments.output);
   }
   if (arguments.of.empty()) {
-    return tell({RunEnding::wrong_input,
-                 "compare: found a model file, expected --of tensioner, contact or impacts with it, or two or "
-                 "more folders of results"});
+    return report_status(
+        {RunStatus::wrong_input,
+         "compare: found only a model file, expected it with --of tensioner, contact or impacts, or two or "
+         "more folders of results"});
   }
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
   std::variant<StudyPlan, std::string> planned;
   try {
-    planned =
-        plan_comparison(from_word<ComparisonOf>(arguments.of).value(), *description, duration_of(arguments.duration));
-  } catch (const std::invalid_argument& fault) {
-    planned = fault.what();
+    planned = plan_comparison(from_enum_name<ComparisonType>(arguments.of).value(), *description,
+                              parse_duration_option(arguments.duration));
+  } catch (const std::invalid_argument& error) {
+    planned = error.what();
   }
-  if (const auto* fault = std::get_if<std::string>(&planned)) return tell({RunEnding::wrong_input, *fault});
+  if (const auto* error = std::get_if<std::string>(&planned)) return report_status({RunStatus::wrong_input, *error});
   const StudyPlan& plan = std::get<StudyPlan>(planned);
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".comparison")
                               : fs::path(arguments.output);
   const std::vector<std::string> results = {"comparison.html", "comparison.csv", "comparison.json"};
-  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder, results)) return tell(*lost);
-  const std::optional<bool> resume = goes_on(case_folders(plan, folder), arguments.take_up);
+  if (const std::optional<RunResult> lost = find_output_conflict(arguments.model_file, folder, results)) {
+    return report_status(*lost);
+  }
+  const std::optional<bool> resume = resume_requested(case_folders(plan, folder), arguments.resume_option);
   if (!resume) return kWrongInput;
-  const StudyEnd end =
+  const StudyOutcome end =
       follow_study(*description, plan, folder, {*resume, arguments.checkpoint_every, arguments.threads}, "variants");
   for (const FailedCase& failed : end.failed) std::cerr << "overbend: " << failed.name << ": " << failed.why << "\n";
-  if (!end.comparison) return tell(end);
+  if (!end.comparison) return report_status(end);
   std::cout << end.statics.title << "\n";
   print(end.statics, *end.comparison);
   std::cout << "The comparison is " << (folder / "comparison.html").string() << "\n";

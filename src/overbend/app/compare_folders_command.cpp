@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kMaxLines = 20;
 
-std::string change_words(const ComparedResult& result, std::size_t folder) {
+std::string change_text(const ComparedResult& result, std::size_t folder) {
   const auto change = result.change(folder);
   return change ? fmt::format(" ({:+.2f} %)", 100.0 * *change) : "";
 }
@@ -30,7 +30,7 @@ void print_result(const ComparedResult& result) {
   std::string line = fmt::format("  {:<44}", result.name);
   for (std::size_t i = 0; i < result.values.size(); ++i) {
     line += result.values[i] ? fmt::format(" {:>10.5g}", *result.values[i] * unit.factor) : fmt::format(" {:>10}", "-");
-    if (i > 0) line += change_words(result, i);
+    if (i > 0) line += change_text(result, i);
   }
   std::cout << line << " " << unit.name << "\n";
 }
@@ -41,7 +41,7 @@ void print(const FolderComparison& comparison) {
   }
   for (const std::string& note : comparison.notes) std::cout << "  " << note << "\n";
   std::cout << fmt::format("  {} keys of the models differ\n", comparison.keys.size());
-  for (std::size_t i = 0; i < std::min(comparison.keys.size(), kMostLines); ++i) {
+  for (std::size_t i = 0; i < std::min(comparison.keys.size(), kMaxLines); ++i) {
     std::string values;
     for (const std::string& value : comparison.keys[i].values) {
       values += (values.empty() ? "" : " | ") + (value.empty() ? std::string("not given") : value);
@@ -50,23 +50,23 @@ void print(const FolderComparison& comparison) {
   }
   std::size_t lines = 0, differing = 0;
   for (const ComparedResult& result : comparison.results) {
-    if (result.largest_change() > 0.0) ++differing;
+    if (result.max_relative_change() > 0.0) ++differing;
   }
   std::cout << fmt::format("  {} of {} results differ\n", differing, comparison.results.size());
   for (const ComparedResult& result : comparison.results) {
-    if (result.key && lines++ < kMostLines) print_result(result);
+    if (result.key && lines++ < kMaxLines) print_result(result);
   }
   for (const PartialFinding& partial : partial_findings(comparison)) {
     std::string who;
     for (std::size_t i = 0; i < partial.has.size(); ++i) {
       if (partial.has[i]) who += (who.empty() ? "" : ", ") + comparison.folders[i].name;
     }
-    std::cout << "  " << name(partial.finding.severity()) << ", of " << who << " only: " << partial.finding.message
+    std::cout << "  " << name(partial.finding.severity()) << ", only in " << who << ": " << partial.finding.message
               << "\n";
   }
 }
 
-/// Whether both are one folder, however they are written.
+/// True if both paths lead to the same folder.
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   return fs::equivalent(a, b, ignored);
@@ -85,21 +85,21 @@ int run_compare_folders(const std::vector<std::string>& places, const std::strin
   const fs::path first = fs::absolute(folders.front() / "").parent_path();
   const fs::path target = output.empty() ? fs::path(first.filename().string() + ".comparison") : fs::path(output);
   for (const fs::path& folder : folders) {
-    if (same_folder(folder, target)) return complain("-o: " + target.string() + " holds results that are compared");
+    if (same_folder(folder, target)) return complain("-o: " + target.string() + " is one of the folders compared");
   }
   FolderComparison comparison;
   try {
     comparison = compare_folders(folders);
-  } catch (const std::runtime_error& fault) {
-    return complain(fault.what());
+  } catch (const std::runtime_error& error) {
+    return complain(error.what());
   }
   try {
     StagedFolder staged(target);
     write_folder_comparison(comparison, staged.path());
     write_folder_comparison_page(comparison, staged.path() / "comparison.html");
     staged.commit("comparison.html");
-  } catch (const UnusableFolder& fault) {
-    return complain(fault.what());
+  } catch (const UnusableFolder& error) {
+    return complain(error.what());
   }
   print(comparison);
   std::cout << "The comparison is " << (target / "comparison.html").string() << "\n";

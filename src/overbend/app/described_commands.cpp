@@ -6,15 +6,15 @@
 namespace overbend {
 namespace {
 
-/// CLI11 keeps the members of a set in the name of the type only: "TEXT:{s,j}".
-std::vector<std::string> choices_of(const std::string& type) {
+/// Returns the accepted values. CLI11 keeps them only in the name of the type: "TEXT:{s,j}".
+std::vector<std::string> find_choices(const std::string& type) {
   const std::size_t open = type.find('{');
   const std::size_t close = type.find('}', open == std::string::npos ? 0 : open);
   if (open == std::string::npos || close == std::string::npos) return {};
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-Completes completion_of(const CLI::Option& option, const std::string& command) {
+Completes find_completion(const CLI::Option& option, const std::string& command) {
   const std::string& name = option.get_single_name();
   if (name == "MODEL") return Completes::model;
   if (name == "RESULTS" || name == "folder") return Completes::folder;
@@ -26,14 +26,14 @@ DescribedOption described(const CLI::Option& option, const std::string& command)
   DescribedOption out;
   out.text = option.get_description();
   out.required = option.get_required();
-  out.completes = completion_of(option, command);
+  out.completes = find_completion(option, command);
   for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
   const std::string type = option.get_type_name();
   if (option.get_items_expected_max() > 0) {
     out.value = option.nonpositional() ? type.substr(0, type.find_first_of(": ")) : option.get_single_name();
     if (out.value.empty()) out.value = "VALUE";
-    out.choices = choices_of(type);
+    out.choices = find_choices(type);
   }
   return out;
 }

@@ -1,4 +1,4 @@
-/// The program's own description of its commands, for what is made of it: completion in a shell and the manual page.
+/// Description of the commands, from which shell completion and the manual page are made.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace overbend {
 
 enum class Completes { nothing, model, folder, file };
 
-/// An option, or a word that a command takes (then without names).
+/// An option, or a positional argument (then without names).
 struct DescribedOption {
-  std::vector<std::string> names;    ///< "-o", "--output"; empty: taken by its place.
-  std::string text;                  ///< What it is.
-  std::string value;                 ///< How its value is called: "TEXT"; empty: it takes none.
-  std::vector<std::string> choices;  ///< The values there are; empty: any.
+  std::vector<std::string> names;    ///< "-o", "--output"; empty: positional argument.
+  std::string text;                  ///< Description.
+  std::string value;                 ///< Placeholder of its value, such as "TEXT"; empty: no value.
+  std::vector<std::string> choices;  ///< Accepted values; empty: any.
   Completes completes = Completes::nothing;
   bool required = false;
 };
@@ -28,12 +28,13 @@ struct DescribedCommand {
   std::vector<DescribedOption> options;
 };
 
-/// The program first, then its commands in their order.
+/// Returns the program, then its commands in order.
 std::vector<DescribedCommand> described(const CLI::App& program);
 
+/// Returns a completion script.
 std::string bash_completion(const std::vector<DescribedCommand>& commands);
 std::string zsh_completion(const std::vector<DescribedCommand>& commands);
-/// Section 1, for groff and mandoc.
+/// Returns the manual page (section 1) for groff and mandoc.
 std::string manual_page(const std::vector<DescribedCommand>& commands, const std::string& version);
 
 }  // namespace overbend

@@ -5,31 +5,31 @@
 namespace overbend {
 namespace {
 
-ExitCode code_of(RunEnding ending) {
+ExitCode exit_code_of_status(RunStatus ending) {
   switch (ending) {
-    case RunEnding::done:
+    case RunStatus::done:
       return kDone;
-    case RunEnding::interrupted:
+    case RunStatus::interrupted:
       return kInterrupted;
-    case RunEnding::wrong_input:
+    case RunStatus::wrong_input:
       return kWrongInput;
-    case RunEnding::no_solution:
+    case RunStatus::no_solution:
       return kNoSolution;
-    case RunEnding::fault:
+    case RunStatus::error:
       break;
   }
-  return kInternalFault;
+  return kInternalError;
 }
 
 }  // namespace
 
-ExitCode tell(const RunEnd& end) {
-  if (end.ending == RunEnding::interrupted) {
+ExitCode report_status(const RunResult& end) {
+  if (end.ending == RunStatus::interrupted) {
     std::cerr << "overbend: interrupted; continue the run with --resume\n";
   } else if (!end.why.empty()) {
     std::cerr << "overbend: " << end.why << "\n";
   }
-  return code_of(end.ending);
+  return exit_code_of_status(end.ending);
 }
 
 }  // namespace overbend

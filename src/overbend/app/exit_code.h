@@ -1,20 +1,20 @@
-/// How the program ends.
+/// Exit codes of the program.
 #pragma once
 
-#include "study/run/run_ending.h"
+#include "study/run/run_status.h"
 
 namespace overbend {
 
 enum ExitCode : int {
   kDone = 0,
-  kInternalFault = 1,
-  kWrongInput = 2,     ///< The model file or the command line.
-  kNoSolution = 3,     ///< Told: what, where, why.
-  kCheckExceeded = 4,  ///< With --strict: a utilisation above 1.
+  kInternalError = 1,
+  kWrongInput = 2,     ///< Error in the model file or on the command line.
+  kNoSolution = 3,     ///< No equilibrium or no answer; the message states what, where and why.
+  kCheckExceeded = 4,  ///< With --strict: utilisation above 1, or serious findings.
   kInterrupted = 130,
 };
 
-/// Tells on stderr what did not end well, if anything, and returns the exit code for it.
-ExitCode tell(const RunEnd& end);
+/// Prints a message on stderr if the run did not end normally, and returns the exit code.
+ExitCode report_status(const RunResult& end);
 
 }  // namespace overbend

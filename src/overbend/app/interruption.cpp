@@ -6,12 +6,12 @@
 namespace overbend {
 namespace {
 
-std::atomic<bool> flag{false};  // several threads look at it
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
+std::atomic<bool> flag{false};  // read by several threads
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not block");
 
 void set_flag(int signal) {
   flag = true;
-  std::signal(signal, SIG_DFL);  // who asks twice means it
+  std::signal(signal, SIG_DFL);  // a second signal ends the program
 }
 
 }  // namespace

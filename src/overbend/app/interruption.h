@@ -1,14 +1,14 @@
-/// Ctrl-C and its like as a flag that long work looks at.
+/// Handling of Ctrl-C (SIGINT, SIGTERM) with a flag that long computations poll.
 #pragma once
 
 #include "base/interruption.h"
 
 namespace overbend {
 
-/// While it lives, the first SIGINT or SIGTERM sets the flag; the second ends the program as it would without.
+/// During its lifetime, the first SIGINT or SIGTERM sets the flag; the second ends the program.
 class Interruption {
  public:
-  /// What this thread does meanwhile ends by Interrupted, what threads of its own do by themselves.
+  /// Computations of this thread end by the exception Interrupted; other threads must poll wanted().
   Interruption();
   ~Interruption();
   Interruption(const Interruption&) = delete;

@@ -6,12 +6,12 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/finding_lines.h"
+#include "app/print_findings.h"
 #include "base/shown_unit.h"
 #include "resultfiles/studies/lay_table_writer.h"
 #include "runstore/staged_folder.h"
 #include "seafiles/route_depths_reader.h"
-#include "statics/solver/static_obstacle.h"
+#include "statics/solver/unsupported_statics.h"
 #include "study/lay_table/lay_table.h"
 #include "study/lay_table/lay_table_range.h"
 
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table that model and options ask for. Throws std::invalid_argument, with what to tell.
-LayTableDescription asked_table(const Description& description, const LayTableArguments& arguments) {
+/// Returns the table requested by model and options. Throws std::invalid_argument with a message for the user.
+LayTableDescription requested_table(const Description& description, const LayTableArguments& arguments) {
   LayTableDescription asked = description.lay_table.value_or(LayTableDescription{});
   if (!arguments.tension.empty()) take_range(LayTableVary::tension, arguments.tension, asked);
   if (!arguments.lay_back.empty()) take_range(LayTableVary::lay_back, arguments.lay_back, asked);
@@ -29,11 +29,11 @@ LayTableDescription asked_table(const Description& description, const LayTableAr
   if (!arguments.depths_file.empty()) {
     Diagnostics diagnostics;
     asked.profile = read_route_depths(arguments.depths_file, diagnostics);
-    std::string faults;
-    for (const std::string& line : diagnostics.lines(Severity::error)) faults += (faults.empty() ? "" : "\n") + line;
-    if (!faults.empty()) throw std::invalid_argument(faults);
+    std::string errors;
+    for (const std::string& line : diagnostics.lines(Severity::error)) errors += (errors.empty() ? "" : "\n") + line;
+    if (!errors.empty()) throw std::invalid_argument(errors);
   }
-  if (arguments.least) asked.tension = RouteTension::least;
+  if (arguments.min_tension) asked.tension = RouteTension::minimum;
   return asked;
 }
 
@@ -48,9 +48,11 @@ void print_head(const LayTable& table) {
                            shown_name("N"), "-");
 }
 
-std::string verdict_words(const LayTableRow& row) {
-  const std::string kind = row.kind == LayRowKind::step ? "" : row.kind == LayRowKind::least ? "least, " : "largest, ";
-  return kind + lay_verdict(row) + (remark_of(row).empty() ? "" : ": " + remark_of(row));
+std::string row_verdict_text(const LayTableRow& row) {
+  const std::string kind = row.kind == LayRowKind::step      ? ""
+                           : row.kind == LayRowKind::minimum ? "least, "
+                                                             : "largest, ";
+  return kind + lay_verdict(row) + (make_remark(row).empty() ? "" : ": " + make_remark(row));
 }
 
 void print_row(const LayTable& table, const LayTableRow& row) {
@@ -58,10 +60,10 @@ void print_row(const LayTable& table, const LayTableRow& row) {
       table.route ? shown_number(row.distance.value_or(0.0), route_length(), 3) : shown_number(row.depth, "m", 3);
   if (!row.lay) {
     const bool of_tension = table.vary == LayTableVary::tension && !table.route;
-    const std::string of = of_tension ? shown_number(row.varied, "N", 1) : "-";
+    const std::string tension_text = of_tension ? shown_number(row.varied, "N", 1) : "-";
     const std::string lay_back = table.vary == LayTableVary::lay_back ? shown_number(row.varied, "m", 2) : "-";
-    std::cout << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>55}  {}\n", first, of, "-", lay_back, "",
-                             verdict_words(row));
+    std::cout << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>55}  {}\n", first, tension_text, "-", lay_back, "",
+                             row_verdict_text(row));
     return;
   }
   const LayTableValues& v = *row.lay;
@@ -70,14 +72,14 @@ void print_row(const LayTable& table, const LayTableRow& row) {
                            shown_number(v.lay_back, "m", 2), shown_number(v.departure_angle, "rad", 2),
                            v.tip_separation ? shown_number(*v.tip_separation, "m", 3) : "-",
                            shown_number(v.overbend_bending_stress, "Pa", 1),
-                           shown_number(v.sagbend_bending_stress, "Pa", 1), shown_number(v.largest_reaction, "N", 1),
-                           v.utilisation ? fmt::format("{:.3f}", *v.utilisation) : "-", verdict_words(row));
+                           shown_number(v.sagbend_bending_stress, "Pa", 1), shown_number(v.max_reaction, "N", 1),
+                           v.utilisation ? fmt::format("{:.3f}", *v.utilisation) : "-", row_verdict_text(row));
 }
 
 void print_table(const LayTable& table) {
   print_head(table);
   for (const LayTableRow& row : table.rows) print_row(table, row);
-  std::cout << fmt::format("  overbend and sagbend: largest bending stress; {} equilibria in {:.2f} s\n", table.solves,
+  std::cout << fmt::format("  overbend and sagbend: maximum bending stress; {} equilibria in {:.2f} s\n", table.solves,
                            table.wall_time)
             << finding_lines(table.findings);
 }
@@ -87,24 +89,26 @@ void print_table(const LayTable& table) {
 int run_lay_table(const LayTableArguments& arguments) {
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
-  if (const auto obstacle = pipe_obstacle(*description, "a lay table")) {
-    return tell({RunEnding::wrong_input, *obstacle});
+  if (const auto unsupported = missing_pipe_message(*description, "a lay table")) {
+    return report_status({RunStatus::wrong_input, *unsupported});
   }
   LayTableDescription asked;
   try {
-    asked = asked_table(*description, arguments);
-  } catch (const std::invalid_argument& fault) {
-    return tell({RunEnding::wrong_input, fault.what()});
+    asked = requested_table(*description, arguments);
+  } catch (const std::invalid_argument& error) {
+    return report_status({RunStatus::wrong_input, error.what()});
   }
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".lay-table")
                               : fs::path(arguments.output);
-  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
+  if (const std::optional<RunResult> lost = find_output_conflict(arguments.model_file, folder)) {
+    return report_status(*lost);
+  }
   const LayTable table = make_lay_table(*description, asked);
   try {
     write_lay_table_run(table, *description, folder);
-  } catch (const UnusableFolder& fault) {
-    return tell({RunEnding::wrong_input, fault.what()});
+  } catch (const UnusableFolder& error) {
+    return report_status({RunStatus::wrong_input, error.what()});
   }
   print_table(table);
   std::cout << "The lay table is in " << folder.string() << "\n";

@@ -11,24 +11,24 @@
 
 namespace {
 
-/// Whoever starts the program may have closed its standard streams. The next files opened would get their numbers, and
-/// text meant for a terminal would land in results.
+/// Opens standard streams that the calling program has closed. Otherwise the next files opened would get their numbers,
+/// and text meant for the terminal would be written into results.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // uses the lowest free descriptor
   }
 }
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   open_standard_streams();
-  // A limit on the size of files is told as a full disk is; the signal would end the program without a word.
+  // A file size limit is reported like a full disk; the signal would end the program without a message.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const overbend::TerminalText messages(std::cerr), answers(std::cout);
-    return overbend::run_command_line(count, words);
-  } catch (...) {  // in the middle of telling of another fault: there is nothing left to tell it with
-    return overbend::kInternalFault;
+    return overbend::run_command_line(count, arguments);
+  } catch (...) {  // an exception while reporting another error cannot be reported
+    return overbend::kInternalError;
   }
 }

@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-/// Text without anything that roff would take for its own.
+/// Escapes text for roff.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -51,7 +51,7 @@ std::string synopsis(const DescribedCommand& command) {
   return line + " [options]";
 }
 
-std::string options_of(const DescribedCommand& command) {
+std::string option_entries(const DescribedCommand& command) {
   std::string out;
   for (const DescribedOption& option : command.options) {
     out += ".TP\n" + option_head(option) + "\n" + option_text(option) + "\n";
@@ -83,7 +83,7 @@ std::string manual_page(const std::vector<DescribedCommand>& commands, const std
   for (const DescribedCommand& command : commands) {
     if (command.name.empty()) continue;
     lines += (lines.empty() ? "" : ".br\n") + synopsis(command) + "\n";
-    details += ".SS " + roff(command.name) + "\n" + roff(command.text) + "\n" + options_of(command);
+    details += ".SS " + roff(command.name) + "\n" + roff(command.text) + "\n" + option_entries(command);
   }
   return fmt::format(
       ".\\\" Made by `overbend completion man`.\n"
@@ -94,7 +94,7 @@ std::string manual_page(const std::vector<DescribedCommand>& commands, const std
       "Static and dynamic analysis of a pipe between lay vessel and seabed, from a model file in YAML. The keys of "
       "that file: \\fBoverbend schema \\-\\-reference\\fR.\n"
       ".SH OPTIONS\n{}.SH COMMANDS\n{}{}{}",
-      roff(version), lines, options_of(commands.front()), details, kExit, kExamples);
+      roff(version), lines, option_entries(commands.front()), details, kExit, kExamples);
 }
 
 }  // namespace overbend

@@ -13,7 +13,7 @@
 namespace overbend {
 namespace {
 
-int refuse(const std::string& why) {
+int reject(const std::string& why) {
   std::cerr << "overbend new: " << why << "\n";
   return kWrongInput;
 }
@@ -21,8 +21,8 @@ int refuse(const std::string& why) {
 int write_file(const std::string& path, const std::string& text) {
   try {
     replace_file(path, text);
-  } catch (const std::runtime_error& fault) {
-    return refuse(fault.what());
+  } catch (const std::runtime_error& error) {
+    return reject(error.what());
   }
   std::cerr << "wrote " << path << "; run it with: overbend static " << path << " -o DIR\n";
   return kDone;
@@ -30,16 +30,16 @@ int write_file(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-int run_new(const NewOptions& given) {
-  NewOptions options = given;
+int run_new(const NewOptions& requested) {
+  NewOptions options = requested;
   const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   if (terminal && (options.pipe.empty() || options.depth.empty())) ask_new_options(options, std::cin, std::cerr);
-  std::error_code fault;
-  if (!options.output.empty() && !options.force && std::filesystem::exists(options.output, fault)) {
-    return refuse("'" + options.output + "' exists already; --force overwrites it");
+  std::error_code error;
+  if (!options.output.empty() && !options.force && std::filesystem::exists(options.output, error)) {
+    return reject("'" + options.output + "' exists already; --force overwrites it");
   }
   const std::variant<NewLay, std::string> chosen = choose_lay(options);
-  if (const auto* why = std::get_if<std::string>(&chosen)) return refuse(*why);
+  if (const auto* why = std::get_if<std::string>(&chosen)) return reject(*why);
   const NewLay& lay = std::get<NewLay>(chosen);
   if (!lay.model.note.empty()) std::cerr << "overbend new: note: " << lay.model.note << "\n";
   if (!options.output.empty()) return write_file(options.output, lay.text);

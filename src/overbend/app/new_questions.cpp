@@ -11,7 +11,7 @@ std::string trimmed(const std::string& line) {
   return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// `offered`: what an empty answer takes, in words where it is not a value.
+/// Asks one question. `offered` describes the default; an empty answer gives `otherwise`.
 void ask(const char* question, const std::string& offered, std::string& answer, const std::string& otherwise,
          std::istream& in, std::ostream& out) {
   if (!answer.empty()) return;
@@ -25,7 +25,8 @@ void ask(const char* question, const std::string& offered, std::string& answer, 
 }  // namespace
 
 void ask_new_options(NewOptions& options, std::istream& in, std::ostream& out) {
-  ask("Nominal pipe size in inches, or outside diameter with its unit", kUsualPipe, options.pipe, kUsualPipe, in, out);
+  ask("Nominal pipe size in inches, or outside diameter with its unit", kDefaultPipe, options.pipe, kDefaultPipe, in,
+      out);
   ask("Water depth with its unit", kUsualDepth, options.depth, kUsualDepth, in, out);
   ask("Wall thickness with its unit", "chosen for pressure and bending", options.wall, "", in, out);
   ask("Thickness of a concrete coating", "none", options.concrete, "", in, out);

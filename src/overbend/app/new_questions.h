@@ -1,4 +1,4 @@
-/// The questions of `overbend new`.
+/// Questions of `overbend new`.
 #pragma once
 
 #include <iosfwd>
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Asks for what decides a first model and was not said, each with what an empty answer stands for; input that ends
-/// answers all that is left with nothing.
+/// Asks for the main inputs of a first model that were not given, each with its default. At the end of input, all
+/// remaining questions get their defaults.
 void ask_new_options(NewOptions& options, std::istream& in, std::ostream& out);
 
 }  // namespace overbend

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 
-#include "app/check_lines.h"
-#include "app/finding_lines.h"
-#include "app/stage_lines.h"
+#include "app/print_checks.h"
+#include "app/print_findings.h"
+#include "app/print_stages.h"
 #include "results/findings.h"
-#include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
 #include "study/run/prepared_case.h"
 #include "study/stages/lay_operation.h"
@@ -17,40 +15,36 @@
 namespace overbend {
 namespace {
 
-int standing(const OperationResults& results) {
-  return static_cast<int>(std::count_if(results.stages.begin(), results.stages.end(),
-                                        [](const StageResult& stage) { return stage.lay.has_value(); }));
-}
-
 void print_summary(const OperationResults& results) {
   const std::size_t all = results.stages.size();
-  std::cout << fmt::format("  {} of {} {} found in {:.2f} s\n", standing(results), all,
+  std::cout << fmt::format("  {} of {} {} found in {:.2f} s\n", count_solved(results), all,
                            all == 1 ? "equilibrium" : "equilibria", results.wall_time);
-  const Findings findings = operation_findings(results);
-  if (const StageResult* worst = worst_stage(results)) std::cout << verdict_line(worst->lay->checks, findings);
-  std::cout << finding_lines(findings);
+  std::cout << verdict_line(operation_verdict(results)) << finding_lines(operation_findings(results));
 }
 
 }  // namespace
 
 int run_static_operation(const Description& description, const std::filesystem::path& folder, bool strict) {
-  if (const auto obstacle = operation_obstacle(description)) return tell(failed_end(*obstacle, description));
+  if (const auto unsupported = unsupported_in_operation(description)) {
+    return report_status(failure_result(*unsupported, description));
+  }
   std::cout << description.title << "\n" << stage_heads(description.operation.type);
-  const auto tell_stage = [](const StageResult& stage, std::size_t) {
+  const auto report_stage = [](const StageResult& stage, std::size_t) {
     std::cout << stage_line(stage) << std::flush;
     return true;
   };
-  const OperationResults results = solve_operation(description, tell_stage);
+  const OperationResults results = solve_operation(description, report_stage);
   try {
     write_operation_run(results, description, folder);
-  } catch (const UnusableFolder& fault) {
-    return tell({RunEnding::wrong_input, fault.what()});
+  } catch (const UnusableFolder& error) {
+    return report_status({RunStatus::wrong_input, error.what()});
   }
   print_summary(results);
   std::cout << "Results are in " << folder.string() << "\n";
-  if (standing(results) == 0) return tell({RunEnding::no_solution, "no stage of the operation has an equilibrium"});
-  const StageResult* worst = worst_stage(results);
-  return worst != nullptr ? strict_code(worst->lay->checks, operation_findings(results), strict) : kDone;
+  if (count_solved(results) == 0) {
+    return report_status({RunStatus::no_solution, "no stage of the operation has an equilibrium"});
+  }
+  return strict_code(results, strict);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The command static on a model with an operation on the line.
+/// Command `static` for a model with an operation.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// All stages: a line for each on the terminal and a folder of results. kNoSolution where no stage has an equilibrium;
-/// with `strict`, kCheckExceeded where a governing check of any stage is exceeded.
+/// Solves all stages, prints a line for each and writes a folder of results. Returns kNoSolution if no stage has an
+/// equilibrium and, with `strict`, kCheckExceeded if a governing check of any stage is exceeded.
 int run_static_operation(const Description& description, const std::filesystem::path& folder, bool strict);
 
 }  // namespace overbend

@@ -18,33 +18,34 @@ std::string found(const std::string& text, const std::string& expected) {
 
 }  // namespace
 
-CLI::Validator one_of_words(const std::vector<std::string>& words) {
-  const auto fault = [words](const std::string& text) -> std::string {
-    if (std::ranges::find(words, text) != words.end()) return "";
-    const std::string near = nearest_word(text, words);
-    return found(text, join_words(words, "or")) + (near.empty() ? "" : "; did you mean '" + near + "'?");
+CLI::Validator one_of_choices(const std::vector<std::string>& choices) {
+  const auto check = [choices](const std::string& text) -> std::string {
+    if (std::ranges::find(choices, text) != choices.end()) return "";
+    const std::string near = nearest_word(text, choices);
+    return found(text, join_items(choices, "or")) + (near.empty() ? "" : "; did you mean '" + near + "'?");
   };
-  return {fault, "{" + CLI::detail::join(words, ",") + "}"};
+  return {check, "{" + CLI::detail::join(choices, ",") + "}"};
 }
 
 CLI::Validator whole_number(int low, int high) {
-  const auto fault = [low, high](const std::string& text) -> std::string {
+  const auto check = [low, high](const std::string& text) -> std::string {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (whole && number >= low && number <= high) return "";
+    const bool complete = error == std::errc() && end == text.data() + text.size();
+    if (complete && number >= low && number <= high) return "";
     return found(text, fmt::format("a whole number from {} to {}", low, high));
   };
-  return {fault, fmt::format("{} to {}", low, high)};
+  return {check, fmt::format("{} to {}", low, high)};
 }
 
 CLI::Validator seconds() {
-  const auto fault = [](const std::string& text) -> std::string {
+  const auto check = [](const std::string& text) -> std::string {
     const std::optional<double> number = parse_number(text);
-    return number && std::isfinite(*number) && *number >= 0.0 ? ""
-                                                              : found(text, "seconds from 0 on, a number without unit");
+    return number && std::isfinite(*number) && *number >= 0.0
+               ? ""
+               : found(text, "a number of seconds of at least 0, without unit");
   };
-  return {fault, "SECONDS"};
+  return {check, "SECONDS"};
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What the value of an option may be, with messages that say what was found and what was expected.
+/// Validators of option values, with messages that state what was found and what was expected.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,12 +7,13 @@
 
 namespace overbend {
 
-/// One of the words, as they are written.
-CLI::Validator one_of_words(const std::vector<std::string>& words);
+/// Accepts one of the choices, case-sensitively.
+CLI::Validator one_of_choices(const std::vector<std::string>& choices);
 
+/// Accepts an integer from `low` to `high`.
 CLI::Validator whole_number(int low, int high);
 
-/// A finite number from 0 on.
+/// Accepts a finite number of at least 0 [s].
 CLI::Validator seconds();
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Prints a report as PDF with a browser of the machine.
+/// Prints a report as PDF with an installed browser.
 #pragma once
 
 #include <filesystem>
@@ -7,17 +7,18 @@
 
 namespace overbend {
 
-/// No browser, or one that gave no file; what() says what to do.
+/// Thrown if there is no browser or it wrote no file; what() states what to do.
 class PdfError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The browser that prints: the program that the environment variable OVERBEND_BROWSER names, else the first of
-/// chromium, chromium-browser, google-chrome, google-chrome-stable and microsoft-edge in the PATH; empty without.
+/// Returns the browser to print with: the program named by the environment variable OVERBEND_BROWSER, otherwise the
+/// first of chromium, chromium-browser, google-chrome, google-chrome-stable and microsoft-edge in the PATH; empty if
+/// none is found.
 std::filesystem::path find_browser();
 
-/// Writes `pdf` from the page `html`; an earlier file stays until the new one is complete. Throws PdfError.
+/// Writes `pdf` from the page `html`; an existing file is kept until the new one is complete. Throws PdfError.
 void print_pdf(const std::filesystem::path& html, const std::filesystem::path& pdf);
 
 }  // namespace overbend

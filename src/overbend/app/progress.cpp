@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kTerminalPause = 0.2;  ///< Between two lines [s].
+constexpr double kTerminalPause = 0.2;  ///< Interval between updates [s].
 constexpr double kPlainPause = 30.0;
 
 std::string clock_text(double seconds) {
@@ -27,7 +27,7 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 Progress::Progress(double from, double to)
     : from_(from),
       to_(to),
-      begun_at_(from),
+      first_position_(from),
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
       last_(start_) {}
@@ -38,17 +38,18 @@ Progress::~Progress() {
   }
 }
 
-void Progress::show(double at, const std::string& text) {
+void Progress::show(double position, const std::string& text) {
   if (!begun_) {
     begun_ = true;
-    begun_at_ = at;
+    first_position_ = position;
   }
-  if (seconds_since(last_) < (terminal_ ? kTerminalPause : kPlainPause) && at < to_) {
+  if (seconds_since(last_) < (terminal_ ? kTerminalPause : kPlainPause) && position < to_) {
     return;
   }
   last_ = Clock::now();
-  const double done = (at - from_) / (to_ - from_);
-  const double left = at > begun_at_ ? seconds_since(start_) * (to_ - at) / (at - begun_at_) : 0.0;
+  const double done = (position - from_) / (to_ - from_);
+  const double left =
+      position > first_position_ ? seconds_since(start_) * (to_ - position) / (position - first_position_) : 0.0;
   const std::string line = fmt::format("{:5.1f} %  {}  {} remaining", 100.0 * done, text, clock_text(left));
   if (terminal_) {
     constexpr int kWidth = 24;

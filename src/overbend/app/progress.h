@@ -1,4 +1,4 @@
-/// How far long work has come, with the time it still needs.
+/// Progress of a long computation with the estimated remaining time.
 #pragma once
 
 #include <chrono>
@@ -6,22 +6,22 @@
 
 namespace overbend {
 
-/// Writes to stderr: on a terminal one line that is written over, elsewhere a plain line now and then.
+/// Writes to stderr: on a terminal a single line that is updated, otherwise a plain line every 30 s.
 class Progress {
  public:
-  /// `from` and `to` are what `show` counts in.
+  /// `from` and `to` are the range of the positions passed to show().
   Progress(double from, double to);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(double at, const std::string& text);
+  void show(double position, const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   double from_, to_;
-  double begun_at_;  ///< Where the first call stood: a run taken up again does not begin at `from`.
+  double first_position_;  ///< Position of the first call; a resumed run does not begin at `from`.
   bool terminal_, begun_ = false, shown_ = false;
   Clock::time_point start_, last_;
 };

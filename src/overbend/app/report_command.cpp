@@ -38,8 +38,8 @@ int run_report(const std::string& place, bool pdf) {
   const fs::path file = h5.parent_path() / "report.html";
   try {
     write_again(h5, file);
-  } catch (const std::runtime_error& fault) {
-    std::cerr << "overbend: " << fault.what() << "\n";
+  } catch (const std::runtime_error& error) {
+    std::cerr << "overbend: " << error.what() << "\n";
     return kWrongInput;
   }
   std::cout << "The report is " << file.string() << "\n";
@@ -47,9 +47,9 @@ int run_report(const std::string& place, bool pdf) {
   const fs::path printed = fs::path(file).replace_extension(".pdf");
   try {
     print_pdf(file, printed);
-  } catch (const PdfError& fault) {
-    std::cerr << "overbend: " << fault.what() << "\n";
-    return kInternalFault;
+  } catch (const PdfError& error) {
+    std::cerr << "overbend: " << error.what() << "\n";
+    return kInternalError;
   }
   std::cout << "Printed as " << printed.string() << "\n";
   return kDone;

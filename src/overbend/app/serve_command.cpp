@@ -17,18 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Opens the page in the user's browser, where there is a screen; what comes of it is the desktop's affair.
+/// Opens the page in the user's browser if there is a display; errors are ignored.
 void open_browser(const std::string& url) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   const pid_t child = fork();
   if (child > 0) waitpid(child, nullptr, 0);
   if (child != 0) return;
-  // A grandchild: nobody has to wait for a browser.
+  // A grandchild process, so that the browser is not waited for.
   if (fork() == 0) execlp("xdg-open", "xdg-open", url.c_str(), static_cast<char*>(nullptr));
   _exit(0);
 }
 
-ServeOptions options_of(const ServeArguments& arguments) {
+ServeOptions make_serve_options(const ServeArguments& arguments) {
   ServeOptions options;
   options.port = arguments.port;
   if (!arguments.folder.empty()) options.folder = arguments.folder;
@@ -42,7 +42,7 @@ ServeOptions options_of(const ServeArguments& arguments) {
 }  // namespace
 
 int run_serve(const ServeArguments& arguments) {
-  const ServeOptions options = options_of(arguments);
+  const ServeOptions options = make_serve_options(arguments);
   std::error_code ignored;
   const fs::path asked(arguments.model_file);
   if (!arguments.folder.empty() && asked.has_parent_path() &&
@@ -58,15 +58,15 @@ int run_serve(const ServeArguments& arguments) {
   try {
     const Interruption interruption;
     Server server(options);
-    std::cout << "Overbend is at " << server.url() << "\nCtrl-C ends it." << std::endl;
+    std::cout << "Overbend is running at " << server.url() << "\nPress Ctrl-C to stop." << std::endl;
     if (arguments.browser) open_browser(server.one_time_url());
     while (!Interruption::wanted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    std::cout << "\nEnding; a run that is running leaves a checkpoint." << std::endl;
-  } catch (const HttpFault& fault) {
-    std::cerr << "overbend serve: " << fault.what() << "\n";
+    std::cout << "\nStopping; an active run leaves a checkpoint." << std::endl;
+  } catch (const HttpError& error) {
+    std::cerr << "overbend serve: " << error.what() << "\n";
     return kWrongInput;
-  } catch (const PortFault& fault) {
-    std::cerr << "overbend serve: " << fault.what() << "\n";
+  } catch (const PortError& error) {
+    std::cerr << "overbend serve: " << error.what() << "\n";
     return kWrongInput;
   }
   return kDone;

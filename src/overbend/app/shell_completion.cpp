@@ -6,15 +6,16 @@ namespace overbend {
 namespace {
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
+  for (std::size_t position = text.find(what); position != std::string::npos;
+       position = text.find(what, position + by.size())) {
+    text.replace(position, what.size(), by);
   }
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
+std::string joined(const std::vector<std::string>& items, const char* between) {
   std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
+  for (const std::string& word : items) out += (out.empty() ? "" : between) + word;
   return out;
 }
 
@@ -28,25 +29,25 @@ std::vector<std::string> names_of_commands(const std::vector<DescribedCommand>& 
 
 // bash --------------------------------------------------------------------------------------------------------------
 
-/// What follows an option that takes a value.
+/// Returns the completion of the value of an option.
 std::string bash_value(const DescribedCommand& command, const DescribedOption& option) {
   std::vector<std::string> patterns;
   for (const std::string& name : option.names) patterns.push_back(command.name + ":" + name);
-  std::string action = "return";  // a value that nobody can guess
+  std::string action = "return";  // no completion for free values
   if (!option.choices.empty()) action = fmt::format("_overbend_words '{}'; return", joined(option.choices, " "));
   if (option.completes != Completes::nothing) action = "_overbend_files -f; return";
   return fmt::format("    {}) {} ;;\n", joined(patterns, "|"), action);
 }
 
 std::string bash_options(const DescribedCommand& command, const std::vector<std::string>& names) {
-  std::vector<std::string> words = command.name.empty() ? names : std::vector<std::string>{};
+  std::vector<std::string> candidates = command.name.empty() ? names : std::vector<std::string>{};
   for (const DescribedOption& option : command.options) {
-    words.insert(words.end(), option.names.begin(), option.names.end());
+    candidates.insert(candidates.end(), option.names.begin(), option.names.end());
   }
-  return fmt::format("    '{}') options='{}' ;;\n", command.name, joined(words, " "));
+  return fmt::format("    '{}') options='{}' ;;\n", command.name, joined(candidates, " "));
 }
 
-/// The values of a word taken by its place.
+/// Returns the completion of a positional argument.
 std::string bash_places(const DescribedCommand& command) {
   for (const DescribedOption& option : command.options) {
     if (!option.names.empty()) continue;
@@ -61,7 +62,7 @@ std::string bash_places(const DescribedCommand& command) {
 
 // zsh ---------------------------------------------------------------------------------------------------------------
 
-/// For descriptions inside '...[...]' and '...:...' of _arguments and _describe.
+/// Escapes descriptions inside '...[...]' and '...:...' of _arguments and _describe.
 std::string zsh_text(const std::string& text) {
   std::string out = replaced(text, "'", "'\\''");
   for (const char* special : {":", "[", "]"}) out = replaced(out, special, std::string("\\") + special);

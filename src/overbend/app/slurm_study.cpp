@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where tasks of the array find themselves.
+/// Returns the path of this program, for the tasks of the array.
 fs::path this_program() {
-  std::error_code fault;
-  fs::path program = fs::read_symlink("/proc/self/exe", fault);
-  if (fault) throw SlurmFault("the path of this program is not known");
+  std::error_code error;
+  fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) throw SlurmError("the path of this program cannot be found");
   return program;
 }
 
@@ -45,7 +45,9 @@ bool wait_for(std::chrono::milliseconds time) {
 int submit(const CaseBase& base, const fs::path& file, const fs::path& folder, const SlurmArguments& arguments) {
   open_study(base, StudyCases(base.study()), folder);
   const std::vector<SlurmJob> before = slurm_jobs(folder);
-  if (arguments.resubmit && before.empty()) throw SlurmFault("nothing of this study was submitted before");
+  if (arguments.resubmit && before.empty()) {
+    throw SlurmError("no case of this study has been submitted yet; use --on slurm");
+  }
   StudyUnits units = study_units(base, folder);
   std::vector<std::size_t> open = units.open;
   std::vector<std::string> more;
@@ -67,8 +69,8 @@ int submit(const CaseBase& base, const fs::path& file, const fs::path& folder, c
 int submit_study(const CaseBase& base, const fs::path& file, const fs::path& folder, const SlurmArguments& arguments) {
   try {
     return submit(base, file, folder, arguments);
-  } catch (const SlurmFault& fault) {
-    return tell({RunEnding::wrong_input, fault.what()});
+  } catch (const SlurmError& error) {
+    return report_status({RunStatus::wrong_input, error.what()});
   }
 }
 
@@ -84,7 +86,7 @@ int watch_study(const CaseBase& base, const fs::path& folder) {
     last = line;
     if (!queue) return kNoSolution;
     if (queue->empty()) {
-      if (!units.open.empty()) std::cout << "Not all have an answer: --resubmit submits what is left\n";
+      if (!units.open.empty()) std::cout << "Some cases have no result; --resubmit submits them again\n";
       return kDone;
     }
     if (!wait_for(kPause)) return kInterrupted;

@@ -1,4 +1,4 @@
-/// `overbend study --on slurm`, `--watch` and `--resubmit`.
+/// Options `--on slurm`, `--watch` and `--resubmit` of `overbend study`.
 #pragma once
 
 #include "study/cases/case_evaluation.h"
@@ -8,15 +8,16 @@ namespace overbend {
 
 struct SlurmArguments {
   SlurmOptions options;
-  bool resubmit = false;  ///< Cases that failed as well, and only where arrays were submitted before.
+  bool resubmit = false;  ///< Also submit failed cases; requires an earlier submission.
 };
 
-/// Submits the cases of the study that have no answer, opening its folder, and tells what was submitted. The exit code.
+/// Opens the folder of the study, submits the cases without a result, prints what was submitted and returns the exit
+/// code.
 int submit_study(const CaseBase& base, const std::filesystem::path& file, const std::filesystem::path& folder,
                  const SlurmArguments& arguments);
 
-/// Tells how many tasks and cases are where until nothing of the study is in the queue, or until interrupted. Where
-/// Slurm does not answer, once. The exit code.
+/// Prints the state of tasks and cases until no task of the study is in the queue or until interrupted; only once if
+/// Slurm does not answer. Returns the exit code.
 int watch_study(const CaseBase& base, const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Valid UTF-8 on the terminal.
+/// Ensures valid UTF-8 on the terminal.
 #pragma once
 
 #include <ostream>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Writes bytes of a stream that are not UTF-8 as "\xc6" within its lifetime.
+/// During its lifetime, writes bytes of a stream that are not UTF-8 as "\xc6".
 class TerminalText : public std::streambuf {
  public:
   explicit TerminalText(std::ostream& stream);

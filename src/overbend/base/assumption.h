@@ -1,4 +1,4 @@
-/// What had to be assumed for a result, as a record.
+/// Records of the assumptions behind a result.
 #pragma once
 
 #include <string>
@@ -7,37 +7,38 @@
 
 namespace overbend {
 
-/// In the order in which assumptions are read.
+/// Groups in the order in which assumptions are listed.
 enum class AssumptionRank {
-  governing,  ///< Chosen by the program, or a simplification on which the results depend.
-  setting,    ///< How a value or a choice of the model file was understood.
+  governing,  ///< Chosen by the program, or a simplification that affects the results.
+  setting,    ///< Interpretation of a value or a choice of the model file.
   other,
 };
 
-/// "governing", as stored with results.
+/// Returns the stored name, such as "governing".
 std::string_view rank_name(AssumptionRank rank);
 
 struct Assumption {
   AssumptionRank rank = AssumptionRank::other;
-  std::string text;  ///< One sentence, with its numbers in the units that people read.
+  std::string text;  ///< One sentence, with numbers in display units.
 
   bool operator==(const Assumption&) const = default;
 };
 
 using Assumptions = std::vector<Assumption>;
 
-/// All, then those of `more` that are not among them.
+/// Returns `all`, then those of `more` that are not in it.
 Assumptions merge(Assumptions all, const Assumptions& more);
 
-/// The sentences alone.
+/// Returns the sentences only.
 std::vector<std::string> texts(const Assumptions& assumptions);
 std::vector<std::string> texts(const Assumptions& assumptions, AssumptionRank rank);
 
-/// The names of their ranks, one by one; stored next to the sentences under this name.
+/// Key under which the names of the ranks are stored next to the sentences.
 inline constexpr const char* kAssumptionRanks = "assumption_ranks";
 std::vector<std::string> rank_names(const Assumptions& assumptions);
 
-/// Those of stored sentences with the names of their ranks. Results of a version that stored none have `other`.
+/// Returns assumptions from stored sentences and rank names. Without stored ranks, as in results of older versions, the
+/// rank is `other`.
 Assumptions read_assumptions(std::vector<std::string> texts, const std::vector<std::string>& ranks);
 
 }  // namespace overbend

@@ -29,8 +29,8 @@
 namespace overbend {
 namespace {
 
-/// What comes back: whether it is a result, the length of what follows, and that.
-enum class Answer : char { result = 'r', fault = 'f' };
+/// Message of the child: kind, length of the text, and text.
+enum class Answer : char { result = 'r', error = 'f' };
 constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
 
 std::string answer_text(Answer kind, const std::string& text) {
@@ -44,39 +44,39 @@ std::string answer_to(const std::function<std::string()>& work) {
   try {
     return answer_text(Answer::result, work());
   } catch (const std::bad_alloc&) {
-    return answer_text(Answer::fault, "reading it takes too much memory");
-  } catch (const std::exception& fault) {
-    return answer_text(Answer::fault, fault.what());
+    return answer_text(Answer::error, "reading it takes too much memory");
+  } catch (const std::exception& error) {
+    return answer_text(Answer::error, error.what());
   } catch (...) {
-    return answer_text(Answer::fault, "reading it failed");
+    return answer_text(Answer::error, "reading it failed");
   }
 }
 
-bool is_whole(const std::string& message) {
+bool is_complete_message(const std::string& message) {
   if (message.size() < kHead) return false;
   std::uint64_t length = 0;
   std::memcpy(&length, message.data() + 1, sizeof length);
   return message.size() - kHead == length;
 }
 
-/// Of a whole message.
+/// Text of a complete message.
 std::string message_text(const std::string& message) {
-  const bool is_fault = message[0] == static_cast<char>(Answer::fault);
+  const bool is_error = message[0] == static_cast<char>(Answer::error);
   std::string text = message.substr(kHead);
-  if (is_fault) throw std::runtime_error(text);
+  if (is_error) throw std::runtime_error(text);
   return text;
 }
 
 #if OVERBEND_HAS_FORK
 
-void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
+void limit(decltype(RLIMIT_CPU) what, rlim_t max_value) {
   rlimit present{};
   if (::getrlimit(what, &present) != 0) return;
-  present.rlim_cur = std::min({most, present.rlim_cur, present.rlim_max});
+  present.rlim_cur = std::min({max_value, present.rlim_cur, present.rlim_max});
   ::setrlimit(what, &present);
 }
 
-/// Of this process [bytes]; 0 where the system does not say.
+/// Returns the memory of this process [bytes]; 0 if the system does not report it.
 std::size_t memory_in_use() {
   std::ifstream stream("/proc/self/statm");
   std::size_t pages = 0;
@@ -84,8 +84,8 @@ std::size_t memory_in_use() {
   return stream ? pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/// The program's own ways with signals are not for the copy; Ctrl-C is heard by the one that waits.
-void leave_signals_alone() {
+/// Resets signal handling in the child; Ctrl-C is handled by the waiting process.
+void reset_signals() {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGALRM}) {
     ::signal(number, SIG_DFL);
   }
@@ -95,7 +95,7 @@ void leave_signals_alone() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void keep_within(const ChildLimits& limits, std::size_t in_use) {
+void apply_limits(const ChildLimits& limits, std::size_t in_use) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_time.count()));
   if (in_use > 0) limit(RLIMIT_AS, in_use + limits.memory);
@@ -117,10 +117,10 @@ void write_all(int pipe, const std::string& text) {
 #else
   static_cast<void>(parent);
 #endif
-  leave_signals_alone();
-  keep_within(limits, in_use);
+  reset_signals();
+  apply_limits(limits, in_use);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);  // where the C library says what it found wrong
+  if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);  // discards error output of the C library
   write_all(pipe, answer_to(work));
   ::_exit(0);
 }
@@ -153,7 +153,7 @@ ChildWork::~ChildWork() {
   end();
 }
 
-/// Waits for the end of the process: its status, 0 where somebody else has taken it.
+/// Waits for the end of the process and returns its status, 0 if it was already collected.
 int ChildWork::end() {
   if (pipe_ >= 0) ::close(std::exchange(pipe_, -1));
   const int pid = std::exchange(pid_, -1);
@@ -164,7 +164,7 @@ int ChildWork::end() {
   return status;
 }
 
-void ChildWork::refuse() {
+void ChildWork::throw_end_reason() {
   const int status = end();
   const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (number == SIGXCPU) throw ChildError("reading it takes too long");
@@ -172,7 +172,7 @@ void ChildWork::refuse() {
 }
 
 std::string ChildWork::result() {
-  constexpr int kPatience = 100;  // [ms]
+  constexpr int kPatience = 100;  // poll interval [ms]
   constexpr std::size_t kPiece = 1U << 16U;
   for (;;) {
     check_interruption();
@@ -188,7 +188,7 @@ std::string ChildWork::result() {
     received_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (count == 0 || (count < 0 && errno != EINTR)) break;
   }
-  if (!is_whole(received_)) refuse();
+  if (!is_complete_message(received_)) throw_end_reason();
   end();
   return message_text(received_);
 }

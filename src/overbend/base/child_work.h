@@ -12,7 +12,7 @@ namespace overbend {
 /// Limits of a child process. The wall time bounds a process that waits forever, also on a machine under load.
 struct ChildLimits {
   std::chrono::seconds cpu_time{10}, wall_time{120};
-  std::size_t memory = std::size_t{1} << 30U;  ///< In addition to what the process has already [bytes].
+  std::size_t memory = std::size_t{1} << 30U;  ///< In addition to the current memory of the process [bytes].
 };
 
 /// Child process that ended without a result; what() is the reason: "reading it ended with signal 11".
@@ -32,12 +32,12 @@ class ChildWork {
   ChildWork(const ChildWork&) = delete;
   ChildWork& operator=(const ChildWork&) = delete;
 
-  /// Waits for what `work` returned. Throws std::runtime_error with its words where it threw, ChildError where it did
-  /// not come to an end, and what check_interruption() throws.
+  /// Waits for the result of `work`. Throws std::runtime_error with its message if it threw, ChildError if it did not
+  /// finish, and what check_interruption() throws.
   std::string result();
 
  private:
-  [[noreturn]] void refuse();
+  [[noreturn]] void throw_end_reason();
   int end();
 
   std::chrono::steady_clock::time_point until_;

@@ -14,11 +14,11 @@ VectorXd least_squares(const MatrixXd& a, const VectorXd& b) {
   return a.colPivHouseholderQr().solve(b);
 }
 
-VectorXd shortest_least_squares(const MatrixXd& a, const VectorXd& b) {
+VectorXd min_norm_solution(const MatrixXd& a, const VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
-MatrixXd triangle_of(const MatrixXd& rows) {
+MatrixXd qr_triangle(const MatrixXd& rows) {
   const Eigen::HouseholderQR<MatrixXd> qr(rows);
   return qr.matrixQR().topRows(std::min(rows.rows(), rows.cols())).triangularView<Eigen::Upper>();
 }
@@ -43,7 +43,7 @@ SymmetricModes symmetric_modes(const MatrixXd& stiffness, const MatrixXd& mass) 
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-Eigen::VectorXcd eigenvalues_of(const MatrixXd& matrix) {
+Eigen::VectorXcd compute_eigenvalues(const MatrixXd& matrix) {
   return Eigen::EigenSolver<MatrixXd>(matrix, false).eigenvalues();
 }
 

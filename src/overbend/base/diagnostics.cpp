@@ -18,10 +18,11 @@ std::string render(const Diagnostic& diagnostic) {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  constexpr int kMost =
-      1000;  // for a file that is not a model: more are not useful, and a million would fill the memory
+  constexpr int kMaxKept =
+      // limit for files that are not models: further messages are not useful, and a million would fill the memory
+      1000;
   int& count = diagnostic.severity == Severity::error ? errors_ : warnings_;
-  if (++count > kMost) return;
+  if (++count > kMaxKept) return;
   for (std::string Diagnostic::*part :
        {&Diagnostic::file, &Diagnostic::key, &Diagnostic::found, &Diagnostic::expected, &Diagnostic::hint}) {
     diagnostic.*part = valid_utf8(diagnostic.*part);
@@ -47,7 +48,7 @@ Findings Diagnostics::findings() const {
   Findings findings;
   for (Diagnostic diagnostic : sorted()) {
     if (diagnostic.severity != Severity::warning) continue;
-    diagnostic.file = std::filesystem::path(diagnostic.file).filename().string();  // a report is sent on
+    diagnostic.file = std::filesystem::path(diagnostic.file).filename().string();  // reports are passed on: no folders
     findings.push_back(Finding{diagnostic.code, render(diagnostic)}.on(diagnostic.key));
   }
   return findings;

@@ -4,8 +4,8 @@ namespace overbend {
 namespace {
 
 FileLock*& present_lock() {
-  static FileLock own;
-  static FileLock* lock = &own;
+  static FileLock default_lock;
+  static FileLock* lock = &default_lock;
   return lock;
 }
 

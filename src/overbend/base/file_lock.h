@@ -1,12 +1,12 @@
-/// The lock around a library that serves one thread alone.
+/// Lock around a library that is not thread-safe.
 #pragma once
 
 #include <mutex>
 
 namespace overbend {
 
-/// Held while HDF5 reads or writes a file. A thread may hold it several times. Where other code of the process uses
-/// that library as well, whoever runs us derives a lock that keeps that code away too.
+/// Held while HDF5 reads or writes a file. Recursive: a thread may hold it several times. If other code of the process
+/// uses the library as well, the embedding program derives a lock that excludes that code too.
 class FileLock {
  public:
   FileLock() = default;
@@ -21,10 +21,10 @@ class FileLock {
   std::recursive_mutex mutex_;
 };
 
-/// The one of this process, as HDF5 is.
+/// Returns the lock of this process, as HDF5 is global.
 FileLock& hdf5_lock();
 
-/// Puts another in its place, before any thread holds it: one that lives as long as it is there.
+/// Replaces the lock, before any thread holds it; `lock` must outlive its use.
 void set_hdf5_lock(FileLock& lock);
 
 }  // namespace overbend

@@ -12,8 +12,8 @@
 namespace overbend {
 
 FindingSeverity Finding::severity() const {
-  const FindingSeverity own = kind(code).severity;
-  return accepted && own == FindingSeverity::serious ? FindingSeverity::caution : own;
+  const FindingSeverity default_severity = kind(code).severity;
+  return accepted && default_severity == FindingSeverity::serious ? FindingSeverity::caution : default_severity;
 }
 
 Findings merge(Findings all, const Findings& more) {
@@ -115,7 +115,7 @@ Findings read_findings(const Json& list) {
 
 namespace {
 
-double badness(const Finding& finding) {
+double severity_measure(const Finding& finding) {
   return finding.numbers.empty() ? 0.0 : std::abs(finding.numbers.front().value);
 }
 
@@ -124,7 +124,7 @@ std::string spaced(std::string name) {
   return name;
 }
 
-/// "effective tension -155.9 to -6.9 kN"
+/// Returns a text such as "effective tension -155.9 to -6.9 kN".
 std::string range_text(const FindingNumber& number, double low, double high) {
   const ShownUnit unit = number.unit == "rad" ? ShownUnit{"rad", "rad"} : shown_unit(number.unit);
   return fmt::format("{} {} to {}", spaced(number.name), shown_digits_number(low, unit, 4),
@@ -136,7 +136,7 @@ void add_to(SharedFinding& shared, const Finding& finding) {
     shared.low[i] = std::min(shared.low[i], finding.numbers[i].value);
     shared.high[i] = std::max(shared.high[i], finding.numbers[i].value);
   }
-  if (badness(finding) > badness(shared.worst)) shared.worst = finding;
+  if (severity_measure(finding) > severity_measure(shared.worst)) shared.worst = finding;
 }
 
 }  // namespace
@@ -155,9 +155,10 @@ std::vector<SharedFinding> shared_findings(const std::vector<Findings>& runs) {
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (const Finding& finding : runs[run]) {
       const auto same = [&](const SharedFinding& shared) {
-        const bool whole = finding.object.empty() && finding.numbers.empty();  // then its message says which
+        // plain findings are distinguished by their message
+        const bool is_plain = finding.object.empty() && finding.numbers.empty();
         return shared.worst.code == finding.code && shared.worst.object == finding.object &&
-               (!whole || shared.worst.message == finding.message);
+               (!is_plain || shared.worst.message == finding.message);
       };
       auto known = std::ranges::find_if(all, same);
       if (known == all.end()) {

@@ -1,4 +1,4 @@
-/// What an engineer should know of a result, as a record: every output shows findings, none has texts of its own.
+/// Findings: records about a result for the engineer, shown in every output.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// A number of a finding. SI.
+/// Number of a finding, in SI.
 struct FindingNumber {
   std::string name;  ///< "effective_tension"
   double value = 0.0;
@@ -22,12 +22,12 @@ struct FindingNumber {
 
 struct Finding {
   FindingCode code = FindingCode::unknown;
-  std::string message;                      ///< One sentence, with its numbers in the units that people read.
-  std::string object = {};                  ///< "stinger 8", "bow port"; empty: of the whole.
-  std::optional<double> from_top = {};      ///< Place on the pipe: arc length from the tensioner [m].
+  std::string message;                      ///< One sentence, with numbers in display units.
+  std::string object = {};                  ///< "stinger 8", "bow port"; empty: the whole analysis.
+  std::optional<double> from_top = {};      ///< Location on the pipe: arc length from the tensioner [m].
   std::optional<double> time = {};          ///< [s]
-  std::vector<FindingNumber> numbers = {};  ///< The one that says how bad it is first.
-  bool accepted = false;                    ///< By checks.accepted_findings: no reservation of the verdict.
+  std::vector<FindingNumber> numbers = {};  ///< The number that measures the severity comes first.
+  bool accepted = false;  ///< Accepted by checks.accepted_findings: no reservation in the overall check result.
 
   Finding on(std::string name) && {
     object = std::move(name);
@@ -46,55 +46,55 @@ struct Finding {
     return std::move(*this);
   }
 
-  /// Of its code; that of an accepted one is a caution.
+  /// Returns the severity of its code; an accepted finding is at most a caution.
   FindingSeverity severity() const;
   bool operator==(const Finding&) const = default;
 };
 
 using Findings = std::vector<Finding>;
 
-/// All, then those of `more` that are not among them.
+/// Returns `all`, then those of `more` that are not in it.
 Findings merge(Findings all, const Findings& more);
 void append(Findings& all, Findings more);
 
-/// Marks those whose code has one of the names.
+/// Marks findings whose code is named in `codes` as accepted.
 void accept(Findings& findings, const std::vector<std::string>& codes);
 
-/// By severity, otherwise in the order given; of serious ones the first of each code before the others, so that six
-/// boxes that the pipe left do not stand before compression.
+/// Sorts by severity, otherwise in the given order; of serious findings the first of each code precedes the others, so
+/// that six boxes with the same finding do not hide compression.
 Findings sorted_by_severity(const Findings& findings);
 
-/// Those that are serious, in their order.
+/// Returns the serious findings, in their order.
 Findings serious_findings(const Findings& findings);
 
-/// Number of findings of that severity.
+/// Returns the number of findings of a severity.
 std::size_t count(const Findings& findings, FindingSeverity severity);
 bool has_code(const Findings& findings, FindingCode code);
 
-/// "1 serious, 2 caution, 1 note"; empty without any.
+/// Returns "1 serious, 2 caution, 1 note"; empty without any.
 std::string severity_counts(const Findings& findings);
 
-/// The messages alone.
+/// Returns the messages only.
 std::vector<std::string> messages(const Findings& findings);
 
-/// `{code, severity, message, object?, from_top?, time?, numbers?: [{name, value, unit}], accepted?}`; places in m,
-/// times in s.
+/// Returns `{code, severity, message, object?, from_top?, time?, numbers?: [{name, value, unit}], accepted?}`;
+/// positions in m, times in s.
 Json finding_json(const Finding& finding);
 Json findings_json(const Findings& findings);
 Finding read_finding(const Json& json);
 Findings read_findings(const Json& list);
 
-/// A finding that several runs of a model have.
+/// Finding shared by several runs of a model.
 struct SharedFinding {
-  Finding worst;                            ///< The one whose first number is the largest in magnitude.
-  std::vector<std::size_t> runs = {};       ///< Indices of the runs that have it.
-  std::vector<double> low = {}, high = {};  ///< Least and largest of each of its numbers.
+  Finding worst;                            ///< The finding whose first number has the maximum magnitude.
+  std::vector<std::size_t> runs = {};       ///< Indices of the runs with the finding.
+  std::vector<double> low = {}, high = {};  ///< Minimum and maximum of each number.
 
-  /// The message of the worst, with the ranges of its numbers where they differ.
+  /// Returns the message of the worst finding, with the ranges of its numbers where they differ.
   std::string text() const;
 };
 
-/// Findings of the same code and object are one. In the order in which they occur.
+/// Merges findings of the same code and object, in order of occurrence.
 std::vector<SharedFinding> shared_findings(const std::vector<Findings>& runs);
 
 }  // namespace overbend

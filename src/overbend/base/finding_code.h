@@ -8,15 +8,15 @@
 namespace overbend {
 
 enum class FindingSeverity {
-  serious,  ///< The lay is not feasible as given, or the numbers do not mean what they seem to: never a pass.
-  caution,  ///< To be looked at before the pipe is laid.
-  note,     ///< For the reader's information.
+  serious,  ///< The lay is not feasible as given, or the results are not valid: never a pass.
+  caution,  ///< To be reviewed before the pipe is laid.
+  note,     ///< For information.
 };
 
 /// "serious", "caution", "note".
 const char* name(FindingSeverity severity);
 
-/// In the order of the guide.
+/// In the order of the user guide.
 enum class FindingCode {
   // Pipe and supports
   pipe_off_rollers,
@@ -51,7 +51,7 @@ enum class FindingCode {
   // Stinger
   stinger_unstable,
   stinger_at_stop,
-  stinger_hangs_free,
+  stinger_clear_of_pipe,
   stinger_friction_range,
   stinger_stop_impacts,
   // Cables, moorings and lines
@@ -145,24 +145,24 @@ enum class FindingCode {
   unused_input,
   recorded_motion_leaps,
   recorded_yaw_is_heading,
-  unknown,  ///< Of results that another version of the program wrote.
+  unknown,  ///< Code of results written by another version of the program.
 };
 
 /// Description of a code. Texts are literals.
 struct FindingKind {
   FindingCode code;
-  std::string_view name;  ///< In files: "pipe-off-rollers".
+  std::string_view name;  ///< Name in files: "pipe-off-rollers".
   FindingSeverity severity;
-  std::string_view meaning;  ///< One sentence or two.
-  std::string_view remedy;   ///< What to do.
+  std::string_view meaning;  ///< One or two sentences.
+  std::string_view remedy;   ///< Recommended action.
 };
 
-/// All, in the order of FindingCode.
+/// Returns all codes, in the order of FindingCode.
 std::span<const FindingKind> finding_kinds();
 
 const FindingKind& kind(FindingCode code);
 
-/// None where no code has that name.
+/// Returns nothing if no code has that name.
 std::optional<FindingCode> find_finding_code(std::string_view name);
 
 }  // namespace overbend

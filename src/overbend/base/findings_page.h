@@ -5,7 +5,7 @@
 
 namespace overbend {
 
-/// Markdown.
+/// Returns the page as Markdown.
 std::string findings_page();
 
 }  // namespace overbend

@@ -1,5 +1,5 @@
-/// JSON: the one type that the program uses, whose members stand in the order in which they came, and its text, which
-/// is read and written here alone (what does it is long, and compiled once).
+/// JSON: the type used throughout, which keeps the order of members, and its reading and writing, compiled only once
+/// because the library is large.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@ namespace overbend {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws Json::parse_error where the text is no JSON.
+/// Throws Json::parse_error if the text is not JSON.
 Json read_json(const std::string& text);
 
-/// Null where there is no such file, or it is no JSON.
+/// Returns null if the file does not exist or is not JSON.
 Json read_json_file(const std::filesystem::path& file);
 
-/// Nothing where it holds no object.
+/// Returns nothing if the file does not contain an object.
 std::optional<Json> read_json_object(const std::filesystem::path& file);
 
-/// `indent`: of each level, in spaces; below zero, all in one line. Bytes that are no UTF-8 become the replacement
+/// `indent`: spaces per level; negative for a single line. Bytes that are not UTF-8 are replaced by the replacement
 /// character.
 std::string json_text(const Json& json, int indent = -1);
 

@@ -1,5 +1,5 @@
-/// Registers of doubles that change rows for lanes. For kernels alone, see simd.h: everything stands in the unnamed
-/// namespace of one instruction set.
+/// Transposition of registers of doubles. For kernels only, see simd.h: all code is in the unnamed namespace of one
+/// instruction set.
 #pragma once
 
 #include <utility>
@@ -9,8 +9,7 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart. L runs over the
-/// lanes.
+/// One stage of a transposition: exchanges blocks of kStep lanes between rows kStep apart. L runs over the lanes.
 template <int kStep, int... L>
 inline void exchange(Lanes (&rows)[kWidth], std::integer_sequence<int, L...> /*all*/) {
   for (int i = 0; i < kWidth; ++i) {
@@ -22,7 +21,7 @@ inline void exchange(Lanes (&rows)[kWidth], std::integer_sequence<int, L...> /*a
   }
 }
 
-/// Lane l of row j becomes lane j of row l.
+/// Transposes: lane l of row j becomes lane j of row l.
 inline void transpose(Lanes (&rows)[kWidth]) {
   constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
   exchange<1>(rows, lanes);
@@ -34,8 +33,8 @@ inline void transpose(Lanes (&rows)[kWidth]) {
   }
 }
 
-/// Neighbouring blocks of kStep lanes added up, those of `a` in the lower places of each pair of blocks, those of `b`
-/// in the upper ones. L runs over the lanes.
+/// Sums of neighbouring blocks of kStep lanes, those of `a` in the lower half of each pair of blocks, those of `b` in
+/// the upper half. L runs over the lanes.
 template <int kStep, int... L>
 inline Lanes added_blocks(const Lanes& a, const Lanes& b, std::integer_sequence<int, L...> /*all*/) {
   return __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L : kWidth + L - kStep)...) +

@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kNothing = 1e-14;  ///< Of a coefficient, or of a gradient relative to the first.
+constexpr double kNothing = 1e-14;  ///< Zero tolerance of a coefficient, or of a gradient relative to the first.
 
 /// Least squares over some of the columns.
 Eigen::VectorXd fit_columns(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
@@ -18,14 +18,14 @@ Eigen::VectorXd fit_columns(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
   return least_squares(part, b);
 }
 
-/// Fits the columns in use; those that would become negative are removed, one after another.
+/// Fits the columns in use; columns with negative coefficients are removed, one after another.
 void settle(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, std::vector<Eigen::Index>& used, Eigen::VectorXd& x) {
   while (!used.empty()) {
     const Eigen::VectorXd wanted = fit_columns(A, b, used);
     double share = 1.0;
     for (std::size_t j = 0; j < used.size(); ++j) {
-      const double target = wanted(static_cast<Eigen::Index>(j)), now = x(used[j]);
-      if (target <= 0.0) share = std::min(share, now / (now - target));
+      const double target = wanted(static_cast<Eigen::Index>(j)), present = x(used[j]);
+      if (target <= 0.0) share = std::min(share, present / (present - target));
     }
     for (std::size_t j = 0; j < used.size(); ++j) {
       x(used[j]) += share * (wanted(static_cast<Eigen::Index>(j)) - x(used[j]));

@@ -34,7 +34,7 @@ double Random::uniform() {
 }
 
 std::uint64_t Random::below(std::uint64_t count) {
-  // Numbers below 2^64 mod count are thrown away: what is left is a whole number of rounds.
+  // Numbers below 2^64 mod count are rejected: the rest is a whole multiple of count.
   const std::uint64_t rejected = (0 - count) % count;
   std::uint64_t number = bits();
   while (number < rejected) number = bits();

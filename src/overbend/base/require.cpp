@@ -6,11 +6,11 @@
 namespace overbend {
 namespace {
 
-/// The path below the sources, so that messages do not depend on where the program was built.
+/// Returns the path below the sources, so that messages do not depend on the build folder.
 std::string_view below_sources(std::string_view file) {
   constexpr std::string_view kSources = "src/overbend/";
-  const std::size_t at = file.rfind(kSources);
-  return at == std::string_view::npos ? file : file.substr(at + kSources.size());
+  const std::size_t position = file.rfind(kSources);
+  return position == std::string_view::npos ? file : file.substr(position + kSources.size());
 }
 
 }  // namespace

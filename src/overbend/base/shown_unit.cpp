@@ -61,11 +61,11 @@ constexpr std::array<ShownUnit, kUnits> kUs = {{{"N", "kip", 1.0 / kKip, 2, 1},
                                                 {"N/m3", "lbf/ft3", kFoot* kFoot* kFoot / kPoundForce, 2},
                                                 {"kg", "lb", 1.0 / kPound, 0, -3},
                                                 {"kg/m", "lb/ft", kFoot / kPound, 3, 1}}};
-constexpr std::array<OwnUnit, kOwn> kOwnMetric = {
+constexpr std::array<SpecialUnit, kOwn> kOwnMetric = {
     {{"strain", {"1", "%", 1e2, 4}}, {"contact_share", {"1", "%", 1e2, 1}}, {"dent_depth", {"m", "mm", 1e3, 3}}}};
-constexpr std::array<OwnUnit, kOwn> kOwnUs = {{{"strain", {"1", "%", 1e2, 4}},
-                                               {"contact_share", {"1", "%", 1e2, 1}},
-                                               {"dent_depth", {"m", "in", 1.0 / kInch, 5, 2}}}};
+constexpr std::array<SpecialUnit, kOwn> kOwnUs = {{{"strain", {"1", "%", 1e2, 4}},
+                                                   {"contact_share", {"1", "%", 1e2, 1}},
+                                                   {"dent_depth", {"m", "in", 1.0 / kInch, 5, 2}}}};
 
 std::atomic<UnitSystem>& in_use() {
   static std::atomic<UnitSystem> system = UnitSystem::metric;
@@ -90,13 +90,13 @@ std::span<const ShownUnit> shown_units(UnitSystem system) {
   return system == UnitSystem::us ? kUs : kMetric;
 }
 
-std::span<const OwnUnit> own_units(UnitSystem system) {
+std::span<const SpecialUnit> special_units(UnitSystem system) {
   return system == UnitSystem::us ? kOwnUs : kOwnMetric;
 }
 
 ShownUnit shown_unit(std::string_view name, std::string_view si, UnitSystem system) {
-  for (const OwnUnit& own : own_units(system)) {
-    if (own.unit.si == si && name.find(own.part) != std::string_view::npos) return own.unit;
+  for (const SpecialUnit& entry : special_units(system)) {
+    if (entry.unit.si == si && name.find(entry.part) != std::string_view::npos) return entry.unit;
   }
   for (const ShownUnit& unit : shown_units(system)) {
     if (unit.si == si) return unit;
@@ -142,7 +142,7 @@ std::string fixed(double value, int digits) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-std::string text_of(const ShownUnit& unit) {
+std::string unit_label(const ShownUnit& unit) {
   return unit.name.empty() ? "-" : std::string(unit.name);
 }
 

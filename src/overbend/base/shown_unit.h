@@ -1,7 +1,7 @@
-/// Units in which people read results: one table for tables of text, command line, messages, reports and the page.
+/// Display units of results: one table for text output, command line, messages, reports and the page.
 ///
-/// Calculations and files for scripts (summary.json, results.h5) are in SI. What people read is in metric engineering
-/// units, or in US customary units where the program was started so. Every text takes its units from here.
+/// Calculations and machine-readable files (summary.json, results.h5) are in SI. Output for people is in metric
+/// engineering units, or in US customary units if the program was started so. All text takes its units from here.
 #pragma once
 
 #include <span>
@@ -12,31 +12,32 @@ namespace overbend {
 
 enum class UnitSystem { metric, us };
 
-/// The units of everything that is printed from now on, in all threads. Set once, before results are printed.
+/// Sets the units of all further output, in all threads. Call once, before results are printed.
 void use_units(UnitSystem system);
 UnitSystem units_in_use();
 
-/// How values of an SI unit are shown: times `factor`, usually with `digits` decimals.
+/// Display of values of an SI unit: multiplied by `factor`, usually with `digits` decimals.
 struct ShownUnit {
   std::string_view si;
   std::string_view name;  ///< Empty for plain numbers.
   double factor = 1.0;
   int digits = 3;
-  int more = 0;  ///< Decimals more than the metric unit of the same SI unit has, so that no text loses precision.
+  /// Number of decimals in addition to those of the metric unit of the same SI unit, so that no text loses precision.
+  int more = 0;
 };
 
-/// Quantities that are read in a unit of their own: those whose name holds `part`.
-struct OwnUnit {
+/// Special unit of the quantities whose name contains `part`.
+struct SpecialUnit {
   std::string_view part;
   ShownUnit unit;
 };
 
 /// The tables of a system, in the same order for both.
 std::span<const ShownUnit> shown_units(UnitSystem system);
-std::span<const OwnUnit> own_units(UnitSystem system);
+std::span<const SpecialUnit> special_units(UnitSystem system);
 
-/// Of the quantity `name`, which may be any text that holds what it is ("design strain"), kept in `si`. An SI unit that
-/// is not in the table is shown as it is.
+/// Returns the display unit of the quantity `name`, which may be any text that contains it ("design strain"), stored in
+/// `si`. An SI unit that is not in the table is shown unchanged.
 ShownUnit shown_unit(std::string_view name, std::string_view si, UnitSystem system);
 inline ShownUnit shown_unit(std::string_view name, std::string_view si) {
   return shown_unit(name, si, units_in_use());
@@ -45,49 +46,49 @@ inline ShownUnit shown_unit(std::string_view si) {
   return shown_unit("", si);
 }
 
-/// Lengths of a cross-section, gaps: millimetres or inches.
+/// Unit of lengths of a cross-section and gaps: millimetres or inches.
 ShownUnit section_length();
-/// Weight of lines: N/m or lbf/ft.
+/// Unit of the weight of lines: N/m or lbf/ft.
 ShownUnit line_weight_unit();
-/// Stiffness of contacts: MN/m or kip/in.
+/// Unit of contact stiffness: MN/m or kip/in.
 ShownUnit contact_stiffness_unit();
-/// Axial stiffness of mooring lines: MN or kip.
+/// Unit of axial stiffness of mooring lines: MN or kip.
 ShownUnit axial_stiffness_unit();
-/// Moduli of steel: GPa or ksi.
+/// Unit of moduli of steel: GPa or ksi.
 ShownUnit modulus_unit();
-/// Stiffness of the seabed, to be read per metre or foot of penetration: kN/m or lbf/ft.
+/// Unit of seabed stiffness, per metre or foot of penetration: kN/m or lbf/ft.
 ShownUnit bed_stiffness_unit();
-/// Distances along a route: kilometres or feet.
+/// Unit of distances along a route: kilometres or feet.
 ShownUnit route_length();
 
-/// A plain number with `digits` decimals, never "-0.00"; "-" for what is not finite.
+/// Returns a number with `digits` decimals, never "-0.00"; "-" for non-finite values.
 std::string fixed(double value, int digits);
 
-/// Its name, or a dash for plain numbers.
-std::string text_of(const ShownUnit& unit);
+/// Returns the name of the unit, or a dash for plain numbers.
+std::string unit_label(const ShownUnit& unit);
 
-/// A value [SI] without its unit: "276.5". `decimals`: those of metric values.
+/// Returns a value [SI] without its unit: "276.5". `decimals`: those of metric values.
 std::string shown_number(double value, const ShownUnit& unit, int decimals);
 inline std::string shown_number(double value, std::string_view si, int decimals) {
   return shown_number(value, shown_unit(si), decimals);
 }
 
-/// A value [SI] with its unit: "276.5 kN".
+/// Returns a value [SI] with its unit: "276.5 kN".
 std::string shown(double value, const ShownUnit& unit, int decimals);
 inline std::string shown(double value, std::string_view si, int decimals) {
   return shown(value, shown_unit(si), decimals);
 }
 
-/// The same with at most `digits` significant digits: "89 m".
+/// Returns a value [SI] with its unit and at most `digits` significant digits: "89 m".
 std::string shown_digits(double value, const ShownUnit& unit, int digits);
 inline std::string shown_digits(double value, std::string_view si, int digits) {
   return shown_digits(value, shown_unit(si), digits);
 }
 
-/// The same without its unit: "89".
+/// Returns a value [SI] with at most `digits` significant digits, without its unit: "89".
 std::string shown_digits_number(double value, const ShownUnit& unit, int digits);
 
-/// The name of the unit: "kN".
+/// Returns the name of the unit: "kN".
 inline std::string shown_name(std::string_view si) {
   return std::string(shown_unit(si).name);
 }

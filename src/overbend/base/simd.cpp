@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/simd_words.h"
+#include "base/isa_names.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -27,9 +27,9 @@ Isa narrow(Isa found) {
   const char* wanted = std::getenv("OVERBEND_ISA");
   const std::string name = wanted == nullptr ? "" : wanted;
   if (name.empty()) return found;
-  if (const auto isa = from_word<Isa>(name)) return std::min(*isa, found);
+  if (const auto isa = from_enum_name<Isa>(name)) return std::min(*isa, found);
   throw std::invalid_argument("the environment variable OVERBEND_ISA: found '" + name + "', expected " +
-                              join_words(words_of<Isa>(), "or"));
+                              join_items(enum_names<Isa>(), "or"));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-/// Portable vectors of doubles, and which instruction set runs them.
+/// Portable vectors of doubles, and selection of the instruction set.
 ///
-/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own, with
-/// compiler vectors as wide as the set's registers (8, 4 or 2 doubles); data is laid out in batches of eight, which
-/// every width divides. `best_isa` chooses at run time, so that one program runs on any x86-64 machine and is fast on a
-/// new one.
+/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a separate namespace, with compiler
+/// vectors as wide as the set's registers (8, 4 or 2 doubles); data is laid out in batches of eight, a multiple of
+/// every width. `best_isa` chooses at run time, so that one program runs on any x86-64 machine and uses the widest
+/// registers available.
 #pragma once
 
 namespace overbend {
@@ -12,8 +12,8 @@ inline constexpr int kLanes = 8;  ///< Elements in a batch of data.
 
 enum class Isa { baseline, avx2, avx512 };
 
-/// The widest instruction set that this processor and this build have. The environment variable OVERBEND_ISA
-/// (baseline, avx2, avx512) narrows it, to compare results between sets; another value is std::invalid_argument.
+/// Returns the widest instruction set of this processor and this build. The environment variable OVERBEND_ISA
+/// (baseline, avx2, avx512) restricts it, to compare results between sets; another value throws std::invalid_argument.
 Isa best_isa();
 
 }  // namespace overbend

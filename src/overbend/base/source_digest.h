@@ -3,8 +3,8 @@
 
 namespace overbend {
 
-/// Digest of all sources that take part in computing (tools/source_digest.cmake): twelve hexadecimal digits. Another
-/// build of the same sources has the same.
+/// Digest of all sources that affect results (tools/source_digest.cmake): twelve hexadecimal digits. Equal for all
+/// builds of the same sources.
 const char* source_digest();
 
 }  // namespace overbend

@@ -19,26 +19,26 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::string join_words(const std::vector<std::string>& words, const std::string& last) {
+std::string join_items(const std::vector<std::string>& items, const std::string& last) {
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " " + last + " " : ", ";
-    text += words[i];
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " " + last + " " : ", ";
+    text += items[i];
   }
   return text;
 }
 
-std::string one_of(const std::vector<std::string>& words) {
-  return words.size() == 1 ? "'" + words.front() + "'" : "one of " + join_words(words, "or");
+std::string one_of(const std::vector<std::string>& items) {
+  return items.size() == 1 ? "'" + items.front() + "'" : "one of " + join_items(items, "or");
 }
 
-std::string for_display(std::string_view text, std::size_t most) {
+std::string for_display(std::string_view text, std::size_t max_length) {
   std::string shown;
-  for (const char c : text.substr(0, most)) {
+  for (const char c : text.substr(0, max_length)) {
     const auto byte = static_cast<unsigned char>(c);
     shown += byte < 0x20 || byte == 0x7f ? '?' : c;
   }
-  if (text.size() <= most) return shown;
+  if (text.size() <= max_length) return shown;
   while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0U) == 0x80U) shown.pop_back();
   if (!shown.empty() && static_cast<unsigned char>(shown.back()) >= 0xC0U) shown.pop_back();
   return shown + "...";
@@ -70,12 +70,12 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 namespace {
 
-/// Distance at which a candidate counts as meant: edits, or part of the word ("depth" for "water_depth").
+/// Returns the distance from a candidate: edits, or 1 for a part of the word ("depth" for "water_depth").
 int likeness(const std::string& word, const std::string& candidate) {
-  constexpr std::size_t kShortestPart = 3;
+  constexpr std::size_t kMinPartLength = 3;
   const int distance = edit_distance(word, candidate);
-  const bool part = (word.size() >= kShortestPart && candidate.find(word) != std::string::npos) ||
-                    (candidate.size() >= kShortestPart && word.find(candidate) != std::string::npos);
+  const bool part = (word.size() >= kMinPartLength && candidate.find(word) != std::string::npos) ||
+                    (candidate.size() >= kMinPartLength && word.find(candidate) != std::string::npos);
   return part ? std::min(distance, 1) : distance;
 }
 
@@ -88,10 +88,10 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::string best;
   int best_likeness = farthest + 1;
   for (const std::string& candidate : known) {
-    const int at = likeness(lower, lower_case(candidate));
-    if (at >= best_likeness && at != 0) continue;
+    const int score = likeness(lower, lower_case(candidate));
+    if (score >= best_likeness && score != 0) continue;
     best = candidate;
-    best_likeness = at;
+    best_likeness = score;
   }
   return best;
 }

@@ -30,7 +30,7 @@ void work_in_threads(std::size_t count, const std::function<void()>& work) {
         guarded();
       });
     }
-  } catch (const std::system_error&) {  // those there are do it all
+  } catch (const std::system_error&) {  // the existing threads do all the work
   }
   guarded();
   for (std::thread& thread : others) thread.join();

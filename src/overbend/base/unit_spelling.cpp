@@ -11,7 +11,7 @@ struct Spelling {
   std::string_view written, replacement;
 };
 
-/// A replacement of several units that stands before a power ends in the unit with the power: "kNm2" is kN m^2.
+/// A replacement of several units followed by a power ends in the unit that takes the power: "kNm2" is kN m^2.
 constexpr Spelling kSpellings[] = {{"deg", "degree"},
                                    {"degs", "degree"},
                                    {"te", "tonne"},
@@ -68,7 +68,7 @@ std::string_view replacement(std::string_view name) {
   return known == std::end(kSpellings) ? name : known->replacement;
 }
 
-/// Calls `take` with every run of letters and with what stands between them.
+/// Calls `take` with every run of letters and with the text between them.
 template <typename Take>
 void for_each_part(std::string_view unit, const Take& take) {
   for (std::size_t from = 0, to = 0; from < unit.size(); from = to) {
@@ -88,7 +88,7 @@ std::string_view text_for(std::span<const Remark> remarks, std::string_view part
 std::string udunits_spelling(std::string_view unit) {
   std::string spelled;
   for_each_part(unit, [&](std::string_view part, bool letters) { spelled += letters ? replacement(part) : part; });
-  constexpr std::string_view kDot = "\u22c5";  // the dot operator, which UDUNITS-2 does not know
+  constexpr std::string_view kDot = "\u22c5";  // the dot operator, which UDUNITS-2 does not support
   for (std::size_t i = spelled.find(kDot); i != std::string::npos; i = spelled.find(kDot)) {
     spelled.replace(i, kDot.size(), ".");
   }

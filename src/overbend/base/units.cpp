@@ -26,7 +26,7 @@ using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 
 struct DimensionNames {
   const char* si_unit;
-  const char* words;
+  const char* phrase;
   std::vector<std::string> units;
 };
 
@@ -56,8 +56,8 @@ const std::vector<DimensionNames>& dimensions() {
   return kDimensions;
 }
 
-/// The library's unit system, with the spelling of this trade; one per program, used under its mutex (UDUNITS keeps
-/// global state).
+/// The library's unit system with industry spellings; one per program, used under its mutex (UDUNITS keeps global
+/// state).
 class UnitSystem {
  public:
   static UnitSystem& instance() {
@@ -65,10 +65,10 @@ class UnitSystem {
     return system;
   }
 
-  /// Base units of a unit, "m-2.kg.s-2"; empty when it is unknown or more than a scale (degC, lg(re 1 mW)).
+  /// Returns the base units of a unit, "m-2.kg.s-2"; empty if it is unknown or not a pure scale (degC, lg(re 1 mW)).
   std::string signature(const std::string& unit) {
     const std::lock_guard lock(mutex_);
-    return signature_of(parse(unit).get());
+    return signature_text(parse(unit).get());
   }
 
   std::optional<double> factor(const std::string& unit, const std::string& si_unit) {
@@ -76,12 +76,12 @@ class UnitSystem {
     const auto key = std::make_pair(unit, si_unit);
     if (const auto known = factors_.find(key); known != factors_.end()) return known->second;
     const std::optional<double> result = convert(parse(unit).get(), parse(si_unit).get());
-    if (factors_.size() < kMostRemembered) factors_.emplace(key, result);
+    if (factors_.size() < kMaxCached) factors_.emplace(key, result);
     return result;
   }
 
  private:
-  static constexpr std::size_t kMostRemembered = 1000;
+  static constexpr std::size_t kMaxCached = 1000;
 
   UnitSystem() {
     ut_set_error_message_handler(ut_ignore);
@@ -91,7 +91,7 @@ class UnitSystem {
 
   Unit parse(const std::string& unit) { return Unit(ut_parse(system_.get(), udunits_spelling(unit).c_str(), UT_UTF8)); }
 
-  static std::string signature_of(const ut_unit* unit) {
+  static std::string signature_text(const ut_unit* unit) {
     if (unit == nullptr) return {};
     std::array<char, 256> buffer{};
     const int length = ut_format(unit, buffer.data(), buffer.size() - 1, UT_DEFINITION | UT_ASCII);
@@ -104,8 +104,8 @@ class UnitSystem {
   }
 
   static std::optional<double> convert(ut_unit* from, ut_unit* to) {
-    const std::string signature = signature_of(from);
-    if (signature.empty() || signature != signature_of(to)) return std::nullopt;
+    const std::string signature = signature_text(from);
+    if (signature.empty() || signature != signature_text(to)) return std::nullopt;
     const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, to), cv_free);
     if (!converter) return std::nullopt;
     return cv_convert_double(converter.get(), 1.0);
@@ -126,11 +126,11 @@ const DimensionNames* find_dimension(const std::string& si_unit) {
   return nullptr;
 }
 
-/// Dimension of a known unit, in words: "a force". Units beyond our table are "of another dimension".
-std::string what_it_measures(const std::string& unit) {
+/// Returns the dimension of a known unit: "a force". Units beyond our table are "of another dimension".
+std::string measured_dimension(const std::string& unit) {
   const std::string signature = UnitSystem::instance().signature(unit);
   for (const DimensionNames& d : dimensions()) {
-    if (signature == UnitSystem::instance().signature(d.si_unit)) return d.words;
+    if (signature == UnitSystem::instance().signature(d.si_unit)) return d.phrase;
   }
   return "another dimension";
 }
@@ -159,7 +159,8 @@ std::size_t number_length(std::string_view text) {
   return i;
 }
 
-/// UDUNITS reads scales, shifts and logarithms too; a unit of ours is names, powers, products and quotients, "1/m" too.
+/// True for names, powers, products and quotients, such as "1/m". UDUNITS also reads scales, shifts and logarithms,
+/// which are not accepted here.
 bool looks_like_a_unit(std::string_view unit) {
   if (unit.size() > 40) return false;
   if (unit.substr(0, 2) == "1/") unit.remove_prefix(2);
@@ -173,10 +174,10 @@ bool looks_like_a_unit(std::string_view unit) {
 
 std::string expected_units(const std::string& si_unit) {
   const std::vector<std::string> units = usual_units(si_unit);
-  return units.empty() ? std::string() : "write a unit such as " + join_words({units.begin(), units.end()}, "or");
+  return units.empty() ? std::string() : "write a unit such as " + join_items({units.begin(), units.end()}, "or");
 }
 
-/// Of a unit that is unknown or of another dimension.
+/// Returns a hint for a unit that is unknown or of another dimension.
 std::string other_unit_hint(std::string_view unit, const std::string& si_unit) {
   for (const std::string& known : usual_units(si_unit)) {
     if (lower_case(known) == lower_case(unit)) return "did you mean '" + known + "'? (capitals matter in units)";
@@ -185,7 +186,7 @@ std::string other_unit_hint(std::string_view unit, const std::string& si_unit) {
   return spelling.empty() ? expected_units(si_unit) : spelling;
 }
 
-/// Engineers mix up mass and weight, and turns with radians per second: say what the number would be.
+/// Returns a hint on common mix-ups, mass for weight and turns for radians per second, with the corrected number.
 std::string wrong_dimension_hint(double number, const std::string& unit, const std::string& si_unit) {
   constexpr double kStandardGravity = 9.80665;
   const auto would_be = [&](double si) { return format_quantity(si, si_unit, usual_units(si_unit).front(), 5); };
@@ -211,8 +212,8 @@ std::optional<double> parse_number(std::string_view text) {
     return std::nullopt;
   }
   double value = 0.0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
@@ -233,9 +234,9 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
   }
   const std::optional<double> factor = unit_factor(unit, si_unit);
   if (!factor) {
-    return {std::nullopt, quoted + " (" + what_it_measures(unit) + ")", wrong_dimension_hint(*number, unit, si_unit)};
+    return {std::nullopt, quoted + " (" + measured_dimension(unit) + ")", wrong_dimension_hint(*number, unit, si_unit)};
   }
-  if (!std::isfinite(*number * *factor)) return {std::nullopt, quoted + ", beyond anything sensible", {}};
+  if (!std::isfinite(*number * *factor)) return {std::nullopt, quoted + ", which is out of range", {}};
   return {*number * *factor, quoted, {}, ambiguity_remark(unit)};
 }
 
@@ -243,14 +244,14 @@ std::optional<double> unit_factor(const std::string& unit, const std::string& si
   return UnitSystem::instance().factor(unit, si_unit);
 }
 
-std::string dimension_words(const std::string& si_unit) {
+std::string dimension_phrase(const std::string& si_unit) {
   const DimensionNames* names = find_dimension(si_unit);
-  return names != nullptr ? names->words : "a quantity in " + si_unit;
+  return names != nullptr ? names->phrase : "a quantity in " + si_unit;
 }
 
 std::string dimension_name(const std::string& si_unit) {
-  const std::string words = dimension_words(si_unit);
-  return words.substr(words.find(' ') + 1);
+  const std::string dimension = dimension_phrase(si_unit);
+  return dimension.substr(dimension.find(' ') + 1);
 }
 
 std::vector<std::string> usual_units(const std::string& si_unit) {
@@ -260,7 +261,7 @@ std::vector<std::string> usual_units(const std::string& si_unit) {
 
 std::string format_quantity(double value, const std::string& si_unit, const std::string& unit, int digits) {
   const std::optional<double> factor = unit_factor(unit, si_unit);
-  if (!factor) broken_promise("a unit measures its dimension: '" + unit + "', " + dimension_words(si_unit));
+  if (!factor) broken_promise("a unit measures its dimension: '" + unit + "', " + dimension_phrase(si_unit));
   return format_number(value / *factor, digits) + " " + unit;
 }
 

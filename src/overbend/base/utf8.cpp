@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-/// Length that the first byte asks for, and the bounds of the second one.
+/// Length implied by the first byte, and the bounds of the second one.
 struct Start {
   std::size_t length = 0;
   unsigned low = 0x80, high = 0xbf;

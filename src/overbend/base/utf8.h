@@ -1,4 +1,4 @@
-/// Valid UTF-8 from files that may hold any bytes.
+/// Conversion of arbitrary bytes to valid UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 
 namespace overbend {
 
-/// Length of the UTF-8 character that begins at `i`; 0 where none does (overlong forms and surrogates are none).
+/// Returns the length of the UTF-8 character that begins at `i`; 0 if none does (overlong forms and surrogates are
+/// invalid).
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
-/// The text with every byte outside a valid character written as "\xc6". Applied to messages where they are collected
-/// (base/diagnostics.h) and where they leave the program.
+/// Returns the text with every byte outside a valid character written as "\xc6". Applied to messages where they are
+/// collected (base/diagnostics.h) and at the program's output.
 std::string valid_utf8(std::string_view text);
 
 }  // namespace overbend

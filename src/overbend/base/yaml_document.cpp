@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNodesBetweenChecks = 4096;
 
-/// Builds the tree from the parser's events, so that keys keep their marks and repeated ones are seen.
+/// Builds the tree from the parser's events, which keep the positions of keys and reveal repeated ones.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
@@ -26,7 +26,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    refuse_anchor(mark, anchor);
+    reject_anchor(mark, anchor);
     place(node_at(mark, YamlNode::Kind::null));
   }
 
@@ -37,8 +37,8 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    refuse_anchor(mark, anchor);
-    refuse_tag(mark, tag);
+    reject_anchor(mark, anchor);
+    reject_tag(mark, tag);
     YamlNode node = node_at(mark, YamlNode::Kind::scalar);
     node.text = value;
     node.quoted = tag == "!";
@@ -63,7 +63,7 @@ class TreeBuilder : public YAML::EventHandler {
  private:
   struct Frame {
     YamlNode node;
-    std::optional<YamlEntry> pending;           ///< Key read, value still to come.
+    std::optional<YamlEntry> pending;           ///< Key read, value pending.
     std::unordered_map<std::string, int> seen;  ///< Keys of the group and their lines.
   };
 
@@ -80,19 +80,19 @@ class TreeBuilder : public YAML::EventHandler {
     diagnostics_.add({Severity::error, file_, mark.line + 1, mark.column + 1, path(), found, expected, hint});
   }
 
-  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
+  void reject_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (anchor != 0) complain(mark, "an anchor (&)", "the value alone", "anchors are not used in model files");
   }
 
-  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+  void reject_tag(const YAML::Mark& mark, const std::string& tag) {
     if (!tag.empty() && tag != "?" && tag != "!") {
       complain(mark, "the tag '" + for_display(tag) + "'", "the value alone", "tags are not used in model files");
     }
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlNode::Kind kind) {
-    refuse_anchor(mark, anchor);
-    refuse_tag(mark, tag);
+    reject_anchor(mark, anchor);
+    reject_tag(mark, tag);
     stack_.push_back({node_at(mark, kind), std::nullopt, {}});
   }
 
@@ -128,7 +128,7 @@ class TreeBuilder : public YAML::EventHandler {
       return m;
     }();
     if (key.kind != YamlNode::Kind::scalar) {
-      complain(mark, "a key that is not a word", "a word and a colon", "");
+      complain(mark, "a key that is not plain text", "a key and a colon", "");
     } else if (const auto [first, fresh] = top.seen.try_emplace(key.text, key.line); !fresh) {
       diagnostics_.add({Severity::error, file_, key.line, key.column, joined(key.text), "the key a second time",
                         "it once", "it is already in line " + std::to_string(first->second)});
@@ -137,8 +137,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   std::string joined(const std::string& key) const {
-    const std::string at = path();
-    return at.empty() ? for_display(key) : at + "." + for_display(key);
+    const std::string location = path();
+    return location.empty() ? for_display(key) : location + "." + for_display(key);
   }
 
   /// Path of the parser's current position, "supports.ramp.boxes[2]".
@@ -161,20 +161,18 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t nodes_ = 0;
 };
 
-/// The parser's terse messages in words that say what to look for.
-std::string in_our_words(const std::string& message) {
-  static const std::vector<std::pair<std::string, std::string>> kWords = {
+/// Returns a clearer message for the parser's terse one.
+std::string clearer_message(const std::string& message) {
+  static const std::vector<std::pair<std::string, std::string>> kMessages = {
       {"bad file", "nested too deeply"},
       {"end of sequence flow not found", "a list opened with '[' is not closed with ']', or a comma is missing"},
       {"end of map flow not found", "a group opened with '{' is not closed with '}', or a comma is missing"},
-      {"end of map not found",
-       "a line that does not fit its group: is it indented like its neighbours, with 'key: value'?"},
-      {"end of sequence not found",
-       "a line that does not fit its list: is it indented like its neighbours, with '- item'?"},
+      {"end of map not found", "a line does not fit its group: check its indentation and write 'key: value'"},
+      {"end of sequence not found", "a line does not fit its list: check its indentation and write '- item'"},
       {"illegal map value",
-       "a second ':' in a line, wrong indentation, or a tab in place of spaces; put text that holds ': ' in quotes"},
+       "a second ':' in a line, wrong indentation, or a tab in place of spaces; put text that contains ': ' in quotes"},
   };
-  for (const auto& [theirs, ours] : kWords) {
+  for (const auto& [theirs, ours] : kMessages) {
     if (message.find(theirs) != std::string::npos) return ours;
   }
   return message;
@@ -196,14 +194,14 @@ std::optional<YamlNode> parse_yaml(const std::string& text, const std::string& f
                        "a second document (after '---' or '...')", "one model per file", ""});
     }
     return root;
-  } catch (const YAML::Exception& fault) {
-    diagnostics.add({Severity::error, file, fault.mark.line + 1, fault.mark.column + 1, "",
-                     "invalid YAML, column " + std::to_string(fault.mark.column + 1) + ": " + in_our_words(fault.msg),
-                     "", ""});
+  } catch (const YAML::Exception& error) {
+    diagnostics.add(
+        {Severity::error, file, error.mark.line + 1, error.mark.column + 1, "",
+         "invalid YAML, column " + std::to_string(error.mark.column + 1) + ": " + clearer_message(error.msg), "", ""});
   } catch (const Interrupted&) {
     throw;
-  } catch (const std::exception& fault) {
-    diagnostics.add({Severity::error, file, 0, 0, "", std::string("invalid YAML: ") + fault.what(), "", ""});
+  } catch (const std::exception& error) {
+    diagnostics.add({Severity::error, file, 0, 0, "", std::string("invalid YAML: ") + error.what(), "", ""});
   }
   return std::nullopt;
 }

@@ -16,21 +16,21 @@ struct YamlEntry;
 struct YamlNode {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
-  std::string text;  ///< Of a scalar.
+  std::string text;  ///< Text of a scalar.
   bool quoted = false;
-  int line = 0, column = 0;  ///< From 1.
+  int line = 0, column = 0;  ///< Counted from 1.
   std::vector<YamlNode> items;
   std::vector<YamlEntry> entries;  ///< In the order of the file.
 };
 
 struct YamlEntry {
   std::string key;
-  int line = 0, column = 0;  ///< Of the key.
+  int line = 0, column = 0;  ///< Position of the key.
   YamlNode value;
 };
 
-/// Parses `text`. Syntax errors, repeated keys, anchors, aliases, tags and further documents go to `diagnostics`; what
-/// could be read is returned all the same, nothing when the text is no YAML at all.
+/// Parses `text`. Syntax errors, repeated keys, anchors, aliases, tags and further documents go to `diagnostics`; the
+/// readable part is returned nevertheless, nothing if the text is not YAML at all.
 std::optional<YamlNode> parse_yaml(const std::string& text, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -1,6 +1,6 @@
 /// API RP 1111, 3rd (1999) and 4th edition (2009): collapse, bending with external pressure, propagation, tension and
-/// combined load of a pipeline under installation. Nominal dimensions. Compared with public restatements: collapse,
-/// bending, propagation, burst and tension with two, the buckling strain with one, g with none
+/// combined load of a pipeline under installation. Nominal dimensions. Verified against public restatements: collapse,
+/// bending, propagation, burst and tension against two, the buckling strain against one, g against none
 /// (docs/theory/checks.md). SI.
 #pragma once
 
@@ -26,22 +26,22 @@ double api_buckling_strain(const ApiPipe& pipe);
 /// g = 1/(1 + 20 delta) [-]; `delta` = (D_max - D_min)/(D_max + D_min), half of DNV's O_0 for the same pipe.
 double api_ovality_factor(double delta);
 
-/// (eps/eps_b + (P_o - P_i)/(f_c P_c))/g [-], at most 1 where it holds (4.3.2.2, D/t <= 50). `strain` is f_1 times the
-/// installation strain; without external overpressure its term is 0.
+/// (eps/eps_b + (P_o - P_i)/(f_c P_c))/g [-], must not exceed 1 (4.3.2.2, valid for D/t <= 50). `strain` is f_1 times
+/// the installation strain; without external overpressure its term is 0.
 double api_bending_utilisation(const ApiPipe& pipe, double strain, double overpressure, double collapse_factor,
                                double delta);
 
-/// P_p = 24 S (t/D)^2.4 [Pa] (4.3.2.3). Arrestors are called for where P_o - P_i >= 0.80 P_p.
+/// P_p = 24 S (t/D)^2.4 [Pa] (4.3.2.3). Buckle arrestors are required if P_o - P_i >= 0.80 P_p.
 double api_propagation_pressure(const ApiPipe& pipe);
 
-/// T_y = S A [N]; the effective tension may be 0.60 of it (4.3.1.1).
+/// T_y = S A [N]; the effective tension is limited to 0.60 T_y (4.3.1.1).
 double api_yield_tension(const ApiPipe& pipe);
 
 /// P_b = 0.45 (S + U) ln(D/D_i) [Pa], with U the tensile strength.
 double api_burst_pressure(const ApiPipe& pipe, double tensile_strength);
 
-/// sqrt(((P_i - P_o)/P_b)^2 + (T_eff/T_y)^2) [-] (4.3.1.2), at most 0.90 for functional and 0.96 for extreme
-/// loads; one public text has 0.96 for installation as well.
+/// sqrt(((P_i - P_o)/P_b)^2 + (T_eff/T_y)^2) [-] (4.3.1.2), limited to 0.90 for functional and 0.96 for extreme loads;
+/// one public text has 0.96 for installation as well.
 double api_combined_load(const ApiPipe& pipe, double tensile_strength, double overpressure, double tension);
 
 inline constexpr double kApiPropagationFactor = 0.80;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "checks/dnv_section_lines.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -33,7 +33,7 @@ void add_collapse_factor(CalculationSheet& sheet, const CheckSection& section, c
     sheet.given("f_o", "collapse factor", section.api_collapse_share, "1", "checks.api.collapse_factor");
     return;
   }
-  const std::string_view manufacture = word_of(settings.manufacture.value_or(Manufacture::uoe));
+  const std::string_view manufacture = enum_name(settings.manufacture.value_or(Manufacture::uoe));
   sheet.computed({"f_o", "collapse factor: 0.6 of uoe and uo, otherwise 0.7", "", "1",
                   fmt::format("4.3.2.1, {} ({})", manufacture,
                               settings.manufacture ? "checks.manufacture" : "checks.manufacture not given"),
@@ -41,7 +41,7 @@ void add_collapse_factor(CalculationSheet& sheet, const CheckSection& section, c
                  section.api_collapse_share);
 }
 
-/// f_c, and g before it.
+/// Adds f_c, preceded by g.
 void add_combined_factor(CalculationSheet& sheet, const CheckSection& section, const CheckSettings& settings) {
   constexpr const char* kMeaning = "collapse factor for bending with external pressure";
   sheet.given("delta", "ovality (D_max - D_min)/(D_max + D_min)", section.api_delta, "1",
@@ -64,8 +64,7 @@ void add_combined_factor(CalculationSheet& sheet, const CheckSection& section, c
 
 void add_strain(CalculationSheet& sheet, const CheckSection& section, const CheckStation& station,
                 const CheckSettings& settings) {
-  sheet.given("eps_1", "installation strain, the largest longitudinal one", station.largest_strain.value, "1",
-              "analysis");
+  sheet.given("eps_1", "installation strain, the largest longitudinal one", station.max_strain.value, "1", "analysis");
   sheet.given("SAF", "strain factor of field joints", section.strain_factor, "1", "pipe.joint.strain_factor");
   sheet.computed(
       {"f_1", "bending safety factor of installation", "", "1", "4.3.2.2 (checks.api.bending_factor)", kNone},
@@ -75,7 +74,7 @@ void add_strain(CalculationSheet& sheet, const CheckSection& section, const Chec
 }
 
 void add_tension(CalculationSheet& sheet, const CheckSection& section, const CheckStation& station) {
-  sheet.given("T_eff", "effective tension", station.largest_tension.value, "N", "analysis");
+  sheet.given("T_eff", "effective tension", station.max_tension.value, "N", "analysis");
   sheet.computed({"T_y", "yield tension", "SMYS pi (D - t) t", "N", "4.3.1.1", kTwo, kApiOther},
                  api_yield_tension(section.api));
 }
@@ -92,7 +91,7 @@ void add_burst(CalculationSheet& sheet, const CheckSection& section) {
 
 std::vector<SheetLine> api_collapse_sheet(const CheckStations& all, const CheckStation& station,
                                           const CheckSettings& settings, double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_pipe(sheet, section);
   add_collapse(sheet, section.api);
@@ -104,7 +103,7 @@ std::vector<SheetLine> api_collapse_sheet(const CheckStations& all, const CheckS
 
 std::vector<SheetLine> api_propagation_sheet(const CheckStations& all, const CheckStation& station,
                                              double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_pipe(sheet, section);
   sheet.computed({"P_p", "propagation pressure", "24 SMYS (t/D)^2.4", "Pa", "4.3.2.3", kTwo, kApiOther},
@@ -117,7 +116,7 @@ std::vector<SheetLine> api_propagation_sheet(const CheckStations& all, const Che
 
 std::vector<SheetLine> api_bending_sheet(const CheckStations& all, const CheckStation& station,
                                          const CheckSettings& settings, double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_pipe(sheet, section);
   add_strain(sheet, section, station, settings);
@@ -131,7 +130,7 @@ std::vector<SheetLine> api_bending_sheet(const CheckStations& all, const CheckSt
 }
 
 std::vector<SheetLine> api_tension_sheet(const CheckStations& all, const CheckStation& station, double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_pipe(sheet, section);
   add_tension(sheet, section, station);
@@ -141,7 +140,7 @@ std::vector<SheetLine> api_tension_sheet(const CheckStations& all, const CheckSt
 
 std::vector<SheetLine> api_combined_sheet(const CheckStations& all, const CheckStation& station, double limit,
                                           double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_pipe(sheet, section);
   add_tension(sheet, section, station);

@@ -1,4 +1,4 @@
-/// Calculation sheets of the checks to API RP 1111: the numbers are those of the functions that the checks use.
+/// Calculation sheets of the checks to API RP 1111, computed by the functions of the checks.
 #pragma once
 
 #include "checks/calculation_sheet.h"
@@ -12,7 +12,7 @@ std::vector<SheetLine> api_propagation_sheet(const CheckStations& all, const Che
 std::vector<SheetLine> api_bending_sheet(const CheckStations& all, const CheckStation& station,
                                          const CheckSettings& settings, double utilisation);
 std::vector<SheetLine> api_tension_sheet(const CheckStations& all, const CheckStation& station, double utilisation);
-/// `limit` on the combined load.
+/// `limit`: limit of the combined load.
 std::vector<SheetLine> api_combined_sheet(const CheckStations& all, const CheckStation& station, double limit,
                                           double utilisation);
 

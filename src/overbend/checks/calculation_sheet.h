@@ -1,8 +1,7 @@
-/// Calculation sheets of the code checks: the lines of a check, each a number that goes in or a formula with its value.
+/// Calculation sheets of the code checks: lines of a check, each an input value or a formula with its value.
 ///
-/// A formula is plain text in the symbols of the lines before it: a space multiplies, `*` and `/` go from left to
-/// right,
-/// `^` is a power. Values are those that the check has used; tests evaluate the texts and compare.
+/// A formula is plain text in the symbols of the lines before it: a space multiplies, `*` and `/` are evaluated from
+/// left to right, `^` is a power. Values are those used by the check; tests evaluate the formulas and compare.
 #pragma once
 
 #include <string>
@@ -12,12 +11,12 @@
 
 namespace overbend {
 
-/// A formula of a code, or a number that it prints (then without formula).
+/// Formula of a code, or a constant printed in the code (then without formula).
 struct CodeFormula {
   const char *symbol, *meaning;
   std::string formula;
   const char* units;   ///< SI
-  std::string clause;  ///< Also of a key that chooses among numbers of a table.
+  std::string clause;  ///< Clause, including a key that selects a value from a table.
   Confirmation confirmation = Confirmation::not_needed;
   const char* sources = "";
 };
@@ -25,12 +24,12 @@ struct CodeFormula {
 struct CalculationSheet {
   std::vector<SheetLine> lines;
 
-  /// `origin`: key of the model file, or the analysis.
+  /// Adds an input value. `origin`: key of the model file, or the analysis.
   void given(const char* symbol, const char* meaning, double value, const char* units, std::string origin);
   void computed(const CodeFormula& formula, double value);
 };
 
-/// Sheet of a row that divides its demand by its capacity; empty where there is no capacity.
+/// Returns the sheet of a row with demand over capacity; empty if there is no capacity.
 std::vector<SheetLine> ratio_sheet(const CheckRow& row);
 
 /// Public texts that restate formulas of the codes, as docs/theory/checks.md lists them.

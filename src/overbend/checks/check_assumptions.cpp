@@ -6,7 +6,7 @@
 #include <array>
 
 #include "base/shown_unit.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -27,7 +27,7 @@ void assume_sources(Assumptions& list, const CheckSettings& settings) {
   }
 }
 
-/// Which criterion is for which part of a laid pipe.
+/// Assumptions on the criteria for the parts of a laid pipe.
 void assume_laying(Assumptions& list) {
   list.push_back(
       {AssumptionRank::governing,
@@ -44,7 +44,7 @@ void assume_dnv(Assumptions& list, const CheckStations& all, const CheckSettings
   list.push_back({AssumptionRank::setting,
                   fmt::format("Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion "
                               "allowance, fabrication tolerance of the wall {}, ovality {:.4g}.",
-                              word_of(settings.safety_class), settings.condition_factor,
+                              enum_name(settings.safety_class), settings.condition_factor,
                               shown_digits(settings.wall_tolerance, section_length(), 4), settings.ovality)});
   if (all.line.empty()) {
     assume_laying(list);

@@ -1,4 +1,4 @@
-/// Assumptions of the checks, in words for the report.
+/// Assumptions of the code checks, as sentences for the report.
 #pragma once
 
 #include "base/assumption.h"

@@ -1,4 +1,4 @@
-/// Helpers to fill rows of the table of checks.
+/// Helpers to fill rows of the check table.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@ struct CheckTitle {
   const char* name;
   const char* code;
   const char* clause;
-  const char* quantity;  ///< What demand and capacity are.
+  const char* quantity;  ///< Quantity of demand and capacity.
   const char* units;
 };
 
-inline CheckRow row_of(const CheckTitle& title, CheckRegion region) {
+inline CheckRow make_row(const CheckTitle& title, CheckRegion region) {
   CheckRow row;
   row.id = title.id;
   row.name = title.name;
@@ -33,29 +33,29 @@ inline CheckRow row_of(const CheckTitle& title, CheckRegion region) {
   return row;
 }
 
-/// Its location; and its time, for a value of a dynamic run.
-inline void place_row(CheckRow& row, const CheckStation& station) {
+/// Sets the location of a row, and the time of a value from a dynamic run.
+inline void set_row_location(CheckRow& row, const CheckStation& station) {
   row.s = station.s;
   row.from_top = station.from_top;
   row.p_W = station.p_W;
 }
-inline void time_row(CheckRow& row, double time) {
+inline void set_row_time(CheckRow& row, double time) {
   row.in_time = true;
   row.time = time;
 }
 
-/// Passed or exceeded by the utilisation.
-inline void judge(CheckRow& row) {
+/// Sets passed or exceeded from the utilisation.
+inline void set_row_verdict(CheckRow& row) {
   row.status = row.utilisation > 1.0 ? CheckStatus::exceeded : CheckStatus::passed;
 }
 
-/// Utilisation and reserve factor of a demand that is in proportion to its load effect; judges.
-inline void judge_ratio(CheckRow& row, double demand, double capacity) {
+/// Sets utilisation and reserve factor of a demand proportional to its load effect, and the verdict.
+inline void set_utilisation(CheckRow& row, double demand, double capacity) {
   row.demand = demand;
   row.capacity = capacity;
   row.utilisation = demand / capacity;
-  row.reserve = row.utilisation > 0.0 ? std::min(1.0 / row.utilisation, kLargestReserve) : kLargestReserve;
-  judge(row);
+  row.reserve = row.utilisation > 0.0 ? std::min(1.0 / row.utilisation, kMaxReserve) : kMaxReserve;
+  set_row_verdict(row);
 }
 
 inline CheckRow not_done(CheckRow row, std::string why) {
@@ -69,32 +69,32 @@ inline void outside(CheckRow& row, std::string why) {
   row.remark = std::move(why);
 }
 
-/// The station of a region (any for `line`) where `used` is largest; null where the region has no station.
+/// Returns the station of a region (any for `line`) with the maximum of `used`; null if the region has no station.
 template <class Used>
-const CheckStation* most_used(const CheckStations& all, CheckRegion region, Used used) {
+const CheckStation* find_governing_station(const CheckStations& all, CheckRegion region, Used used) {
   const CheckStation* worst = nullptr;
-  double largest = 0.0;
+  double max_value = 0.0;
   for (const CheckStation& station : all.stations) {
     if (!counts_in(station, region)) continue;
     const double value = used(station);
-    if (worst == nullptr || value > largest) {
+    if (worst == nullptr || value > max_value) {
       worst = &station;
-      largest = value;
+      max_value = value;
     }
   }
   return worst;
 }
 
-/// Whether any pipe of a region is of a section for which `of_section` is true.
+/// True if any pipe of a region has a section for which `of_section` is true.
 template <class OfSection>
 bool any_section(const CheckStations& all, CheckRegion region, OfSection of_section) {
   return std::any_of(all.stations.begin(), all.stations.end(), [&](const CheckStation& station) {
-    return counts_in(station, region) && of_section(all.section_of(station));
+    return counts_in(station, region) && of_section(all.section_for(station));
   });
 }
 
-/// The regions that are judged one by one: those of a laid pipe, a line by itself as a whole.
-inline std::span<const CheckRegion> judged_regions(const CheckStations& all) {
+/// Returns the regions checked individually: those of a laid pipe, or a single region for a standalone line.
+inline std::span<const CheckRegion> checked_regions(const CheckStations& all) {
   static constexpr std::array kOfPipe = {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip,
                                          CheckRegion::sagbend, CheckRegion::seabed};
   static constexpr std::array kOfLine = {CheckRegion::line};

@@ -1,4 +1,4 @@
-/// The rows of the table of checks, by subject. Each list leaves out regions that the line does not have.
+/// Rows of the check table, by subject. Each list omits regions that the line does not have.
 #pragma once
 
 #include <vector>
@@ -16,15 +16,15 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
 /// API RP 1111.
 std::vector<CheckRow> api_rows(const CheckStations& all, const CheckSettings& settings);
 
-/// Rollers, coating, tensioner, stinger tip: those that have a limit. `dynamics` may be null.
+/// Limits of rollers, coating, tensioner and stinger tip, as far as given. `dynamics` may be null.
 std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics);
 
-/// Fatigue of welds while the pipe is laid, where the run counted it.
+/// Fatigue of welds during laying, if counted in the run.
 std::vector<CheckRow> fatigue_rows(const Model& model, const DynamicResults& dynamics);
 
-/// Diameter over wall thickness up to which API's formulas of bending hold.
-inline constexpr double kApiMostSlender = 50.0;
-/// Utilisation by API RP 1111 for bending and external pressure at a station [-].
+/// Maximum ratio of diameter to wall thickness for API's bending formulas.
+inline constexpr double kMaxApiSlenderness = 50.0;
+/// Returns the utilisation by API RP 1111 for bending and external pressure at a station [-].
 double api_bending_at(const CheckStations& all, const CheckStation& station, const CheckSettings& settings);
 
 }  // namespace overbend

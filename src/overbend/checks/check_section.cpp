@@ -12,7 +12,7 @@ void find_strength(CheckSection& out, const SteelDescription& steel, const Check
   out.smys = steel.yield_stress;
   if (steel.tensile_strength) {
     out.smts = *steel.tensile_strength;
-  } else if (const std::optional<SteelGrade> grade = grade_of(steel.yield_stress)) {
+  } else if (const std::optional<SteelGrade> grade = find_grade(steel.yield_stress)) {
     out.smts = grade->tensile_strength;
     out.grade_of_smts = grade->name;
   }
@@ -22,8 +22,8 @@ void find_strength(CheckSection& out, const SteelDescription& steel, const Check
 }
 
 void find_laying_limits(CheckSection& out, const CheckSettings& settings) {
-  constexpr double kOwn = 2.5e6;  // a grade's SMYS in MPa and rounded from ksi
-  out.laying = settings.grade.empty() ? laying_limits(out.smys) : laying_limits_of(settings.grade);
+  constexpr double kOwn = 2.5e6;  // difference between a grade's SMYS in MPa and rounded from ksi
+  out.laying = settings.grade.empty() ? laying_limits(out.smys) : find_grade_limits(settings.grade);
   out.laying_exact = !settings.grade.empty() || (out.laying && std::abs(out.laying->yield_stress - out.smys) <= kOwn);
 }
 
@@ -72,7 +72,7 @@ CheckSection make_check_section(const SectionDescription& section, const CheckSe
 std::vector<CheckSection> check_sections(const Model& model) {
   std::vector<CheckSection> sections;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    sections.push_back(make_check_section(model.description_of(i), model.description.checks));
+    sections.push_back(make_check_section(model.find_section_description(i), model.description.checks));
     sections.back().name = model.sections[i].name;
     sections.back().cable = model.sections[i].kind == SectionKind::cable;
   }

@@ -1,4 +1,4 @@
-/// Capacities of a cross-section under the settings of the checks: made once, read at every station and step.
+/// Capacities of a cross-section under the settings of the checks: computed once, read at every station and step.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,17 @@
 
 namespace overbend {
 
-/// Of f_y, for the equivalent stress in the sagbend (ST-F101 sec. 13) and of lifted pipe.
+/// Fraction of f_y for the equivalent stress in the sagbend (ST-F101 sec. 13) and of lifted pipe.
 inline constexpr double kStressShare = 0.87;
 
 struct CheckSection {
-  std::string name;           ///< As in Model::sections.
-  bool cable = false;         ///< A cable: no code for pipes is about it.
-  Wall wall;                  ///< With t2, the nominal wall.
+  std::string name;           ///< Name as in Model::sections.
+  bool cable = false;         ///< True for a cable: pipe codes do not apply.
+  Wall wall;                  ///< Wall with t2, the nominal wall.
   double thinnest = 0.0;      ///< t1 [m].
   double smys = 0.0;          ///< [Pa]
-  double smts = 0.0;          ///< [Pa]; 0 where neither given nor known from the grade.
-  std::string grade_of_smts;  ///< Name of the grade that gave the tensile strength; empty where the file gave it.
+  double smts = 0.0;          ///< [Pa]; 0 if neither given nor known from the grade.
+  std::string grade_of_smts;  ///< Name of the grade that gave the tensile strength; empty if given in the file.
   double fy = 0.0, fu = 0.0;  ///< Characteristic strengths [Pa].
   double alpha_fab = 0.0;
   double factor = 0.0;                                                ///< gamma_m gamma_SC [-].
@@ -33,9 +33,9 @@ struct CheckSection {
   LoadCapacity load;
   StrainCapacity strain;
   std::optional<LayingLimits> laying;
-  bool laying_exact = false;   ///< The row is of this SMYS's own grade, or was named in the file.
+  bool laying_exact = false;   ///< True if the row is for the grade of this SMYS, or was named in the file.
   double stress_limit = 0.0;   ///< 0.87 f_y [Pa].
-  double strain_factor = 1.0;  ///< At field joints.
+  double strain_factor = 1.0;  ///< Strain concentration factor at field joints.
   ApiPipe api;
   double api_collapse_share = 0.0;   ///< f_o
   double api_pressure_factor = 0.0;  ///< f_c
@@ -44,10 +44,10 @@ struct CheckSection {
 
 CheckSection make_check_section(const SectionDescription& section, const CheckSettings& settings);
 
-/// As in Model::sections.
+/// Returns the sections in the order of Model::sections.
 std::vector<CheckSection> check_sections(const Model& model);
 
-/// Combination b, and a where system effects are present.
+/// Returns combination b, and a if system effects are present.
 std::vector<LoadFactors> load_combinations(const CheckSettings& settings);
 
 }  // namespace overbend

@@ -9,18 +9,18 @@
 namespace overbend {
 namespace {
 
-/// Places of a station, of the next below it and of the top [m].
+/// Arc lengths of a station, of the next one below it and of the top [m].
 struct StationPlace {
   double s, below, top;
 };
 
-CheckStation station_of(const Model& model, const Regions& limits, const StationPlace& place, const Vec3& p_W,
-                        std::size_t section) {
+CheckStation make_base_station(const Model& model, const Regions& limits, const StationPlace& place, const Vec3& p_W,
+                               std::size_t section) {
   CheckStation station;
   station.s = place.s;
   station.from_top = place.top - place.s;
   station.p_W = p_W;
-  station.region = limits.check_of(place.s);
+  station.region = limits.code_check_region(place.s);
   station.leaves = limits.leaves(place.below, place.s);
   station.lands = limits.lands(place.below, place.s);
   station.section = section;
@@ -30,13 +30,13 @@ CheckStation station_of(const Model& model, const Regions& limits, const Station
   return station;
 }
 
-/// Largest roller force on the stretch that is nearer to this station than to its neighbours; 0 without one.
+/// Returns the maximum roller force on the stretch nearest to each station; 0 without one.
 std::vector<double> roller_forces(const StaticResults& statics) {
   std::vector<double> forces(statics.stations.size(), 0.0);
   for (const SupportResult& box : statics.supports) {
     for (const RowResult& row : box.rows) {
       const auto after = std::lower_bound(statics.stations.begin(), statics.stations.end(), row.s,
-                                          [](const Station& at, double s) { return at.s < s; });
+                                          [](const Station& station, double s) { return station.s < s; });
       if (row.s < 0.0 || after == statics.stations.end()) continue;
       auto near = static_cast<std::size_t>(after - statics.stations.begin());
       if (near > 0 && row.s - statics.stations[near - 1].s < statics.stations[near].s - row.s) --near;
@@ -46,43 +46,45 @@ std::vector<double> roller_forces(const StaticResults& statics) {
   return forces;
 }
 
-/// Load effects of the static state; what is not of the current is functional.
-FactoredEffects static_effects(const Station& at, const Section& section, bool current_apart) {
+/// Returns the load effects of the static state; everything except the current is functional.
+FactoredEffects static_effects(const Station& station, const Section& section, bool current_apart) {
   FactoredEffects e;
-  const Vec3 moment(at.vertical_moment, at.lateral_moment, 0.0);
+  const Vec3 moment(station.vertical_moment, station.lateral_moment, 0.0);
   if (current_apart) {
-    e.current = Vec3(at.current_vertical_moment, at.current_lateral_moment, 0.0);
-    e.tension = at.current_tension;
+    e.current = Vec3(station.current_vertical_moment, station.current_lateral_moment, 0.0);
+    e.tension = station.current_tension;
   }
   e.functional = moment - e.current;
   e.current_strain = 0.5 * section.steel_diameter / section.EI * e.current;
   const double size = moment.norm();
-  const Vec3 strain = size > 0.0 ? Vec3(at.strain / size * moment) : Vec3(at.strain * Vec3::UnitX());
+  const Vec3 strain = size > 0.0 ? Vec3(station.strain / size * moment) : Vec3(station.strain * Vec3::UnitX());
   e.functional_strain = strain - e.current_strain;
   return e;
 }
 
-constexpr double kBeside = 1e-6;  ///< Of a node where two sections meet [m].
+constexpr double kNodeTolerance = 1e-6;  ///< Tolerance of a node where two sections meet [m].
 
-/// Section that the stresses of a station at rest are told of: where two meet, that of the element above, in which the
-/// station lies. The stresses of one must not be held against the limits of the other.
+/// Returns the section of the stresses of a station at rest: where two meet, that of the element above, which contains
+/// the station. Stresses of one section must not be compared with limits of the other.
 std::size_t section_at_rest(const Model& model, double from_top) {
-  return static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
+  return static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kNodeTolerance)));
 }
 
-/// Whether the current's part of the static state counts as environmental load effect.
+/// True if the current's part of the static state counts as environmental load effect.
 bool current_apart(const Model& model, const StaticResults& statics) {
-  return model.description.checks.current_load == CurrentLoad::environmental && tells_current(statics);
+  return model.description.checks.current_load == CurrentLoad::environmental && has_current_part(statics);
 }
 
-/// Functional moment and force of the nearest station [N m], [N].
+/// Returns functional moment and force of the nearest station [N m], [N].
 std::pair<double, double> functional_at(const StaticResults& statics, double s) {
   const std::vector<Station>& all = statics.stations;
-  const auto above = std::lower_bound(all.begin(), all.end(), s, [](const Station& at, double v) { return at.s < v; });
-  const Station& at =
+  const auto above =
+      std::lower_bound(all.begin(), all.end(), s, [](const Station& station, double v) { return station.s < v; });
+  const Station& station =
       above == all.end() || (above != all.begin() && s - (above - 1)->s < above->s - s) ? *(above - 1) : *above;
-  return {std::hypot(at.vertical_moment - at.current_vertical_moment, at.lateral_moment - at.current_lateral_moment),
-          at.effective_tension - at.current_tension};
+  return {std::hypot(station.vertical_moment - station.current_vertical_moment,
+                     station.lateral_moment - station.current_lateral_moment),
+          station.effective_tension - station.current_tension};
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ void factor_static(CheckStation& station, const CheckSection& section, const std
     const double moment = design_size(f, effects.functional, effects.current);
     const double force = design_value(f, station.force, effects.tension);
     const double strain = section.strain_factor * design_size(f, effects.functional_strain, effects.current_strain);
-    station.largest_force = std::max(station.largest_force, std::abs(force));
+    station.max_force = std::max(station.max_force, std::abs(force));
     if (strain >= station.design_strain) {
       station.design_strain = strain;
       effects.strain_factors = f;
@@ -112,9 +114,9 @@ void factor_static(CheckStation& station, const CheckSection& section, const std
 }
 
 std::size_t section_of_node(const Model& model, double from_top) {
-  const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
-  const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kBeside));
-  return lower_is_told(model.sections[lower], model.sections[upper]) ? lower : upper;
+  const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kNodeTolerance)));
+  const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kNodeTolerance));
+  return reports_lower_section(model.sections[lower], model.sections[upper]) ? lower : upper;
 }
 
 CheckStations static_stations(const Model& model, const StaticResults& statics) {
@@ -125,20 +127,22 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
   const Regions limits = regions(statics);
   const std::vector<double> rollers = roller_forces(statics);
   for (std::size_t i = 0; i < statics.stations.size(); ++i) {
-    const Station& at = statics.stations[i];
-    if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
-    const StationPlace place{at.s, i > 0 ? statics.stations[i - 1].s : at.s, statics.stations.back().s};
-    CheckStation station = station_of(model, limits, place, at.p_W, section_at_rest(model, place.top - at.s));
-    const CheckSection& section = out.section_of(station);
+    const Station& static_station = statics.stations[i];
+    if (static_station.kind == SectionKind::structure) continue;  // the formulas do not apply to structures
+    const StationPlace place{static_station.s, i > 0 ? statics.stations[i - 1].s : static_station.s,
+                             statics.stations.back().s};
+    CheckStation station = make_base_station(model, limits, place, static_station.p_W,
+                                             section_at_rest(model, place.top - static_station.s));
+    const CheckSection& section = out.section_for(station);
     if (section.cable) continue;
-    station.effects = static_effects(at, model.sections[station.section], out.current_separate);
+    station.effects = static_effects(static_station, model.sections[station.section], out.current_separate);
     station.moment = station.effects.functional.norm();
-    station.force = at.effective_tension - station.effects.tension;
-    station.strain = at.strain;
-    station.von_mises = at.von_mises;
-    station.largest_von_mises.value = at.von_mises;
-    station.largest_strain.value = at.strain;
-    station.largest_tension.value = at.effective_tension;
+    station.force = static_station.effective_tension - station.effects.tension;
+    station.strain = static_station.strain;
+    station.von_mises = static_station.von_mises;
+    station.max_von_mises.value = static_station.von_mises;
+    station.max_strain.value = static_station.strain;
+    station.max_tension.value = static_station.effective_tension;
     if (model.description.checks.point_load) {
       station.roller_force = rollers[i];
       station.share = point_load_factor(section.wall, section.fy, station.roller_force);
@@ -162,8 +166,8 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
     const StationPlace place{s[i], i > 0 ? s[i - 1] : s[i], s.back()};
     const std::size_t section = section_of_node(model, place.top - s[i]);
     if (model.sections[section].kind == SectionKind::structure) continue;
-    CheckStation station = station_of(model, limits, place, dynamics.static_place[i], section);
-    if (out.section_of(station).cable) continue;
+    CheckStation station = make_base_station(model, limits, place, dynamics.static_place[i], section);
+    if (out.section_for(station).cable) continue;
     station.moment = dynamics.static_moment[i];
     station.force = dynamics.static_tension[i];
     if (out.current_separate) {
@@ -178,13 +182,13 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
     station.design_force = design.force[i];
     station.load_pressure = design.load_pressure[i];
     station.share = design.share[i];
-    station.largest_force = design.largest_force[i];
+    station.max_force = design.max_force[i];
     station.bend = {design.strain[i], design.strain_time[i]};
     station.design_strain = design.design_strain[i];
     station.bend_pressure = design.strain_pressure[i];
-    station.largest_von_mises = {dynamics.von_mises.max[i], design.von_mises_time[i]};
-    station.largest_strain = {dynamics.strain.max[i], design.fibre_strain_time[i]};
-    station.largest_tension = {dynamics.effective_tension.max[i], design.tension_time[i]};
+    station.max_von_mises = {dynamics.von_mises.max[i], design.von_mises_time[i]};
+    station.max_strain = {dynamics.strain.max[i], design.fibre_strain_time[i]};
+    station.max_tension = {dynamics.effective_tension.max[i], design.tension_time[i]};
     out.stations.push_back(station);
   }
   return out;

@@ -13,7 +13,8 @@ Vec3 CurrentPart::moment(const Vec3& t) const {
 
 CurrentPart current_part(const StaticResults& statics, double s) {
   const std::vector<Station>& all = statics.stations;
-  const auto above = std::lower_bound(all.begin(), all.end(), s, [](const Station& at, double v) { return at.s < v; });
+  const auto above =
+      std::lower_bound(all.begin(), all.end(), s, [](const Station& station, double v) { return station.s < v; });
   const Station& b = above == all.end() ? all.back() : *above;
   const Station& a = above == all.begin() || above == all.end() ? b : *(above - 1);
   const double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 1.0;
@@ -22,9 +23,10 @@ CurrentPart current_part(const StaticResults& statics, double s) {
           mix(&Station::current_tension)};
 }
 
-bool tells_current(const StaticResults& statics) {
-  return std::any_of(statics.stations.begin(), statics.stations.end(), [](const Station& at) {
-    return at.current_vertical_moment != 0.0 || at.current_lateral_moment != 0.0 || at.current_tension != 0.0;
+bool has_current_part(const StaticResults& statics) {
+  return std::any_of(statics.stations.begin(), statics.stations.end(), [](const Station& station) {
+    return station.current_vertical_moment != 0.0 || station.current_lateral_moment != 0.0 ||
+           station.current_tension != 0.0;
   });
 }
 

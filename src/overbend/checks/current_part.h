@@ -6,19 +6,19 @@
 
 namespace overbend {
 
-/// At a position on the line; zero where the static results do not separate it.
+/// Contribution at a position on the line; zero if the static results do not separate it.
 struct CurrentPart {
-  double vertical = 0.0, lateral = 0.0;  ///< Bending moment in and out of the pipe's vertical plane [N m].
-  double tension = 0.0;                  ///< Effective [N].
+  double vertical = 0.0, lateral = 0.0;  ///< Bending moment in and normal to the pipe's vertical plane [N m].
+  double tension = 0.0;                  ///< Effective tension [N].
 
-  /// The moment as a vector in W for a pipe with the unit tangent `t` [N m].
+  /// Returns the moment as a vector in W for a pipe with the unit tangent `t` [N m].
   Vec3 moment(const Vec3& t) const;
 };
 
-/// Linear between stations; `s` from the anchor [m].
+/// Interpolates linearly between stations; `s` from the anchor [m].
 CurrentPart current_part(const StaticResults& statics, double s);
 
-/// Whether the static results separate the contribution of the current.
-bool tells_current(const StaticResults& statics);
+/// True if the static results separate the contribution of the current.
+bool has_current_part(const StaticResults& statics);
 
 }  // namespace overbend

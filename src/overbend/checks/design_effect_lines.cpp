@@ -16,16 +16,16 @@ struct FactorPair {
   double functional = 0.0, environmental = 0.0;
 };
 
-/// The pair that gives the largest size of gamma_F a + gamma_E b.
+/// Returns the pair with the maximum magnitude of gamma_F a + gamma_E b.
 template <class Effect, class Size>
 FactorPair governing_pair(const LoadFactors& f, const Effect& a, const Effect& b, Size size) {
   FactorPair worst;
-  double largest = -1.0;
+  double max_value = -1.0;
   for (const double functional : {f.functional, f.functional_favourable}) {
     for (const double environmental : {f.environmental, f.environmental_favourable}) {
       const double value = size(Effect(functional * a + environmental * b));
-      if (value <= largest) continue;
-      largest = value;
+      if (value <= max_value) continue;
+      max_value = value;
       worst = {functional, environmental};
     }
   }
@@ -43,7 +43,7 @@ void add_functional_factor(CalculationSheet& sheet, const char* symbol, double v
   sheet.computed({symbol, kFunctional, "", "1", kFactors, Confirmation::one_source, kDnvCombined}, value);
 }
 
-/// Nobody restates the factor of a favourable environmental load effect.
+/// No public text restates the factor of a favourable environmental load effect.
 void add_environmental_factor(CalculationSheet& sheet, const char* symbol, double value) {
   const bool favourable = value == local_check_factors(1.0).environmental_favourable;
   sheet.computed({symbol, kEnvironmental, "", "1", kFactors,
@@ -55,7 +55,7 @@ void add_condition(CalculationSheet& sheet, const CheckSettings& settings) {
   sheet.given("gamma_C", "condition load effect factor", settings.condition_factor, "1", "checks.condition_factor");
 }
 
-/// Names of the components of a load effect: functional and environmental, vertical and lateral.
+/// Symbols of the components of a load effect: functional and environmental, vertical and lateral.
 struct ComponentNames {
   const char *functional[2], *environmental[2];
   const char *meaning_functional, *meaning_environmental, *units;
@@ -129,7 +129,7 @@ void add_design_strain(CalculationSheet& sheet, const CheckStations& all, const 
   const FactoredEffects& e = station.effects;
   const FactorPair pair = governing_pair(e.strain_factors, e.functional_strain, e.current_strain, vector_size);
   add_condition(sheet, settings);
-  sheet.given("SNCF", "strain concentration factor of field joints", all.section_of(station).strain_factor, "1",
+  sheet.given("SNCF", "strain concentration factor of field joints", all.section_for(station).strain_factor, "1",
               "pipe.joint.strain_factor");
   add_functional_factor(sheet, "gamma_F", pair.functional / settings.condition_factor);
   if (e.current_strain.isZero(0.0)) {

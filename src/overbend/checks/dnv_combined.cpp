@@ -71,7 +71,7 @@ double load_reserve(const LoadTerms& terms) {
   const double bracket = std::sqrt(1.0 - terms.pressure);  // lambda m + lambda^2 q = bracket
   const double q = terms.axial * terms.axial;
   const double below = terms.moment + std::sqrt(terms.moment * terms.moment + 4.0 * q * bracket);
-  return below > 0.0 ? std::min(2.0 * bracket / below, kLargestReserve) : kLargestReserve;
+  return below > 0.0 ? std::min(2.0 * bracket / below, kMaxReserve) : kMaxReserve;
 }
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "checks/dnv_strength.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -40,7 +40,7 @@ void add_yield_strength(CalculationSheet& sheet, const CheckSection& section, co
 }
 
 void add_fabrication_factor(CalculationSheet& sheet, const CheckSection& section, const CheckSettings& settings) {
-  const std::string_view manufacture = word_of(settings.manufacture.value_or(Manufacture::uoe));
+  const std::string_view manufacture = enum_name(settings.manufacture.value_or(Manufacture::uoe));
   if (settings.alpha_fab) {
     sheet.given("alpha_fab", "fabrication factor", section.alpha_fab, "1", "checks.alpha_fab");
     return;
@@ -57,7 +57,7 @@ void add_resistance_factors(CalculationSheet& sheet, const CheckSettings& settin
   sheet.computed({"gamma_m", "material resistance factor", "", "1", "table 5.1", Confirmation::two_sources, kDnvTables},
                  kMaterialResistance);
   sheet.computed({"gamma_SC", "safety class resistance factor", "", "1",
-                  fmt::format("table 5.2, {} (checks.safety_class)", word_of(settings.safety_class)),
+                  fmt::format("table 5.2, {} (checks.safety_class)", enum_name(settings.safety_class)),
                   Confirmation::two_sources, kDnvTables},
                  safety_class_factor(settings.safety_class));
 }

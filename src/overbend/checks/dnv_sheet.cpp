@@ -7,7 +7,7 @@
 #include "checks/design_effect_lines.h"
 #include "checks/dnv_section_lines.h"
 #include "checks/dnv_strength.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -32,7 +32,7 @@ void add_plastic_capacities(CalculationSheet& sheet, const CheckSection& section
                  plastic_moment(section.wall, section.fy));
 }
 
-/// Moment part; the factor of a point load only where rollers are asked for.
+/// Adds the moment part; the point load factor only if rollers are to be considered.
 void add_moment_term(CalculationSheet& sheet, const CheckStation& station, const CheckSettings& settings, bool in_time,
                      double term) {
   constexpr const char* kMeaning = "moment part of the utilisation";
@@ -66,7 +66,7 @@ void add_pressure_term(CalculationSheet& sheet, const CheckSection& section, con
                  std::sqrt(terms.pressure));
 }
 
-/// Girth weld factor and characteristic strain, which internal overpressure raises.
+/// Adds girth weld factor and characteristic strain, increased by internal overpressure.
 void add_strain_capacity(CalculationSheet& sheet, const CheckSection& section, const CheckSettings& settings,
                          double difference) {
   const bool raised = difference < 0.0 && section.strain.burst > 0.0;
@@ -86,7 +86,7 @@ void add_strain_capacity(CalculationSheet& sheet, const CheckSection& section, c
 
 std::vector<SheetLine> dnv_collapse_sheet(const CheckStations& all, const CheckStation& station,
                                           const CheckSettings& settings, double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_wall(sheet, section, settings, true);
   add_yield_strength(sheet, section, settings);
@@ -102,7 +102,7 @@ std::vector<SheetLine> dnv_collapse_sheet(const CheckStations& all, const CheckS
 std::vector<SheetLine> dnv_propagation_sheet(const CheckStations& all, const CheckStation& station,
                                              const CheckSettings& settings, double utilisation) {
   CalculationSheet sheet;
-  add_propagation_pressure(sheet, all.section_of(station), settings);
+  add_propagation_pressure(sheet, all.section_for(station), settings);
   add_resistance_factors(sheet, settings);
   add_static_pressure(sheet, station);
   sheet.computed({"U", "utilisation, 15 < D/t_2 < 45", "gamma_m gamma_SC max(dp, 0)/p_pr", "1", "5.4.5", kTwo, kDnvTwo},
@@ -112,7 +112,7 @@ std::vector<SheetLine> dnv_propagation_sheet(const CheckStations& all, const Che
 
 std::vector<SheetLine> dnv_crossover_sheet(const CheckStations& all, const CheckStation& station,
                                            const CheckSettings& settings, double utilisation) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   const ArrestorSettings& arrestor = *settings.arrestor;
   CalculationSheet sheet;
   add_propagation_pressure(sheet, section, settings);
@@ -132,7 +132,7 @@ std::vector<SheetLine> dnv_crossover_sheet(const CheckStations& all, const Check
 
 std::vector<SheetLine> dnv_load_sheet(const CheckStations& all, const CheckStation& station,
                                       const CheckSettings& settings, const LoadTerms& terms) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   CalculationSheet sheet;
   add_design_loads(sheet, all, station, settings);
   add_wall(sheet, section, settings, false);
@@ -154,7 +154,7 @@ std::vector<SheetLine> dnv_load_sheet(const CheckStations& all, const CheckStati
 
 std::vector<SheetLine> dnv_strain_sheet(const CheckStations& all, const CheckStation& station,
                                         const CheckSettings& settings, const StrainTerms& terms) {
-  const CheckSection& section = all.section_of(station);
+  const CheckSection& section = all.section_for(station);
   const bool external = station.bend_pressure >= 0.0;
   CalculationSheet sheet;
   add_design_strain(sheet, all, station, settings);
@@ -164,7 +164,7 @@ std::vector<SheetLine> dnv_strain_sheet(const CheckStations& all, const CheckSta
   add_strain_capacity(sheet, section, settings, station.bend_pressure);
   sheet.computed(
       {"gamma_eps", "resistance factor on strain, gamma_SC,DC", "", "1",
-       fmt::format("{}, {} (checks.safety_class)", kCombined, word_of(settings.safety_class)), kOne, kDnvCombined},
+       fmt::format("{}, {} (checks.safety_class)", kCombined, enum_name(settings.safety_class)), kOne, kDnvCombined},
       strain_safety_factor(settings.safety_class));
   if (external) {
     add_fabrication_factor(sheet, section, settings);

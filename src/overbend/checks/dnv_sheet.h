@@ -1,4 +1,4 @@
-/// Calculation sheets of the checks to DNV-ST-F101: the numbers are those of the functions that the checks use.
+/// Calculation sheets of the checks to DNV-ST-F101, computed by the functions of the checks.
 #pragma once
 
 #include "checks/calculation_sheet.h"

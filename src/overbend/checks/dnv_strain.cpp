@@ -26,7 +26,7 @@ double StrainTerms::utilisation() const {
 
 double StrainTerms::reserve() const {
   if (pressure >= 1.0) return 0.0;
-  return strain > 0.0 ? std::min(std::pow(1.0 - pressure, 1.0 / exponent) / strain, kLargestReserve) : kLargestReserve;
+  return strain > 0.0 ? std::min(std::pow(1.0 - pressure, 1.0 / exponent) / strain, kMaxReserve) : kMaxReserve;
 }
 
 StrainTerms strain_terms(const StrainCapacity& capacity, double strain, double external, double internal) {

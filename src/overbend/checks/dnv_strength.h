@@ -1,8 +1,8 @@
 /// Strength and safety factors of DNV-ST-F101 (edition 2021), for the installation phase: no corrosion allowance, so
-/// that t2 is the nominal wall and t1 the nominal wall less the fabrication tolerance.
+/// that t2 is the nominal wall and t1 the nominal wall minus the fabrication tolerance.
 ///
-/// The numbers of tables 5.1 to 5.4 are those of two public restatements, the factor on strain that of one
-/// (docs/theory/checks.md); the standard's own pages have not been compared.
+/// The values of tables 5.1 to 5.4 are from two public restatements, the factor on strain from one
+/// (docs/theory/checks.md); they have not been compared with the standard itself.
 #pragma once
 
 #include "model/description/check_settings.h"

@@ -14,21 +14,21 @@ namespace {
 
 constexpr const char* kProject = "project limit";
 
-/// The roller that carries most by some measure, with the name of its box.
+/// Roller with the maximum of some measure, and the name of its box.
 struct WorstRoller {
   double value = 0.0, s = 0.0;
   Vec3 p_W = Vec3::Zero();
   std::string box;
 };
 
-/// Arc length and place of a row, of the box where the pipe does not cross the row.
+/// Keeps the larger value with arc length and position of its row, or of the box if the pipe does not cross the row.
 void keep_larger(WorstRoller& worst, double value, const SupportResult& box, const RowResult* row) {
   if (value <= worst.value && !worst.box.empty()) return;
   const bool crossed = row != nullptr && row->s >= 0.0;
   worst = {value, crossed ? row->s : box.s, row != nullptr ? row->p_W : box.p_W, box.name};
 }
 
-/// `of_state(roller, row)` in statics; `of_run(roller)` over a run.
+/// Evaluates `of_state(roller, row)` in statics and `of_run(roller)` over a run.
 template <class OfState, class OfRun>
 WorstRoller worst_roller(const StaticResults& statics, const DynamicResults* dynamics, OfState of_state, OfRun of_run) {
   WorstRoller worst;
@@ -49,16 +49,16 @@ WorstRoller worst_roller(const StaticResults& statics, const DynamicResults* dyn
 }
 
 CheckRow roller_row(const CheckTitle& title, const WorstRoller& worst, double limit, const StaticResults& statics) {
-  CheckRow row = row_of(title, CheckRegion::line);
+  CheckRow row = make_row(title, CheckRegion::line);
   row.s = worst.s;
   row.from_top = statics.stations.back().s - worst.s;
   row.p_W = worst.p_W;
-  judge_ratio(row, worst.value, limit);
+  set_utilisation(row, worst.value, limit);
   row.remark = "at " + worst.box;
   return row;
 }
 
-/// The rollers' forces of a run are largest values over all of it; no single moment belongs to them.
+/// Roller forces of a run are maxima over the run, without a common instant.
 void add_rollers(std::vector<CheckRow>& rows, const Model& model, const StaticResults& statics,
                  const DynamicResults* dynamics) {
   static constexpr CheckTitle kForce = {"roller_load", "Roller force", kProject, "", "force of one roller", "N"};
@@ -67,7 +67,7 @@ void add_rollers(std::vector<CheckRow>& rows, const Model& model, const StaticRe
   const EquipmentLimits& limits = model.description.checks.limits;
   if (statics.supports.empty()) {
     for (const auto& [limit, title] : {std::pair{limits.roller_load, kForce}, {limits.coating_line_load, kLine}}) {
-      if (limit) rows.push_back(not_done(row_of(title, CheckRegion::line), "the line has no rollers"));
+      if (limit) rows.push_back(not_done(make_row(title, CheckRegion::line), "the line has no rollers"));
     }
     return;
   }
@@ -89,26 +89,26 @@ void add_tension(std::vector<CheckRow>& rows, double limit, const StaticResults&
                  const DynamicResults* dynamics) {
   static constexpr CheckTitle kTitle = {
       "tensioner_load", "Tension at the tensioner", kProject, "", "effective tension", "N"};
-  CheckRow row = row_of(kTitle, CheckRegion::line);
+  CheckRow row = make_row(kTitle, CheckRegion::line);
   row.s = statics.stations.back().s;
   row.p_W = statics.stations.back().p_W;
-  judge_ratio(row, std::max(0.0, dynamics != nullptr ? dynamics->top_tension.max : statics.top_tension), limit);
+  set_utilisation(row, std::max(0.0, dynamics != nullptr ? dynamics->top_tension.max : statics.top_tension), limit);
   rows.push_back(row);
 }
 
-/// A least distance: what is needed over what there is.
+/// Adds a minimum distance: required over available distance.
 void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& statics, const DynamicResults* dynamics) {
   static constexpr CheckTitle kTitle = {
       "tip_clearance", "Clearance at the stinger tip", kProject, "", "distance between pipe and roller", "m"};
   if (!statics.stinger_tip_clearance || statics.supports.empty()) {
     const char* const why =
         statics.supports.empty() ? "the line has no rollers" : "the pipe does not pass the last roller of a stinger";
-    rows.push_back(not_done(row_of(kTitle, CheckRegion::line), why));
+    rows.push_back(not_done(make_row(kTitle, CheckRegion::line), why));
     return;
   }
-  const double there = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
-  CheckRow row = row_of(kTitle, CheckRegion::line);
-  if (std::isnan(there)) {
+  const double clearance = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
+  CheckRow row = make_row(kTitle, CheckRegion::line);
+  if (std::isnan(clearance)) {
     rows.push_back(not_done(row, "the pipe never passed the last roller of the stinger"));
     return;
   }
@@ -116,15 +116,15 @@ void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& sta
   row.from_top = statics.stations.back().s - row.s;
   row.p_W = statics.supports.back().p_W;
   row.demand = limit;
-  row.capacity = there;
-  row.utilisation = there > 0.0 ? std::min(limit / there, kLargestReserve) : kLargestReserve;
-  row.reserve = std::max(0.0, there / limit);
+  row.capacity = clearance;
+  row.utilisation = clearance > 0.0 ? std::min(limit / clearance, kMaxReserve) : kMaxReserve;
+  row.reserve = std::max(0.0, clearance / limit);
   row.remark = "demand is the required distance, capacity the minimum found";
-  judge(row);
+  set_row_verdict(row);
   rows.push_back(row);
 }
 
-/// The largest tension of the cable with its place: of the static state, or over a run.
+/// Maximum tension of the cable with its location: of the static state, or over a run.
 struct CableLoad {
   double tension = 0.0, s = 0.0;
   Vec3 p_W = Vec3::Zero();
@@ -148,7 +148,7 @@ void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResu
                const DynamicResults* dynamics) {
   static constexpr CheckTitle kTitle = {
       "cable_load", "Cable, breaking load over safety factor", "safety factor", "", "effective tension", "N"};
-  const CheckRow row = row_of(kTitle, CheckRegion::line);
+  const CheckRow row = make_row(kTitle, CheckRegion::line);
   const std::optional<double> breaking_load = model.description.operation.lay.cable->breaking_load;
   if (!breaking_load) {
     rows.push_back(not_done(row, "the cable's breaking load is not given (operation.cable.breaking_load)"));
@@ -160,7 +160,7 @@ void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResu
   rows.back().from_top = statics.stations.back().s - load.s;
   rows.back().p_W = load.p_W;
   const SafetyFactor factor = cable_safety_factor(model.description.checks.safety_factors);
-  judge_ratio(rows.back(), load.tension, *breaking_load / factor.value);
+  set_utilisation(rows.back(), load.tension, *breaking_load / factor.value);
   rows.back().remark = fmt::format("breaking load of {} over a safety factor of {:.3g} ({})",
                                    shown(*breaking_load, "N", 1), factor.value, factor.source);
   rows.back().inputs = {{"T", "effective tension", load.tension, "N"},
@@ -168,21 +168,21 @@ void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResu
                         {"n", "safety factor", factor.value, "1"}};
 }
 
-/// A bend of the route behind touchdown: the radius that friction holds with a margin, over its own.
+/// Adds a bend of the route behind touchdown: radius held by friction with a margin, over the actual radius.
 void add_route(std::vector<CheckRow>& rows, const StaticResults& statics) {
   static constexpr CheckTitle kTitle = {
-      "route_radius", "Radius of the route", "H / (mu w)", "", "least radius times 1.5", "m"};
+      "route_radius", "Radius of the route", "H / (mu w)", "", "minimum radius times 1.5", "m"};
   if (!statics.route || statics.route->radius <= 0.0) return;
-  CheckRow row = row_of(kTitle, CheckRegion::line);
+  CheckRow row = make_row(kTitle, CheckRegion::line);
   row.s = statics.touchdown.s;
   row.from_top = statics.stations.back().s - statics.touchdown.s;
   row.p_W = statics.touchdown.p_W;
-  if (statics.route->least_radius <= 0.0) {
-    rows.push_back(not_done(row, "the seabed has no lateral friction, which alone would hold a bend"));
+  if (statics.route->min_stable_radius <= 0.0) {
+    rows.push_back(not_done(row, "the seabed has no lateral friction to hold a bend"));
     return;
   }
-  judge_ratio(row, kRouteReserve * statics.route->least_radius, statics.route->radius);
-  row.remark = statics.route->holds ? "the bend holds; required is 1.5 times the least radius"
+  set_utilisation(row, kRouteReserve * statics.route->min_stable_radius, statics.route->radius);
+  row.remark = statics.route->holds ? "the bend holds; required is 1.5 times the minimum radius"
                                     : "the bend does not hold: the pipe slides towards its chord";
   rows.push_back(row);
 }

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// A row of the tables: in air, in seawater with cathodic protection, in free corrosion.
+/// Row of the tables: in air, in seawater with cathodic protection, in free corrosion.
 struct Row {
   FatigueCurve curve;
   double slope, air, air_below, protected_water, free_water, thickness_exponent;
@@ -31,7 +31,7 @@ constexpr std::array<Row, 14> kRows = {{
 }};
 
 /// Curves with other constants in the edition of October 2024, in air and in seawater with cathodic protection. The
-/// thickness exponents of C and C1 are those of the older editions that have the larger ones: none was found for 2024.
+/// thickness exponents of C and C1 are the larger ones of the older editions: no value was found for 2024.
 struct NewRow {
   FatigueCurve curve;
   double slope, air, air_below, protected_water, protected_below, thickness_exponent;
@@ -47,19 +47,19 @@ constexpr std::array<NewRow, 5> kRows2024 = {{
 
 constexpr double kMega = 1e6;
 constexpr double kSlopeBelow = 5.0;
-constexpr double kFreeSlope = 3.0;             ///< Of every curve in free corrosion, for all ranges.
+constexpr double kFreeSlope = 3.0;             ///< Slope of every curve in free corrosion, for all ranges.
 constexpr double kReferenceThickness = 0.025;  ///< [m]
 
-const Row& row_of(FatigueCurve curve) {
+const Row& find_curve_row(FatigueCurve curve) {
   return kRows[static_cast<std::size_t>(curve)];
 }
 
-/// Constants in air and in protected seawater. In the edition of 2016 the lower line is the same in both.
-NewRow row_of(FatigueCurve curve, FatigueEdition edition) {
+/// Returns constants in air and in protected seawater. In the edition of 2016 the lower line is the same in both.
+NewRow find_curve_row(FatigueCurve curve, FatigueEdition edition) {
   const auto changed = [&](const NewRow& row) { return row.curve == curve; };
   const auto* row = std::find_if(kRows2024.begin(), kRows2024.end(), changed);
   if (edition == FatigueEdition::year_2024 && row != kRows2024.end()) return *row;
-  const Row& old = row_of(curve);
+  const Row& old = find_curve_row(curve);
   return {curve, old.slope, old.air, old.air_below, old.protected_water, old.air_below, old.thickness_exponent};
 }
 
@@ -71,7 +71,7 @@ constexpr bool in_order() {
 }
 static_assert(in_order());
 
-/// Range at which a line has a life of 1/damage.
+/// Returns the stress range with a life of 1/damage.
 double on_line(double log_a, double slope, double damage) {
   return kMega * std::pow(10.0, (log_a + std::log10(damage)) / slope);
 }
@@ -87,7 +87,7 @@ double SnCurve::damage(double range) const {
   return range < knee ? damage_by(log_a_below, slope_below, range) : damage_by(log_a, slope, range);
 }
 
-double SnCurve::range_of(double damage) const {
+double SnCurve::find_range(double damage) const {
   if (damage <= 0.0) return 0.0;
   const double above = on_line(log_a, slope, damage);
   return above < knee ? on_line(log_a_below, slope_below, damage) : above;
@@ -98,12 +98,12 @@ const char* fatigue_code(FatigueEdition edition) {
 }
 
 SnCurve sn_curve(FatigueCurve curve, FatigueMedium medium, FatigueEdition edition) {
-  const NewRow row = row_of(curve, edition);
+  const NewRow row = find_curve_row(curve, edition);
   SnCurve out;
   out.thickness_exponent = row.thickness_exponent;
   if (medium == FatigueMedium::seawater_free) {
     out.slope = kFreeSlope;
-    out.log_a = row_of(curve).free_water;
+    out.log_a = find_curve_row(curve).free_water;
     return out;
   }
   const bool air = medium == FatigueMedium::air;

@@ -7,8 +7,8 @@
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
 #include "checks/check_station.h"
-#include "checks/fatigue_place.h"
-#include "model/description/fatigue_words.h"
+#include "checks/fatigue_spot.h"
+#include "model/description/fatigue_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -26,7 +26,7 @@ bool differs(const SnCurve& a, const SnCurve& b) {
   return a.slope != b.slope || a.log_a != b.log_a || a.log_a_below != b.log_a_below;
 }
 
-/// Constants of the line of the S-N curve on which `range` [Pa] lies.
+/// Adds the constants of the branch of the S-N curve that contains `range` [Pa].
 void add_curve(CalculationSheet& sheet, const FatigueDescription& fatigue, const FatigueSpotDescription& spot,
                const FatiguePlace& place, double range) {
   const SnCurve& curve = place.curve;
@@ -35,14 +35,14 @@ void add_curve(CalculationSheet& sheet, const FatigueDescription& fatigue, const
   const Confirmation confirmed = renewed ? Confirmation::one_source : Confirmation::two_sources;
   const char* const sources = renewed ? kSources2024 : kSources2016;
   const std::string clause = fmt::format("{}, curve {}, {}, {} the change of slope", fatigue_code(fatigue.edition),
-                                         word_of(spot.curve), word_of(place.medium), below ? "below" : "above");
+                                         enum_name(spot.curve), enum_name(place.medium), below ? "below" : "above");
   sheet.computed({"m", "slope of the S-N curve", "", "1", clause, confirmed, sources},
                  below ? curve.slope_below : curve.slope);
   sheet.computed({"log_a", "constant of the S-N curve, for MPa", "", "1", clause, confirmed, sources},
                  below ? curve.log_a_below : curve.log_a);
 }
 
-/// Damage rate of the worst station from its equivalent range: how the S-N curve enters.
+/// Adds the damage rate of the worst station from its equivalent range, to show the use of the S-N curve.
 void add_worst_station(CalculationSheet& sheet, const Model& model, const DynamicResults& dynamics,
                        const FatigueSpot& worst) {
   const FatigueDescription& fatigue = *model.description.fatigue;
@@ -55,13 +55,13 @@ void add_worst_station(CalculationSheet& sheet, const Model& model, const Dynami
   const double range = worst.range[i] * place.factor();
   sheet.given("S_n", "equivalent nominal stress range at the worst station", worst.range[i] / kMega, "MPa", "run");
   sheet.given("SCF", "stress factor of the place", place.stress_factor, "1", "fatigue.spots, fatigue.hi_lo");
-  sheet.given("f_t", "effect of a wall of more than 25 mm, (t/25 mm)^k", place.thickness_factor, "1",
+  sheet.given("f_t", "factor for walls thicker than 25 mm, (t/25 mm)^k", place.thickness_factor, "1",
               fmt::format("2.4 with k = {:.4g}", place.curve.thickness_exponent));
   sheet.computed({"S", "hot spot stress range", "S_n SCF f_t", "MPa", "2.4"}, range / kMega);
   add_curve(sheet, fatigue, *spot, place, range);
-  sheet.given("n_d", "rate of stress cycles there", worst.cycles[i], "1/s", "run");
-  sheet.computed({"D_d", "damage rate there, log N = log_a - m log S", "n_d/10^(log_a - m log10(S))", "1/s", "2.4",
-                  Confirmation::two_sources, kSources2016},
+  sheet.given("n_d", "rate of stress cycles at the station", worst.cycles[i], "1/s", "run");
+  sheet.computed({"D_d", "damage rate at the station, log N = log_a - m log S", "n_d/10^(log_a - m log10(S))", "1/s",
+                  "2.4", Confirmation::two_sources, kSources2016},
                  worst.rate[i]);
 }
 
@@ -69,10 +69,10 @@ std::vector<SheetLine> fatigue_sheet(const Model& model, const DynamicResults& d
                                      double utilisation) {
   CalculationSheet sheet;
   if (model.description.fatigue) add_worst_station(sheet, model, dynamics, worst);
-  sheet.given("D_w", "damage of a weld on its way, sum of n/N over rainflow cycles and stops", worst.path_damage, "1",
-              "run");
+  sheet.given("D_w", "damage of a weld during laying, sum of n/N over rainflow cycles and stops", worst.path_damage,
+              "1", "run");
   sheet.given("DFF", "design fatigue factor", dynamics.fatigue->design_factor, "1", "fatigue.design_factor");
-  sheet.given("D_lim", "damage that laying may use up", dynamics.fatigue->budget, "1", "fatigue.budget");
+  sheet.given("D_lim", "allowed damage during laying", dynamics.fatigue->budget, "1", "fatigue.budget");
   sheet.computed({"U", "utilisation", "DFF D_w/D_lim", "1", "project limit"}, utilisation);
   return sheet.lines;
 }
@@ -89,12 +89,12 @@ std::vector<CheckRow> fatigue_rows(const Model& model, const DynamicResults& dyn
   const FatigueSpot& worst =
       *std::max_element(fatigue.spots.begin(), fatigue.spots.end(),
                         [](const FatigueSpot& a, const FatigueSpot& b) { return a.path_damage < b.path_damage; });
-  CheckRow row = row_of(title, CheckRegion::line);
+  CheckRow row = make_row(title, CheckRegion::line);
   row.s = worst.worst_s;
   row.from_top = dynamics.station_s.back() - worst.worst_s;
   row.p_W = dynamics.static_place[station_number(dynamics, worst.worst_s)];
-  judge_ratio(row, fatigue.design_factor * worst.path_damage, fatigue.budget);
-  row.remark = "spot '" + worst.name + "', curve " + worst.curve + "; no standby in it";
+  set_utilisation(row, fatigue.design_factor * worst.path_damage, fatigue.budget);
+  row.remark = "spot '" + worst.name + "', curve " + worst.curve + "; without standby";
   row.inputs = {{"DFF", "design fatigue factor", fatigue.design_factor, "1"},
                 {"SCF", "stress factor", worst.stress_factor, "1"}};
   row.sheet = fatigue_sheet(model, dynamics, worst, row.utilisation);

@@ -17,33 +17,33 @@ constexpr CheckTitle kCombinedStrain = {
 constexpr CheckTitle kStress = {
     "dnv_equivalent_stress", "Equivalent stress, 0.87 f_y", kDnv, kSection13, "von Mises stress", "Pa"};
 
-std::string row_words(const CheckSection& section) {
+std::string limit_label(const CheckSection& section) {
   std::string row = fmt::format("limit of {}", section.laying->grade);
   if (section.laying_exact) return row;
   return row + fmt::format(", the nearest lower grade of the table for {}", shown(section.smys, "Pa", 0));
 }
 
-/// A strain over the supports against a limit of the section's grade.
+/// Checks a strain over the supports against a limit of the section's grade.
 template <class Strain>
-void judge_strain(CheckRow& row, const CheckStations& all, double LayingLimits::*limit, Strain strain) {
-  const auto used = [&](const CheckStation& at) {
-    const CheckSection& section = all.section_of(at);
-    return section.laying ? strain(at) / ((*section.laying).*limit) : kLargestReserve;
+void check_strain(CheckRow& row, const CheckStations& all, double LayingLimits::*limit, Strain strain) {
+  const auto used = [&](const CheckStation& station) {
+    const CheckSection& section = all.section_for(station);
+    return section.laying ? strain(station) / ((*section.laying).*limit) : kMaxReserve;
   };
-  const CheckStation* at = most_used(all, CheckRegion::overbend, used);
-  const CheckSection& section = all.section_of(*at);
-  place_row(row, *at);
+  const CheckStation* governing = find_governing_station(all, CheckRegion::overbend, used);
+  const CheckSection& section = all.section_for(*governing);
+  set_row_location(row, *governing);
   if (!section.laying) {
     outside(row, "the criteria start at X52");
     return;
   }
-  judge_ratio(row, strain(*at), (*section.laying).*limit);
-  row.remark = row_words(section);
+  set_utilisation(row, strain(*governing), (*section.laying).*limit);
+  row.remark = limit_label(section);
   row.inputs = {{"eps", "longitudinal strain at the outer fibre", row.demand, "1"},
                 {"SMYS", "specified minimum yield stress", section.smys, "Pa"}};
 }
 
-/// Limit of the table and utilisation, for a demand of the formula `demand`.
+/// Returns the lines for the limit of the table and the utilisation, for a demand of the formula `demand`.
 std::vector<SheetLine> strain_sheet(CalculationSheet sheet, const CheckRow& row, const char* demand) {
   sheet.computed(
       {"eps_lim", "allowed strain of the grade", "", "1", "sec. 13, " + row.remark, Confirmation::unconfirmed},
@@ -54,8 +54,8 @@ std::vector<SheetLine> strain_sheet(CalculationSheet sheet, const CheckRow& row,
 }
 
 CheckRow static_strain_row(const CheckStations& all) {
-  CheckRow row = row_of(kStaticStrain, CheckRegion::overbend);
-  judge_strain(row, all, &LayingLimits::static_strain, [](const CheckStation& at) { return at.strain; });
+  CheckRow row = make_row(kStaticStrain, CheckRegion::overbend);
+  check_strain(row, all, &LayingLimits::static_strain, [](const CheckStation& station) { return station.strain; });
   if (!row.judged()) return row;
   CalculationSheet sheet;
   sheet.given("eps", "largest longitudinal strain", row.demand, "1", "static state");
@@ -64,26 +64,26 @@ CheckRow static_strain_row(const CheckStations& all) {
 }
 
 CheckRow combined_strain_row(const CheckStations& all) {
-  CheckRow row = row_of(kCombinedStrain, CheckRegion::overbend);
+  CheckRow row = make_row(kCombinedStrain, CheckRegion::overbend);
   if (!all.in_time) return not_done(row, "needs a dynamic analysis");
-  const auto strain = [&](const CheckStation& at) {
-    return all.section_of(at).strain_factor * at.largest_strain.value;
+  const auto strain = [&](const CheckStation& station) {
+    return all.section_for(station).strain_factor * station.max_strain.value;
   };
-  judge_strain(row, all, &LayingLimits::combined_strain, strain);
-  const auto same = [&](const CheckStation& at) { return at.s == row.s; };
-  const CheckStation& at = *std::find_if(all.stations.begin(), all.stations.end(), same);
-  time_row(row, at.largest_strain.time);
-  row.inputs.push_back({"SNCF", "strain factor of field joints", all.section_of(at).strain_factor, "1"});
+  check_strain(row, all, &LayingLimits::combined_strain, strain);
+  const auto same = [&](const CheckStation& station) { return station.s == row.s; };
+  const CheckStation& governing = *std::find_if(all.stations.begin(), all.stations.end(), same);
+  set_row_time(row, governing.max_strain.time);
+  row.inputs.push_back({"SNCF", "strain factor of field joints", all.section_for(governing).strain_factor, "1"});
   if (!row.judged()) return row;
   CalculationSheet sheet;
-  sheet.given("eps", "largest longitudinal strain of the run", at.largest_strain.value, "1", "run");
-  sheet.given("SNCF", "strain factor of field joints", all.section_of(at).strain_factor, "1",
+  sheet.given("eps", "largest longitudinal strain of the run", governing.max_strain.value, "1", "run");
+  sheet.given("SNCF", "strain factor of field joints", all.section_for(governing).strain_factor, "1",
               "pipe.joint.strain_factor");
   row.sheet = strain_sheet(std::move(sheet), row, "SNCF eps");
   return row;
 }
 
-/// Share of f_y or SMYS, by the basis of the limit.
+/// Adds f_y or SMYS, the basis of the limit.
 void add_stress_limit(CalculationSheet& sheet, const CheckSection& section, const CheckSettings& settings) {
   const bool fy = settings.yield_basis == YieldBasis::fy;
   if (fy) {
@@ -103,30 +103,30 @@ void add_share_limit(CalculationSheet& sheet, const CheckSection& section, doubl
   sheet.computed({"sigma_lim", "allowed von Mises stress", "k SMYS", "Pa", "project limit"}, share * section.smys);
 }
 
-/// The largest von Mises stress over a region against a limit that the section gives; `add_limit` puts the lines that
-/// lead to it on the sheet.
+/// Checks the maximum von Mises stress over a region against a limit of the section; `add_limit` adds the sheet lines
+/// that lead to it.
 template <class Limit, class AddLimit>
 CheckRow stress_row(const CheckTitle& title, const CheckStations& all, CheckRegion region, Limit limit,
                     AddLimit add_limit) {
-  CheckRow row = row_of(title, region);
-  const CheckStation* at = most_used(all, region, [&](const CheckStation& station) {
-    return station.largest_von_mises.value / limit(all.section_of(station));
+  CheckRow row = make_row(title, region);
+  const CheckStation* governing = find_governing_station(all, region, [&](const CheckStation& station) {
+    return station.max_von_mises.value / limit(all.section_for(station));
   });
-  place_row(row, *at);
-  if (all.in_time) time_row(row, at->largest_von_mises.time);
-  judge_ratio(row, at->largest_von_mises.value, limit(all.section_of(*at)));
+  set_row_location(row, *governing);
+  if (all.in_time) set_row_time(row, governing->max_von_mises.time);
+  set_utilisation(row, governing->max_von_mises.value, limit(all.section_for(*governing)));
   row.inputs = {{"sigma_eq", "von Mises stress", row.demand, "Pa"},
-                {"SMYS", "specified minimum yield stress", all.section_of(*at).smys, "Pa"}};
+                {"SMYS", "specified minimum yield stress", all.section_for(*governing).smys, "Pa"}};
   CalculationSheet sheet;
   sheet.given("sigma_eq", "von Mises stress, load factors 1", row.demand, "Pa", all.in_time ? "run" : "static state");
-  add_limit(sheet, all.section_of(*at));
+  add_limit(sheet, all.section_for(*governing));
   sheet.computed({"U", "utilisation", "sigma_eq/sigma_lim", "1", title.clause}, row.utilisation);
   row.sheet = std::move(sheet.lines);
   return row;
 }
 
 bool has(const CheckStations& all, CheckRegion region) {
-  return most_used(all, region, [](const CheckStation&) { return 0.0; }) != nullptr;
+  return find_governing_station(all, region, [](const CheckStation&) { return 0.0; }) != nullptr;
 }
 
 constexpr CheckTitle kShare = {"yield_share", "Fraction of yield stress", "project limit", "", "von Mises stress",
@@ -141,22 +141,22 @@ void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegio
   rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", dynamic" : ", static");
 }
 
-/// The overbend of the results has its free end as well; of a J-lay the tower stands for it.
+/// The overbend of the results includes the free end; for a J-lay it is the tower.
 void add_upper_share(std::vector<CheckRow>& rows, const CheckStations& all, const std::optional<double>& share) {
   const std::size_t before = rows.size();
   for (const CheckRegion region : {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip}) {
     add_share(rows, all, region, share);
   }
   if (share && rows.size() == before) {
-    rows.push_back(not_done(row_of(kShare, CheckRegion::overbend), "the line has no overbend"));
+    rows.push_back(not_done(make_row(kShare, CheckRegion::overbend), "the line has no overbend"));
   }
 }
 
-/// The static state of a run, so that its static limits can be checked beside the dynamic ones.
+/// Returns the static state of a run, to check its static limits together with the dynamic ones.
 CheckStations at_rest(const CheckStations& all) {
   CheckStations rest = all;
   rest.in_time = false;
-  for (CheckStation& station : rest.stations) station.largest_von_mises = {station.von_mises, 0.0};
+  for (CheckStation& station : rest.stations) station.max_von_mises = {station.von_mises, 0.0};
   return rest;
 }
 
@@ -164,12 +164,12 @@ CheckStations at_rest(const CheckStations& all) {
 
 std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings& settings) {
   std::vector<CheckRow> rows;
-  const YieldShares& share = settings.yield_share;
+  const AllowableStressFactors& share = settings.allowable_stress;
   if (settings.codes != CheckCodes::api && has(all, CheckRegion::overbend)) {
     rows.push_back(static_strain_row(all));
     rows.push_back(combined_strain_row(all));
   }
-  for (const CheckRegion region : judged_regions(all)) {
+  for (const CheckRegion region : checked_regions(all)) {
     if (settings.codes == CheckCodes::api || region == CheckRegion::overbend || !has(all, region)) continue;
     rows.push_back(stress_row(
         kStress, all, region, [](const CheckSection& s) { return s.stress_limit; },
@@ -177,7 +177,7 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
   }
   if (!all.line.empty()) {
     if (share.overbend_static || share.sagbend_static) {
-      rows.push_back(not_done(row_of(kShare, CheckRegion::line), "its limits are those of overbend and sagbend"));
+      rows.push_back(not_done(make_row(kShare, CheckRegion::line), "its limits are those of overbend and sagbend"));
     }
     return rows;
   }

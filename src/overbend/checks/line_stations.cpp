@@ -12,7 +12,7 @@ namespace {
 struct LineSections {
   std::vector<CheckSection> checks;
   std::vector<Section> pipe;
-  std::vector<int> of_segment;  ///< -1: no pipe.
+  std::vector<int> of_segment;  ///< -1: not pipe.
 };
 
 LineSections find_sections(const Description& description, const FreeLineDescription& line) {
@@ -28,7 +28,7 @@ LineSections find_sections(const Description& description, const FreeLineDescrip
   return sections;
 }
 
-/// A run with the static state of the same lines; null: none.
+/// A run with the static state of the same lines; null without one.
 struct LineRun {
   const std::vector<LineResult>* rest = nullptr;
   const std::vector<LineDynamics>* lines = nullptr;
@@ -41,9 +41,9 @@ struct LineRun {
   const std::vector<LineNodeResult>& rest_nodes(const std::string& name) const {
     return std::ranges::find(*rest, name, &LineResult::name)->nodes;
   }
-  /// Of a node, on the side whose tension the run kept [N].
+  /// Returns the tension of a node, on the side stored by the run [N].
   double rest_tension(const std::string& name, std::size_t node) const { return rest_nodes(name)[node].tension; }
-  /// The node of a line at an arc length.
+  /// Returns the node of a line at an arc length.
   std::size_t node_at(const std::string& name, double s) const {
     const std::vector<LineNodeResult>& nodes = rest_nodes(name);
     const auto nearest =
@@ -52,33 +52,33 @@ struct LineRun {
   }
 };
 
-/// Largest force of what hangs on a line at a place [N].
+/// Returns the maximum force of attachments to a line at a point [N].
 double attached_force(const LiftResults& lift, const LineRun& run, const std::string& line, double arc_length) {
   constexpr double kSamePlace = 1e-6;  // [m]
-  double largest = 0.0;
+  double max_force = 0.0;
   for (const LiftedWire& wire : lift.davits) {
-    if (wire.on != line || std::abs(wire.at.arc_length - arc_length) > kSamePlace) continue;
-    largest = std::max(largest, wire.force.norm());
-    if (const LineDynamics* moved = run.find(wire.name)) largest = std::max(largest, moved->largest_tension);
+    if (wire.on != line || std::abs(wire.location.arc_length - arc_length) > kSamePlace) continue;
+    max_force = std::max(max_force, wire.force.norm());
+    if (const LineDynamics* moved = run.find(wire.name)) max_force = std::max(max_force, moved->max_tension);
   }
-  return largest;
+  return max_force;
 }
 
 CheckStation make_station(const LiftedNode& node, const Section& pipe, double water_weight_density) {
   CheckStation station;
   station.region = CheckRegion::line;
-  station.s = node.at.arc_length;
-  station.p_W = node.at.place;
-  station.external_pressure = water_weight_density * std::max(-node.at.place.z(), 0.0);
-  station.overpressure = station.external_pressure - pressure_on_bore(pipe, node.at.place.z());
+  station.s = node.location.arc_length;
+  station.p_W = node.location.place;
+  station.external_pressure = water_weight_density * std::max(-node.location.place.z(), 0.0);
+  station.overpressure = station.external_pressure - pressure_on_bore(pipe, node.location.place.z());
   station.load_pressure = station.bend_pressure = station.overpressure;
   station.effects.functional = Vec3(node.sagging, node.sideways, 0.0);
   station.effects.functional_strain = node.strain * Vec3::UnitX();
   station.moment = station.effects.functional.norm();
   station.force = node.tension;
-  station.strain = station.largest_strain.value = node.strain;
-  station.von_mises = station.largest_von_mises.value = node.von_mises;
-  station.largest_tension.value = node.tension;
+  station.strain = station.max_strain.value = node.strain;
+  station.von_mises = station.max_von_mises.value = node.von_mises;
+  station.max_tension.value = node.tension;
   return station;
 }
 
@@ -89,7 +89,7 @@ std::vector<LoadFactors> line_combinations(const Description& description) {
   return combinations;
 }
 
-/// What a run adds at a node: the larger moment about the axis of the static one, and a tension.
+/// Adds the change of a run at a node: the larger moment about the axis of the static one, and a tension.
 void add_run(double moment, double tension, const Section& pipe, CheckStation& station) {
   const double rest = station.moment, more = std::max(moment - rest, 0.0);
   const Vec3 axis = rest > 0.0 ? Vec3(station.effects.functional / rest) : Vec3::UnitX();
@@ -104,9 +104,9 @@ void add_run(double moment, double tension, const Section& pipe, CheckStation& s
   loads.external_pressure = station.external_pressure;
   loads.internal_pressure = station.external_pressure - station.overpressure;
   const SectionStress stress = section_stress(pipe, loads);
-  station.largest_von_mises.value = std::max(station.largest_von_mises.value, stress.von_mises);
-  station.largest_strain.value = std::max(station.largest_strain.value, stress.strain);
-  station.largest_tension.value = std::max(station.largest_tension.value, tension);
+  station.max_von_mises.value = std::max(station.max_von_mises.value, stress.von_mises);
+  station.max_strain.value = std::max(station.max_strain.value, stress.strain);
+  station.max_tension.value = std::max(station.max_tension.value, tension);
 }
 
 CheckStations make_stations(const Model& model, const LiftResults& lift, const LiftedLine& line, const LineRun& run) {
@@ -135,8 +135,8 @@ CheckStations make_stations(const Model& model, const LiftResults& lift, const L
     factor_static(station, check, combinations);
     if (moments) {
       const std::size_t k = run.node_at(line.name, station.s);
-      const double jump = station.force - run.rest_tension(line.name, k);  // at rest, to this side of what hangs there
-      for (const double tension : {moved->least_at_nodes[k], moved->largest_at_nodes[k]}) {
+      const double jump = station.force - run.rest_tension(line.name, k);  // in statics, at this side of the attachment
+      for (const double tension : {moved->min_tension_at_nodes[k], moved->max_tension_at_nodes[k]}) {
         add_run(moved->moment_at_nodes[k], tension + jump, pipe, station);
         factor_static(station, check, combinations);
       }

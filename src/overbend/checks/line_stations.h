@@ -1,4 +1,4 @@
-/// Lines that are pipe as the checks of a laid pipe take them.
+/// Pipe in standalone lines, as stations for the checks of a laid pipe.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace overbend {
 
-/// Stations of the static state, a set for every line with pipe in it: nodes of pipe, both sides where tension or
-/// section jumps. In a current, whose part of the load effects is not found apart, all of them have the larger of the
-/// functional and the environmental load factor.
+/// Returns the stations of the static state, a set for every line that contains pipe: nodes of pipe, both sides where
+/// tension or section jumps. In a current, whose contribution to the load effects is not separated, all of them have
+/// the larger of the functional and the environmental load factor.
 std::vector<CheckStations> line_stations(const Model& model, const LiftResults& lift);
 
-/// The same over a run from that state, with the largest moment and the tension that is worse of each node, which need
-/// not be of one instant: on the safe side. What is more than in the static state is an environmental load effect.
-/// Without stations where the run did not keep moments.
+/// Returns the stations over a run from that state, with the maximum moment and the governing tension of each node, not
+/// necessarily of one instant: conservative. The change from the static state is an environmental load effect. No
+/// stations if the run did not store moments.
 std::vector<CheckStations> line_stations_in_time(const Model& model, const StaticResults& statics,
                                                  const std::vector<LineDynamics>& run);
 
-/// Whether the load factors of lines are raised for the current.
+/// True if the load factors of lines are raised for the current.
 bool raises_factors_for_current(const Description& description);
 
 }  // namespace overbend

@@ -21,7 +21,7 @@ constexpr CheckTitle kHolding = {
 constexpr CheckTitle kLine = {
     "line_load", "Line, breaking load over safety factor", "safety factor", "", "effective tension", "N"};
 
-/// A tension and its utilisation of a strength without a factor.
+/// Tension and its utilisation of a strength without safety factor.
 struct Load {
   double tension = 0.0;
   double use = 0.0;   ///< Tension over strength [-].
@@ -29,9 +29,9 @@ struct Load {
 };
 
 CheckRow row_with(const CheckTitle& title, const Load& load, const SafetyFactor& factor) {
-  CheckRow row = row_of(title, CheckRegion::line);
+  CheckRow row = make_row(title, CheckRegion::line);
   const double strength = load.tension / load.use;
-  judge_ratio(row, load.tension, strength / factor.value);
+  set_utilisation(row, load.tension, strength / factor.value);
   row.remark = fmt::format("{}: {} over a safety factor of {:.3g} ({})", load.where, shown(strength, "N", 1),
                            factor.value, factor.source);
   row.inputs = {{"T", "tension", load.tension, "N"},
@@ -40,7 +40,7 @@ CheckRow row_with(const CheckTitle& title, const Load& load, const SafetyFactor&
   return row;
 }
 
-/// The row of one kind that is used most.
+/// Keeps the row of one kind with the maximum utilisation.
 class WorstRow {
  public:
   void add(const CheckTitle& title, const std::optional<double>& use, double tension, const std::string& where,
@@ -52,7 +52,7 @@ class WorstRow {
   }
   void put(std::vector<CheckRow>& rows, bool in_time) {
     if (!row_) return;
-    if (in_time) row_->remark += "; largest of the run";
+    if (in_time) row_->remark += "; maximum of the run";
     rows.push_back(std::move(*row_));
   }
 
@@ -83,10 +83,10 @@ std::optional<double> over(double tension, const std::optional<double>& limit) {
 }
 
 void add_state(MooringWorst& worst, const Description& description, const MooredState& state) {
-  const SafetyFactors& given = description.checks.safety_factors;
+  const SafetyFactors& factors = description.checks.safety_factors;
   const bool damaged = is_damaged(state);
-  const SafetyFactor line_factor = mooring_safety_factor(given, damaged, TensionAnalysis::quasi_static);
-  const SafetyFactor anchor_factor = anchor_safety_factor(given, damaged);
+  const SafetyFactor line_factor = mooring_safety_factor(factors, damaged, TensionAnalysis::quasi_static);
+  const SafetyFactor anchor_factor = anchor_safety_factor(factors, damaged);
   for (const MooringLineResult& line : state.moorings) {
     if (line.parted) continue;
     const std::string where = line.name + ", " + state.name;
@@ -98,26 +98,26 @@ void add_state(MooringWorst& worst, const Description& description, const Moored
   }
 }
 
-/// The largest tensions of a line, of the whole run or of its part in which every line holds.
+/// Adds the maximum tensions of a line, of the whole run or of its intact part.
 void add_line(MooringWorst& worst, const Description& description, const MooringLineDynamics& line, bool damaged) {
-  const SafetyFactors& given = description.checks.safety_factors;
+  const SafetyFactors& factors = description.checks.safety_factors;
   const bool elements = description.moorings->model == MooringModel::elements;
   const SafetyFactor line_factor =
-      mooring_safety_factor(given, damaged, elements ? TensionAnalysis::dynamic : TensionAnalysis::quasi_static);
-  const double most = line.fairlead_tension.whole.max, most_anchor = line.anchor_tension.whole.max;
-  const double tension = damaged ? most : line.intact_fairlead_tension;
-  const double anchor = damaged ? most_anchor : line.intact_anchor_tension;
-  const auto share = [](const std::optional<double>& use, double part, double whole) {
-    return use && whole > 0.0 ? std::optional(*use * part / whole) : std::nullopt;
+      mooring_safety_factor(factors, damaged, elements ? TensionAnalysis::dynamic : TensionAnalysis::quasi_static);
+  const double max_tension = line.fairlead_tension.whole.max, max_anchor_tension = line.anchor_tension.whole.max;
+  const double tension = damaged ? max_tension : line.intact_fairlead_tension;
+  const double anchor = damaged ? max_anchor_tension : line.intact_anchor_tension;
+  const auto share = [](const std::optional<double>& use, double part, double total) {
+    return use && total > 0.0 ? std::optional(*use * part / total) : std::nullopt;
   };
-  worst.breaking.add(kBreaking, share(line.utilisation, tension, most), tension, line.name, line_factor);
+  worst.breaking.add(kBreaking, share(line.utilisation, tension, max_tension), tension, line.name, line_factor);
   worst.working.add(kWorking, over(tension, description.moorings->working_load), tension, line.name,
                     {1.0, "moorings.working_load"});
-  worst.holding.add(kHolding, share(line.anchor_utilisation, anchor, most_anchor), anchor, line.name,
-                    anchor_safety_factor(given, damaged));
+  worst.holding.add(kHolding, share(line.anchor_utilisation, anchor, max_anchor_tension), anchor, line.name,
+                    anchor_safety_factor(factors, damaged));
 }
 
-/// As long as every line holds with the factor of the intact spread, then with that of the damaged one.
+/// Uses the factor of the intact mooring while all lines hold, then that of the damaged one.
 void add_run(MooringWorst& worst, const Description& description, const DynamicResults& dynamics) {
   for (const MooringLineDynamics& line : dynamics.moorings) {
     add_line(worst, description, line, false);
@@ -125,7 +125,7 @@ void add_run(MooringWorst& worst, const Description& description, const DynamicR
   }
 }
 
-/// Names of the wires on other lines whose breaking load is not given.
+/// Returns the names of the wires on other lines without a given breaking load.
 std::string wires_without_strength(const Description& description) {
   std::string names;
   for (const FreeLineDescription& line : description.lines) {
@@ -139,25 +139,25 @@ std::string wires_without_strength(const Description& description) {
 
 }  // namespace
 
-SafetyFactor mooring_safety_factor(const SafetyFactors& given, bool damaged, TensionAnalysis analysis) {
-  const std::optional<double>& own = damaged ? given.mooring_damaged : given.mooring_intact;
+SafetyFactor mooring_safety_factor(const SafetyFactors& factors, bool damaged, TensionAnalysis analysis) {
+  const std::optional<double>& own_factor = damaged ? factors.mooring_damaged : factors.mooring_intact;
   const std::string state = damaged ? "damaged" : "intact";
-  if (own) return {*own, "checks.safety_factors.mooring_" + state};
+  if (own_factor) return {*own_factor, "checks.safety_factors.mooring_" + state};
   const bool dynamic = analysis == TensionAnalysis::dynamic;
   const double value = damaged ? (dynamic ? 1.25 : 1.43) : (dynamic ? 1.67 : 2.0);
   return {value, fmt::format("API RP 2SK, {}, {} tension", state, dynamic ? "dynamic" : "quasi-static")};
 }
 
-SafetyFactor anchor_safety_factor(const SafetyFactors& given, bool damaged) {
-  const std::optional<double>& own = damaged ? given.anchor_damaged : given.anchor_intact;
-  if (own) return {*own, std::string("checks.safety_factors.anchor_") + (damaged ? "damaged" : "intact")};
+SafetyFactor anchor_safety_factor(const SafetyFactors& factors, bool damaged) {
+  const std::optional<double>& own_factor = damaged ? factors.anchor_damaged : factors.anchor_intact;
+  if (own_factor) return {*own_factor, std::string("checks.safety_factors.anchor_") + (damaged ? "damaged" : "intact")};
   return damaged ? SafetyFactor{1.0, "drag anchor, damaged, assumed"}
                  : SafetyFactor{1.5, "drag anchor, intact, assumed"};
 }
 
-SafetyFactor cable_safety_factor(const SafetyFactors& given) {
-  if (given.cable) return {*given.cable, "checks.safety_factors.cable"};
-  return {3.0, "assumed: no public text gives a number"};
+SafetyFactor cable_safety_factor(const SafetyFactors& factors) {
+  if (factors.cable) return {*factors.cable, "checks.safety_factors.cable"};
+  return {3.0, "assumed; no public source"};
 }
 
 std::vector<CheckRow> mooring_rows(const Description& description, const MooringResults& rest,
@@ -177,24 +177,24 @@ std::vector<CheckRow> mooring_rows(const Description& description, const Mooring
 
 std::vector<CheckRow> line_rows(const Description& description, const std::vector<LineResult>& lines,
                                 const std::vector<LineDynamics>* in_time) {
-  const std::optional<double>& own = description.checks.safety_factors.line;
+  const std::optional<double>& own_factor = description.checks.safety_factors.line;
   const SafetyFactor factor =
-      own ? SafetyFactor{*own, "checks.safety_factors.line"}
-          : SafetyFactor{in_time != nullptr ? 1.67 : 2.0, "assumed: that of a mooring line, API RP 2SK"};
+      own_factor ? SafetyFactor{*own_factor, "checks.safety_factors.line"}
+                 : SafetyFactor{in_time != nullptr ? 1.67 : 2.0, "assumed as for a mooring line, API RP 2SK"};
   WorstRow worst;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineResult& line = lines[i];
     const LineDynamics* const moved = in_time != nullptr ? &in_time->at(i) : nullptr;
     if (moved != nullptr && moved->utilisation) {
-      worst.add(kLine, moved->utilisation, std::max(moved->largest_tension, line.largest_tension), line.name, factor);
+      worst.add(kLine, moved->utilisation, std::max(moved->max_tension, line.max_tension), line.name, factor);
     } else {
-      worst.add(kLine, line.utilisation, line.largest_tension, line.name, factor);
+      worst.add(kLine, line.utilisation, line.max_tension, line.name, factor);
     }
   }
   std::vector<CheckRow> rows;
   worst.put(rows, in_time != nullptr);
   if (const std::string wires = wires_without_strength(description); !wires.empty()) {
-    rows.push_back(not_done(row_of(kLine, CheckRegion::line), "no breaking load is given of " + wires));
+    rows.push_back(not_done(make_row(kLine, CheckRegion::line), "no breaking load is given for " + wires));
   }
   return rows;
 }

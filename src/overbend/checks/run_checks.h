@@ -1,4 +1,4 @@
-/// The table of code checks of a static state or of a dynamic run.
+/// Table of code checks of a static state or of a dynamic run.
 #pragma once
 
 #include "model/model.h"
@@ -8,15 +8,15 @@
 
 namespace overbend {
 
-/// Of the static state: stations must be set.
+/// Returns the checks of a static state, whose stations must be set.
 CheckTable check_statics(const Model& model, const StaticResults& statics);
 
-/// Of a run: stations, envelopes and the design values must be set.
+/// Returns the checks of a run, whose stations, envelopes and design values must be set.
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics);
 
-/// Puts the table into the results, and what it assumes among their assumptions, in place of an earlier table.
+/// Stores the table and its assumptions in the results, replacing an earlier table.
 void fill_checks(const Model& model, StaticResults& statics);
 void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics);
-/// Of a hull and its mooring lines without a pipe; of lines by themselves.
+/// Checks of a hull and its mooring lines without a pipe, and of standalone lines.
 
 }  // namespace overbend

@@ -6,7 +6,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kSlack = 2.5e6;  ///< Between a grade's values in MPa and those rounded from ksi [Pa].
+constexpr double kSlack = 2.5e6;  ///< Tolerance between a grade's values in MPa and those rounded from ksi [Pa].
 
 constexpr std::array<SteelGrade, 18> kGrades = {{
     {"B", 241e6, 414e6},
@@ -38,14 +38,14 @@ constexpr std::array<LayingLimits, 4> kLaying = {{
 
 }  // namespace
 
-std::optional<SteelGrade> grade_of(double yield_stress) {
+std::optional<SteelGrade> find_grade(double yield_stress) {
   std::optional<SteelGrade> nearest;
-  double least = kSlack;
+  double best = kSlack;
   for (const SteelGrade& grade : kGrades) {
     const double apart = std::abs(grade.yield_stress - yield_stress);
-    if (apart <= least && (!nearest || apart < least)) {
+    if (apart <= best && (!nearest || apart < best)) {
       nearest = grade;
-      least = apart;
+      best = apart;
     }
   }
   return nearest;
@@ -59,7 +59,7 @@ std::optional<LayingLimits> laying_limits(double yield_stress) {
   return row;
 }
 
-std::optional<LayingLimits> laying_limits_of(const std::string& grade) {
+std::optional<LayingLimits> find_grade_limits(const std::string& grade) {
   for (const LayingLimits& limits : kLaying) {
     if (grade == limits.grade) return limits;
   }

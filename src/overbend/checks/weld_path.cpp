@@ -6,19 +6,19 @@
 namespace overbend {
 namespace {
 
-/// Sum of the rates at stops `pace.joint` apart, the first `phase` from the top [1/s].
+/// Returns the sum of the rates at stops `pace.joint` apart, the first `phase` from the top [1/s].
 double rates_at_stops(std::span<const double> s, std::span<const double> rate, double joint, double phase) {
   double sum = 0.0;
   std::size_t right = s.size() - 1;
-  for (double at = s.back() - phase; at >= s.front() && right > 0; at -= joint) {
-    while (right > 1 && s[right - 1] > at) --right;
-    const double fraction = std::clamp((at - s[right - 1]) / (s[right] - s[right - 1]), 0.0, 1.0);
+  for (double weld = s.back() - phase; weld >= s.front() && right > 0; weld -= joint) {
+    while (right > 1 && s[right - 1] > weld) --right;
+    const double fraction = std::clamp((weld - s[right - 1]) / (s[right] - s[right - 1]), 0.0, 1.0);
     sum += rate[right - 1] + fraction * (rate[right] - rate[right - 1]);
   }
   return sum;
 }
 
-/// The sum over the stops is straight in their phase between stations: its largest value is at one of them.
+/// Returns the maximum sum over the stops: it is piecewise linear in their phase, so that its maximum is at a station.
 double worst_stops(std::span<const double> s, std::span<const double> rate, double joint) {
   double worst = 0.0;
   for (const double station : s) {
@@ -31,11 +31,11 @@ double worst_stops(std::span<const double> s, std::span<const double> rate, doub
 
 WeldPath weld_path(std::span<const double> s, std::span<const double> rate, const LayPace& pace) {
   WeldPath path;
-  path.gathered.assign(s.size(), 0.0);
+  path.accumulated.assign(s.size(), 0.0);
   double integral = 0.0;
   for (std::size_t i = s.size(); i-- > 1;) {
     integral += 0.5 * (rate[i] + rate[i - 1]) * (s[i] - s[i - 1]);
-    path.gathered[i - 1] = integral / pace.speed();
+    path.accumulated[i - 1] = integral / pace.speed();
   }
   path.mean = integral / pace.speed();
   const double moving = integral / pace.joint * pace.move_time;

@@ -1,4 +1,4 @@
-/// What a weld gathers on its way from the tensioner to the bed.
+/// Fatigue damage of a weld between tensioner and seabed.
 #pragma once
 
 #include <span>
@@ -6,22 +6,23 @@
 
 namespace overbend {
 
-/// How the pipe is laid: joint by joint.
+/// Schedule of joint-by-joint laying.
 struct LayPace {
-  double joint = 0.0;      ///< Length of a move [m].
-  double weld_time = 0.0;  ///< Of rest before each move [s].
-  double move_time = 0.0;  ///< Of the move, at even speed [s].
+  double joint = 0.0;      ///< Length of a move, one joint [m].
+  double weld_time = 0.0;  ///< Time at rest before each move [s].
+  double move_time = 0.0;  ///< Duration of the move, at constant speed [s].
 
   double speed() const { return joint / (weld_time + move_time); }  ///< Mean [m/s].
 };
 
 struct WeldPath {
-  double mean = 0.0;   ///< Damage of the mean weld: the integral of the rate over the line by the mean lay speed.
-  double worst = 0.0;  ///< Of the weld whose stops are the worst. All welds stop at the same places.
-  std::vector<double> gathered;  ///< By the mean weld from the top to each station.
+  /// Damage of the mean weld: the integral of the damage rate over the line divided by the mean lay speed.
+  double mean = 0.0;
+  double worst = 0.0;               ///< Damage of the weld with the worst stops. All welds stop at the same positions.
+  std::vector<double> accumulated;  ///< Damage of the mean weld from the top to each station.
 };
 
-/// `s` ascending [m], the top last; damage rates [1/s] are straight between stations.
+/// Integrates damage. `s` ascending [m], the top last; damage rates [1/s] are linear between stations.
 WeldPath weld_path(std::span<const double> s, std::span<const double> rate, const LayPace& pace);
 
 }  // namespace overbend

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Second derivatives of an arm by the angles: the outer angle's axis turns the inner's derivative.
+/// Second derivatives of an arm by the angles: the axis of the outer angle rotates the derivative by the inner one.
 struct ArmCurves {
   std::array<Vec3, 3> first;                  ///< e_i x r
   std::array<std::array<Vec3, 3>, 3> second;  ///< symmetric
@@ -29,7 +29,7 @@ Vec3 third(const ArmCurves& c, const Mat3& E, int i, int j, int k) {
   return E.col(order[2]).cross(c.second[order[0]][order[1]]);
 }
 
-/// Derivatives of a turning vector's motion by the angles, their rates and accelerations.
+/// Derivatives of the motion of a body-fixed vector by the angles, their rates and accelerations.
 void add_turning(const BodyMotion& body, const ArmCurves& c, PointDerivatives& out) {
   const Mat3& E = body.pose.E;
   for (int k = 0; k < 3; ++k) {
@@ -55,7 +55,7 @@ Mat3 turned_about_z(double angle) {
   return R;
 }
 
-BodyPose pose_of(const Vec6& h) {
+BodyPose make_pose(const Vec6& h) {
   const double cx = std::cos(h(3)), sx = std::sin(h(3)), cy = std::cos(h(4)), sy = std::sin(h(4));
   const double cz = std::cos(h(5)), sz = std::sin(h(5));
   BodyPose pose;
@@ -69,23 +69,23 @@ BodyPose pose_of(const Vec6& h) {
   return pose;
 }
 
-Vec6 coordinates_of(const Vec3& place, const Mat3& R) {
+Vec6 make_coordinates(const Vec3& place, const Mat3& R) {
   Vec6 h;
   h << place, std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0));
   return h;
 }
 
-BodyMotion motion_of(const Vec6& h, const Vec6& v, const Vec6& a) {
-  BodyMotion body{pose_of(h), h, v, a, Vec3::Zero(), Vec3::Zero()};
+BodyMotion make_body_motion(const Vec6& h, const Vec6& v, const Vec6& a) {
+  BodyMotion body{make_pose(h), h, v, a, Vec3::Zero(), Vec3::Zero()};
   const Mat3& E = body.pose.E;
   body.omega = E * v.tail<3>();
   const Vec3 pitch = v(4) * E.col(1), yaw = v(5) * E.col(2);
-  // Axes turn with the angles outside their own.
+  // Axes rotate with the angles outside their own.
   body.alpha = E * a.tail<3>() + yaw.cross(pitch) + (yaw + pitch).cross(v(3) * E.col(0));
   return body;
 }
 
-BodyPoint point_of(const BodyMotion& body, const Vec3& arm) {
+BodyPoint make_body_point(const BodyMotion& body, const Vec3& arm) {
   BodyPoint point;
   point.arm = body.pose.R * arm;
   point.place = body.pose.place + point.arm;
@@ -144,7 +144,7 @@ Mat6 generalised_moment_slope(const BodyPose& pose, const Vec3& moment_W) {
 }
 
 RigidMotion rigid_motion(const BodyMotion& body, const Vec3& reference_V, const Vec6& drawn) {
-  const BodyPoint origin = point_of(body, -reference_V);
+  const BodyPoint origin = make_body_point(body, -reference_V);
   RigidMotion m;
   m.pose.p_WV = origin.place;
   m.pose.R_WV = body.pose.R;

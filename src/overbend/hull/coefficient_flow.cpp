@@ -13,7 +13,7 @@ struct TableRow {
   Vec3 value, slope;  ///< c_x, c_y, c_z and derivatives by the angle.
 };
 
-/// Linear between the rows of a periodic table.
+/// Linear interpolation in a periodic table.
 TableRow table_at(const std::vector<CoefficientRow>& table, double angle) {
   const double a = angle - kTurn * std::floor(angle / kTurn);
   const auto after = std::upper_bound(table.begin(), table.end(), a,
@@ -51,8 +51,8 @@ Vec6 about_reference(const Vec3& at_midship, const Vec3& reference_V) {
 
 std::vector<CoefficientRow> coefficients_from_bow(std::vector<CoefficientRow> rows, CoefficientAxes axes) {
   for (CoefficientRow& row : rows) {
-    // From the bow, clockwise: the flow from ahead, 0, goes astern. OCIMF's 0 comes from the stern and goes ahead, 90
-    // deg comes from starboard and goes to port: already where it goes to.
+    // From the bow, clockwise: a flow from ahead, 0, goes astern. In OCIMF 0 is from the stern towards ahead, and 90
+    // deg from starboard to port: already the direction it goes to.
     if (axes == CoefficientAxes::from_bow) row.angle = std::numbers::pi - row.angle;
     row.angle -= kTurn * std::floor(row.angle / kTurn);
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSteepest = 8.0, kFlattest = 1.0, kWithoutPower = 2.0;
 constexpr double kSilent = 1e-6;
 
-/// Second derivatives of the natural cubic spline through the points, all 36 entries at once.
+/// Second derivatives of the natural cubic spline through the points, for all 36 entries at once.
 std::vector<Mat6> spline_curvatures(const std::vector<double>& x, const std::vector<Mat6>& y) {
   const std::size_t n = x.size();
   std::vector<Mat6> curvature(n, Mat6::Zero());
@@ -29,14 +29,14 @@ std::vector<Mat6> spline_curvatures(const std::vector<double>& x, const std::vec
   return curvature;
 }
 
-/// Below the first frequency: its value times (omega/first)^exponent.
-Mat6 low_exponents(const HydrodynamicData& data, const std::vector<Mat6>& at) {
+/// Exponents below the first frequency: value times (omega/first)^exponent.
+Mat6 low_exponents(const HydrodynamicData& data, const std::vector<Mat6>& damping) {
   Mat6 exponents = Mat6::Constant(kWithoutPower);
   const auto& points = data.radiation;
   const double omega[3] = {points[0].omega, points[1].omega, points[2].omega};
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      exponents(i, j) = low_exponent(omega, {at[0](i, j), at[1](i, j), at[2](i, j)});
+      exponents(i, j) = low_exponent(omega, {damping[0](i, j), damping[1](i, j), damping[2](i, j)});
     }
   }
   return exponents;
@@ -62,38 +62,38 @@ double low_exponent(const double (&omega)[3], const double (&value)[3]) {
   return std::clamp(xy / xx, kFlattest, kSteepest);
 }
 
-std::vector<Mat6> passive_damping(const HydrodynamicData& data, double& largest_negative) {
+std::vector<Mat6> passive_damping(const HydrodynamicData& data, double& max_negative_damping) {
   Vec6 peak = Vec6::Constant(1e-300);
   for (const RadiationPoint& point : data.radiation) {
     peak = peak.cwiseMax(point.damping.diagonal().cwiseAbs());
   }
-  // Modes that do not radiate hold noise alone, which must not be blown up.
+  // Modes that do not radiate contain only noise, which must not be amplified.
   peak.head<3>() = peak.head<3>().cwiseMax(kSilent * peak.head<3>().maxCoeff()).eval();
   peak.tail<3>() = peak.tail<3>().cwiseMax(kSilent * peak.tail<3>().maxCoeff()).eval();
   const Vec6 unit = peak.cwiseSqrt();
   std::vector<Mat6> passive;
-  largest_negative = 0.0;
+  max_negative_damping = 0.0;
   for (const RadiationPoint& point : data.radiation) {
     const Mat6 scaled = unit.cwiseInverse().asDiagonal() * (0.5 * (point.damping + point.damping.transpose())) *
                         unit.cwiseInverse().asDiagonal();
     const SymmetricModes modes = symmetric_modes(scaled);
-    largest_negative = std::max(largest_negative, -modes.values(0));
+    max_negative_damping = std::max(max_negative_damping, -modes.values(0));
     const Mat6 positive = modes.vectors * modes.values.cwiseMax(0.0).asDiagonal() * modes.vectors.transpose();
     passive.emplace_back(unit.asDiagonal() * positive * unit.asDiagonal());
   }
   return passive;
 }
 
-void interpolate_damping(const HydrodynamicData& data, const std::vector<Mat6>& given, std::span<const double> omega,
-                         std::span<Mat6> damping) {
+void interpolate_damping(const HydrodynamicData& data, const std::vector<Mat6>& file_damping,
+                         std::span<const double> omega, std::span<Mat6> damping) {
   std::vector<double> x = {0.0};
   std::vector<Mat6> y = {Mat6::Zero()};
-  for (std::size_t i = 0; i < given.size(); ++i) {
+  for (std::size_t i = 0; i < file_damping.size(); ++i) {
     x.push_back(data.radiation[i].omega);
-    y.push_back(given[i]);
+    y.push_back(file_damping[i]);
   }
   const std::vector<Mat6> curvature = spline_curvatures(x, y);
-  const Mat6 exponents = low_exponents(data, given);
+  const Mat6 exponents = low_exponents(data, file_damping);
   std::size_t right = 1;
   for (std::size_t k = 0; k < omega.size(); ++k) {
     while (right + 1 < x.size() && omega[k] > x[right]) {

@@ -12,22 +12,23 @@
 namespace overbend {
 namespace {
 
-/// Force on the slow motion out of phase, over the velocity: the filter delays place and rate alike.
-double damping_by_slow_motion(double stiffness, double damping, double omega, double slow_period) {
+/// Damping component of the force on the low-frequency motion: the filter delays position and rate alike.
+double damping_by_slow_motion(double stiffness, double damping, double omega, double low_frequency_period) {
   const std::complex<double> s(0.0, omega);
-  const double w = 2.0 * std::numbers::pi / slow_period;
+  const double w = 2.0 * std::numbers::pi / low_frequency_period;
   const std::complex<double> filter = w * w / ((s + w) * (s + w));
   return (filter * (stiffness + damping * s)).imag() / omega;
 }
 
-/// The swing of a positioned mode with the added mass of its own frequency, begun at `omega` [rad/s]; `damping` acts on
-/// the hull's own velocity.
-LeastDamped positioned_swing(const HydrodynamicData& data, int freedom, double mass, double omega, SlowLoop loop) {
-  constexpr int kTimes = 5;  // added mass hardly changes at slow periods
-  LeastDamped found;
+/// Oscillation of a mode with dynamic positioning and the added mass of its own frequency, initially `omega` [rad/s];
+/// `damping` acts on the hull's total velocity.
+DampedOscillation positioned_swing(const HydrodynamicData& data, int freedom, double mass, double omega,
+                                   SlowLoop loop) {
+  constexpr int kTimes = 5;  // added mass hardly changes at long periods
+  DampedOscillation found;
   for (int i = 0; i < kTimes; ++i) {
     loop.mass = mass + added_mass_at(data, omega)(freedom, freedom);
-    found = least_damped(loop);
+    found = find_least_damped(loop);
     if (!(found.period > 0.0)) break;
     omega = 2.0 * std::numbers::pi / found.period;
   }
@@ -36,21 +37,21 @@ LeastDamped positioned_swing(const HydrodynamicData& data, int freedom, double m
 
 }  // namespace
 
-LeastDamped least_damped(const SlowLoop& loop) {
+DampedOscillation find_least_damped(const SlowLoop& loop) {
   // In z = s/w: (z^2 + a z + b) (z + 1)^2 + d + f z.
-  const double w = 2.0 * std::numbers::pi / loop.slow_period;
+  const double w = 2.0 * std::numbers::pi / loop.low_frequency_period;
   const double a = loop.damping / (loop.mass * w), b = loop.stiffness / (loop.mass * w * w);
   const double f = loop.slow_damping / (loop.mass * w), d = loop.slow_stiffness / (loop.mass * w * w);
   Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
   companion.diagonal(-1).setOnes();
   companion.col(3) << -(b + d), -(a + 2.0 * b + f), -(1.0 + 2.0 * a + b), -(2.0 + a);
   const Eigen::EigenSolver<Eigen::Matrix4d> roots(companion, false);
-  LeastDamped least{0.0, 1.0};
+  DampedOscillation result{0.0, 1.0};
   for (const std::complex<double>& z : roots.eigenvalues()) {
     const double damping = -z.real() / std::abs(z);
-    if (z.imag() > 0.0 && damping < least.damping) least = {2.0 * std::numbers::pi / (w * z.imag()), damping};
+    if (z.imag() > 0.0 && damping < result.damping) result = {2.0 * std::numbers::pi / (w * z.imag()), damping};
   }
-  return least;
+  return result;
 }
 
 Mat6 added_mass_at(const HydrodynamicData& data, double omega) {
@@ -66,7 +67,7 @@ Mat6 added_mass_at(const HydrodynamicData& data, double omega) {
 }
 
 double natural_frequency(const HydrodynamicData& data, int mode, double mass, double stiffness) {
-  // w^2 (m + A(w)) - c is below zero at 0 and above at the frequency that the mass alone would have.
+  // w^2 (m + A(w)) - c is negative at 0 and positive at the natural frequency without added mass.
   double low = 0.0, high = std::sqrt(stiffness / mass);
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
@@ -100,19 +101,20 @@ std::array<ModeDamping, 3> horizontal_damping(const Hull& hull, const Hydrodynam
     mode.radiation = radiation_at(hull.radiation, omega).damping(k, k) / mode.critical;
     mode.drift = hull.drift_damping(k, k) / mode.critical;
     const double by_current = -current.by_v(k, k);
-    const bool slow = hull.current.form == HullCurrentForm::table;
+    const bool slow = hull.current.form == HullCurrentModel::table;
     mode.current =
-        (slow ? damping_by_slow_motion(0.0, by_current, omega, hull.slow_period) : by_current) / mode.critical;
+        (slow ? damping_by_slow_motion(0.0, by_current, omega, hull.low_frequency_period) : by_current) / mode.critical;
     mode.viscous = hull.damping.linear(k, k) / mode.critical;
     if (hull.station_keeping) {
       const double damping = hull.station_keeping->law.damping(place);
-      mode.station_keeping = damping_by_slow_motion(by_station, damping, omega, hull.slow_period) / mode.critical;
+      mode.station_keeping =
+          damping_by_slow_motion(by_station, damping, omega, hull.low_frequency_period) / mode.critical;
       SlowLoop loop;
       loop.damping = mode.critical * (mode.radiation + mode.drift + mode.viscous) + (slow ? 0.0 : by_current);
       loop.stiffness = station_stiffness(k, k);
       loop.slow_damping = damping + (slow ? by_current : 0.0);
       loop.slow_stiffness = by_station;
-      loop.slow_period = hull.slow_period;
+      loop.low_frequency_period = hull.low_frequency_period;
       mode.loop = positioned_swing(data, k, mass, omega, loop);
     }
   }

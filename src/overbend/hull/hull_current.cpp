@@ -10,11 +10,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kViscosity = 1.19e-6;    // kinematic, of sea water at 15 deg C [m2/s]
-constexpr double kLeastReynolds = 1.0e5;  // the friction line is not meant for less
+constexpr double kViscosity = 1.19e-6;  // kinematic, of sea water at 15 deg C [m2/s]
+constexpr double kMinReynolds = 1.0e5;  // lower limit of the friction line
 
-/// A force of the flow past a point of the hull and its derivative by the relative velocity along it, and by that
-/// across it.
+/// Force of the flow past a point of the hull and its derivatives by the relative velocities along and across it.
 struct FlowForce {
   double force = 0.0, slope = 0.0, across = 0.0;
 };
@@ -23,22 +22,22 @@ FlowForce quadratic(double coefficient, double relative) {
   return {coefficient * std::abs(relative) * relative, 2.0 * coefficient * std::abs(relative)};
 }
 
-/// coefficient V u with the whole speed V of a flow that is u along the force and w across it.
-FlowForce by_whole_speed(double coefficient, double u, double w) {
+/// Force coefficient V u with the total speed V of a flow with components u along and w across the force.
+FlowForce by_total_speed(double coefficient, double u, double w) {
   const double speed = std::hypot(u, w);
   if (speed == 0.0) return {};
   return {coefficient * speed * u, coefficient * (speed + u * u / speed), coefficient * u * w / speed};
 }
 
-/// Coefficient of skin friction by the line of ITTC 1957, 0.075 / (log10 Re - 2)^2, and its derivative by the speed.
+/// Skin friction coefficient by the ITTC 1957 line, 0.075 / (log10 Re - 2)^2, and its derivative by the speed.
 struct FrictionLine {
   double value = 0.0, slope = 0.0;
 };
 
 FrictionLine friction_line(const HullCurrent& c, double relative) {
   const double reynolds = std::abs(relative) * c.length / kViscosity;
-  const double digits = std::log10(std::max(reynolds, kLeastReynolds)) - 2.0, line = 0.075 / (digits * digits);
-  if (reynolds <= kLeastReynolds) return {line, 0.0};
+  const double digits = std::log10(std::max(reynolds, kMinReynolds)) - 2.0, line = 0.075 / (digits * digits);
+  if (reynolds <= kMinReynolds) return {line, 0.0};
   return {line, -line * 2.0 / (digits * std::numbers::ln10) / relative};
 }
 
@@ -53,22 +52,22 @@ FlowForce friction(const HullCurrent& c, double relative) {
 FlowForce ufc_friction(const HullCurrent& c, double relative, double across) {
   const double area = 0.5 * c.water_density * c.wetted_surface;
   const FrictionLine line = friction_line(c, relative);
-  FlowForce f = by_whole_speed(area * line.value, relative, across);
+  FlowForce f = by_total_speed(area * line.value, relative, across);
   f.slope += area * line.slope * std::hypot(relative, across) * relative;
   return f;
 }
 
-/// Adds a force along a direction of H at a place of the hull: `lever` is the velocity of that place along the force
-/// by the rates, and so the force by its share in each of the six; `sideways` its velocity across the force.
+/// Adds a force along a direction of H at a point of the hull: `lever` is the derivative of the velocity of that point
+/// along the force by the rates, and so gives its six components; `sideways` that of the velocity across it.
 void add_along(const Vec6& lever, const Vec6& sideways, const FlowForce& f, CurrentForce& out) {
   out.force += f.force * lever;
   out.by_v -= lever * (f.slope * lever + f.across * sideways).transpose();
 }
 
-/// Strip by strip across, as a whole along the hull, both at half the draught.
+/// Cross-flow by strips, axial flow for the whole hull, both at half the draught.
 CurrentForce strips(const HullCurrent& c, const Vec3& flow, const Vec6& v, const StripWater& waves) {
   CurrentForce out;
-  const bool ufc = c.form == HullCurrentForm::ufc;
+  const bool ufc = c.form == HullCurrentModel::ufc;
   const double z = -0.5 * c.draught - c.reference_V.z(), width = c.length / kHullStrips;
   double along = 0.0, across = 0.0;
   if (c.in_water) {
@@ -84,12 +83,12 @@ CurrentForce strips(const HullCurrent& c, const Vec3& flow, const Vec6& v, const
     const double x = strip_place(c, i) - c.reference_V.x();
     const Vec6 lever = (Vec6() << 0.0, 1.0, 0.0, -z, 0.0, x).finished();
     const double relative = flow.y() + (c.in_water ? waves.across[i] : 0.0) - lever.dot(v);
-    add_along(lever, ahead, ufc ? by_whole_speed(side, relative, u) : quadratic(side, relative), out);
+    add_along(lever, ahead, ufc ? by_total_speed(side, relative, u) : quadratic(side, relative), out);
   }
   const Vec6 midship = (Vec6() << 0.0, 1.0, 0.0, -z, 0.0, -c.reference_V.x()).finished();
   const double w = flow.y() + across - midship.dot(v);
   const double form = 0.5 * c.water_density * c.beam * c.draught * c.longitudinal;
-  add_along(ahead, midship, ufc ? by_whole_speed(form, u, w) : quadratic(form, u), out);
+  add_along(ahead, midship, ufc ? by_total_speed(form, u, w) : quadratic(form, u), out);
   add_along(ahead, midship, ufc ? ufc_friction(c, u, w) : friction(c, u), out);
   return out;
 }
@@ -114,12 +113,12 @@ double strip_place(const HullCurrent& current, int i) {
 CurrentForce current_force(const HullCurrent& current, double psi, const Vec6& v, const StripWater& waves) {
   const Vec3 flow = turned_about_z(-psi) * Vec3(current.velocity.x(), current.velocity.y(), 0.0);
   switch (current.form) {
-    case HullCurrentForm::none:
+    case HullCurrentModel::none:
       break;
-    case HullCurrentForm::strips:
-    case HullCurrentForm::ufc:
+    case HullCurrentModel::strips:
+    case HullCurrentModel::ufc:
       return strips(current, flow, v, waves);
-    case HullCurrentForm::table:
+    case HullCurrentModel::table:
       return by_table(current, flow, v);
   }
   return {};

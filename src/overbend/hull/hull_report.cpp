@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <numbers>
 
-#include "hull/radiation_judgement.h"
+#include "hull/radiation_accuracy.h"
 #include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kNoticeable = 0.02;  // share of the sea's variance
-constexpr double kSharp = 1.2;        // of a rectangle with sharp edges in two dimensions, as wide as a barge is deep
+constexpr double kSharp = 1.2;        // of a sharp-edged rectangle in two dimensions, as wide as a barge is deep
 
 std::string percent(double share) {
   char text[32];
@@ -20,21 +20,21 @@ std::string percent(double share) {
 }
 
 double sideways(HullCurrent current, double coefficient, double psi) {
-  current.form = HullCurrentForm::strips;
+  current.form = HullCurrentModel::strips;
   current.transverse = coefficient;
   return current_force(current, psi, Vec6::Zero(), StripWater{}).force(1);
 }
 
-void tell_current(const Hull& hull, const UfcHull& shape, double depth, HullReport& out) {
+void add_current_forces(const Hull& hull, const UfcHull& shape, double depth, HullReport& out) {
   if (!by_strips(hull.current) || hull.current.velocity.isZero()) return;
   const double psi = hull.lies(5);
-  out.current_now = current_force(hull.current, psi, Vec6::Zero(), StripWater{}).force(1);
-  out.current_least = sideways(hull.current, ufc_transverse_coefficient(shape, depth), psi);
-  out.current_most = sideways(hull.current, kSharp, psi);
+  out.model_current_force = current_force(hull.current, psi, Vec6::Zero(), StripWater{}).force(1);
+  out.min_current_force = sideways(hull.current, ufc_transverse_coefficient(shape, depth), psi);
+  out.max_current_force = sideways(hull.current, kSharp, psi);
 }
 
-/// A table by which a flow pushes the hull towards where it comes from was made for other signs.
-void tell_table(const CoefficientTable& table, const char* flow, HullReport& out) {
+/// Warns if a table pushes the hull against the flow, which indicates another sign convention.
+void add_table_warning(const CoefficientTable& table, const char* flow, HullReport& out) {
   double along = 0.0, across = 0.0;
   for (const CoefficientRow& row : table.rows) {
     along += row.cx * std::cos(row.angle);
@@ -43,14 +43,14 @@ void tell_table(const CoefficientTable& table, const char* flow, HullReport& out
   if (along < 0.0 || across < 0.0) {
     out.findings.push_back(
         Finding{FindingCode::force_table_sign,
-                "by the " + std::string(along < 0.0 ? "cx" : "cy") + " of its table the " + flow +
-                    " pushes the hull against its own direction: cx is forward and cy to port, whatever the "
-                    "angles are counted from"}
+                std::string(along < 0.0 ? "cx" : "cy") + " of the " + flow +
+                    " table pushes the hull against the flow: cx is positive forward and cy to port, for any "
+                    "definition of the angles"}
             .on(flow));
   }
 }
 
-/// Wave number of the sea's peak; of a sea without a peak period that below which half of its energy lies.
+/// Wave number of the sea's peak; for a sea without a peak period of the frequency below which half of its energy lies.
 double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
   if (waves.tp > 0.0) return linear_wave_number(2.0 * std::numbers::pi / waves.tp, sea.depth);
   double energy = 0.0, passed = 0.0;
@@ -62,8 +62,8 @@ double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
   return 0.0;
 }
 
-void tell_waves(const Hull& hull, const CoupledHullDescription& given, const WavesDescription& waves, const Sea& sea,
-                HullReport& out) {
+void add_wave_findings(const Hull& hull, const CoupledHullDescription& coupled, const WavesDescription& waves,
+                       const Sea& sea, HullReport& out) {
   out.below_table = hull.waves.below_table;
   out.above_table = hull.waves.above_table;
   const double outside = out.below_table + out.above_table;
@@ -78,27 +78,26 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
         Finding{FindingCode::sea_above_drift,
                 percent(hull.waves.above_drift) +
                     " of the sea's variance lies above the frequencies of the mean drift, which end below those "
-                    "of the wave forces: no drift of these waves acts"}
+                    "of the wave forces: these waves cause no drift"}
             .with("fraction", hull.waves.above_drift, "1"));
   }
-  if (!sea.calm() && given.wave_drift != WaveDrift::none && hull.waves.drift == WaveDrift::none) {
+  if (!sea.calm() && coupled.wave_drift != WaveDrift::none && hull.waves.drift == WaveDrift::none) {
     out.findings.push_back(
         {FindingCode::no_drift_coefficients,
-         "the hydrodynamic files have no drift coefficients: no mean and no slow drift of the waves acts, whatever "
-         "vessel.motion.coupled.wave_drift says"});
+         "the hydrodynamic files have no drift coefficients: no mean and no slow wave drift acts, regardless of "
+         "vessel.motion.coupled.wave_drift"});
   }
   if (sea.calm() || hull.waves.drift != WaveDrift::newman) return;
   out.assumptions.push_back({AssumptionRank::other,
-                             "The slow drift is by Newman's approximation: mean drift coefficients alone, no set-down "
-                             "under wave groups, none "
-                             "in heave, roll and pitch."});
+                             "Slow drift uses Newman's approximation: mean drift coefficients only, no set-down under "
+                             "wave groups, no slow drift in heave, roll and pitch."});
   const double shallowness = peak_wave_number(waves, sea) * sea.depth;
   if (shallowness < 1.0) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", shallowness);
     out.findings.push_back({FindingCode::newman_in_shallow_water,
                             "the water is shallow for these waves, with a k_p d of " + std::string(text) +
-                                ": Newman's approximation of the slow drift is too low"});
+                                ": Newman's approximation underestimates the slow drift"});
   }
 }
 
@@ -108,34 +107,34 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
   HullReport out;
   out.radiation = made.radiation;
   out.findings = made.findings;
-  const std::optional<CoupledHullDescription>& given = model.description.vessel.coupled;
-  if (!given || !given->data) return out;
-  append(out.findings, misfit_findings(radiation_misfits(made.hull.radiation, *given->data, sea)));
-  out.damping = horizontal_damping(made.hull, *given->data, station_stiffness);
+  const std::optional<CoupledHullDescription>& coupled = model.description.vessel.coupled;
+  if (!coupled || !coupled->data) return out;
+  append(out.findings, misfit_findings(radiation_misfits(made.hull.radiation, *coupled->data, sea)));
+  out.damping = horizontal_damping(made.hull, *coupled->data, station_stiffness);
   for (const ModeDamping& mode : out.damping) {
     if (mode.loop && mode.loop->damping < 0.0) {
       char period[32];
       std::snprintf(period, sizeof period, "%.0f", mode.loop->period);
       out.findings.push_back(
           Finding{FindingCode::positioning_unstable,
-                  "dynamic positioning makes the slow " + mode.mode + " swing up by itself, with a period of " +
-                      std::string(period) + " s and " + percent(mode.loop->damping) +
-                      " of critical damping: the filter of the slow motion lags; a shorter "
+                  "dynamic positioning is unstable in slow " + mode.mode + ", with a period of " + std::string(period) +
+                      " s and " + percent(mode.loop->damping) +
+                      " of critical damping: the low-frequency filter lags; a shorter "
                       "vessel.motion.coupled.slow_period or a softer spring helps, more damping may not"}
               .on(mode.mode)
               .with("damping", mode.loop->damping, "1"));
     } else if (mode.critical > 0.0 && mode.total() < 0.0) {
-      out.findings.push_back(Finding{
-          FindingCode::slow_motion_undamped,
-          "the slow " + mode.mode + " is fed rather than damped: " + percent(mode.total()) + " of critical damping"}
-                                 .on(mode.mode)
-                                 .with("damping", mode.total(), "1"));
+      out.findings.push_back(
+          Finding{FindingCode::slow_motion_undamped,
+                  "slow " + mode.mode + " has negative damping: " + percent(mode.total()) + " of critical"}
+              .on(mode.mode)
+              .with("damping", mode.total(), "1"));
     }
   }
-  tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);
-  tell_table(made.hull.current.table, "current", out);
-  tell_table(made.hull.wind.table, "wind", out);
-  tell_waves(made.hull, *given, model.description.environment.waves, sea, out);
+  add_current_forces(made.hull, ufc_hull(model, *coupled), model.description.environment.water_depth, out);
+  add_table_warning(made.hull.current.table, "current", out);
+  add_table_warning(made.hull.wind.table, "wind", out);
+  add_wave_findings(made.hull, *coupled, model.description.environment.waves, sea, out);
   out.steady = steady_forces(made.hull, made.hull.lies(5));
   out.steady.drift = mean_drift(made.hull.waves, made.hull.lies(5));
   return out;

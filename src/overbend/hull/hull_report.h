@@ -1,5 +1,5 @@
-/// What is told of a floating hull beside its results: how well its memory represents the file, what damps its slow
-/// motions, and what was left out or assumed. Plain data for printing.
+/// Diagnostics of the hull model: accuracy of the radiation memory, damping of low-frequency motions, omissions and
+/// assumptions. Plain data for printing.
 #pragma once
 
 #include <array>
@@ -15,18 +15,19 @@ namespace overbend {
 
 struct HullReport {
   RadiationReport radiation;
-  std::array<ModeDamping, 3> damping;           ///< Surge, sway, yaw; zero where nothing keeps the hull's place.
-  double below_table = 0.0, above_table = 0.0;  ///< Share of the sea's variance beyond the wave forces' table [-].
-  /// Sideways current force now, and for coefficients from that of UFC 4-159-03 for the barge's shape and depth of
-  /// water to 1.2 (sharp edges in two dimensions) [N]; zero where the current is by a table or there is none.
-  double current_now = 0.0, current_least = 0.0, current_most = 0.0;
-  SteadyForces steady;  ///< With the hull as drawn, the mean drift included.
+  std::array<ModeDamping, 3> damping;           ///< Surge, sway, yaw; zero without a restraint.
+  double below_table = 0.0, above_table = 0.0;  ///< Shares of the sea's variance outside the wave force table [-].
+  /// Lateral current force with the model's coefficient, and for coefficients from that of UFC 4-159-03 for the barge's
+  /// shape and water depth up to 1.2 (sharp edges in two dimensions) [N]; zero for a current by table or without a
+  /// current.
+  double model_current_force = 0.0, min_current_force = 0.0, max_current_force = 0.0;
+  SteadyForces steady;  ///< In the nominal pose, including the mean drift.
   Assumptions assumptions;
-  Findings findings;  ///< Plain sentences.
+  Findings findings;  ///< Warnings as sentences.
 };
 
-/// `station_stiffness`: of the moorings about the reference point, horizontal axes along the drawn hull; `model` the
-/// one that `made` is of, in `sea`.
+/// Returns the diagnostics. `station_stiffness`: of the moorings about the reference point, horizontal axes along the
+/// nominal heading; `made` is the hull of `model` in `sea`.
 HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea, const Mat6& station_stiffness);
 
 }  // namespace overbend

@@ -6,25 +6,27 @@
 namespace overbend {
 namespace {
 
-constexpr int kMostIterations = 12;
-constexpr double kTolerance = 1e-10;  // of the correction, against the motion of the step
+constexpr int kMaxIterations = 12;
+constexpr double kTolerance = 1e-10;  // of the correction, relative to the motion of the step
 
 /// Residual and tangent with the springs.
-void balance(const Hull& hull, const HullSprings& springs, const HullState& at, const HullState& before, double step,
+void balance(const Hull& hull, const HullSprings& springs, const HullState& state, const HullState& before, double step,
              const HullWeights& weights, double time, HullBalance& out) {
-  balance_hull(hull, at, before, step, weights, time, out);
-  out.residual += springs.stiffness * (at.h - springs.rest) + springs.damping * at.v;
+  balance_hull(hull, state, before, step, weights, time, out);
+  out.residual += springs.stiffness * (state.h - springs.rest) + springs.damping * state.v;
   out.tangent += weights.stiffness * springs.stiffness + weights.damping * springs.damping;
 }
 
-/// The state that a true acceleration makes.
-void put_acceleration(const GeneralizedAlpha& g, const HullState& before, double step, const Vec6& acc, HullState& at) {
+/// Sets the state that follows from a true acceleration.
+void set_acceleration(const GeneralizedAlpha& g, const HullState& before, double step, const Vec6& acc,
+                      HullState& state) {
   for (int i = 0; i < 6; ++i) {
-    const MotionValues m = advance(g, {before.h(i), before.v(i), before.acc(i), before.alg(i)}, step, acc(i));
-    at.h(i) = m.q;
-    at.v(i) = m.v;
-    at.acc(i) = m.acc;
-    at.alg(i) = m.alg;
+    const MotionValues m =
+        advance(g, {before.h(i), before.v(i), before.acc(i), before.algorithmic_acceleration(i)}, step, acc(i));
+    state.h(i) = m.q;
+    state.v(i) = m.v;
+    state.acc(i) = m.acc;
+    state.algorithmic_acceleration(i) = m.algorithmic_acceleration;
   }
 }
 
@@ -35,7 +37,7 @@ void find_hull_acceleration(const Hull& hull, const HullSprings& springs, double
   HullBalance out;
   balance(hull, springs, state, state, 0.0, {0.0, 0.0, 1.0}, time, out);
   state.acc = -out.tangent.partialPivLu().solve(out.residual);
-  state.alg = state.acc;
+  state.algorithmic_acceleration = state.acc;
 }
 
 HullStepResult hull_step(const Hull& hull, const HullSprings& springs, const GeneralizedAlpha& scheme, double time,
@@ -43,15 +45,15 @@ HullStepResult hull_step(const Hull& hull, const HullSprings& springs, const Gen
   const HullWeights weights{1.0, scheme.velocity_share(step), scheme.acceleration_share(step)};
   HullBalance out;
   Vec6 acc = state.acc;
-  put_acceleration(scheme, state, step, acc, scratch);
+  set_acceleration(scheme, state, step, acc, scratch);
   HullStepResult result;
-  while (result.iterations < kMostIterations) {
+  while (result.iterations < kMaxIterations) {
     ++result.iterations;
     balance(hull, springs, scratch, state, step, weights, time, out);
     const Vec6 change = -out.tangent.partialPivLu().solve(out.residual);
     if (!change.allFinite()) return result;
     acc += weights.mass * change;
-    put_acceleration(scheme, state, step, acc, scratch);
+    set_acceleration(scheme, state, step, acc, scratch);
     const double size = (step * state.v).norm() + (step * step * acc).norm() + 1e-9;
     if (change.norm() <= kTolerance * size) {
       result.converged = true;

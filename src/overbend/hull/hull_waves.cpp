@@ -7,7 +7,7 @@
 #include "base/constants.h"
 #include "base/simd.h"
 #include "hull/hull_waves_kernel.h"
-#include "mechanics/sea_range.h"
+#include "mechanics/sea_outside_range.h"
 #include "model/pipe/section.h"
 
 namespace overbend {
@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kColumns = 6;
 
-/// Place between two rows of rising frequencies; `weight` 0 beyond the last.
+/// Position between two rows of ascending frequencies; `weight` 0 beyond the last.
 struct InFrequency {
   std::size_t low = 0, high = 0;
   double share = 0.0, weight = 1.0;
 };
 
-/// Below the first frequency its values hold; above the last there is nothing.
+/// Constant below the first frequency; zero above the last.
 InFrequency find_frequency(const std::vector<double>& omega, double w) {
   if (omega.empty() || w > omega.back()) return {0, 0, 0.0, 0.0};
   if (w <= omega.front()) return {0, 0, 0.0, 1.0};
@@ -36,7 +36,8 @@ Value in_frequency(const HeadingTable& table, const std::vector<Value>& values, 
   return f.weight * ((1.0 - f.share) * low + f.share * high);
 }
 
-/// Whether the gap over the circle's start is no wider than the others: values between last and first heading.
+/// True if the gap from the last to the first heading is no wider than the others, so that values can be interpolated
+/// in it.
 bool closes_circle(const std::vector<double>& heading) {
   if (heading.size() < 3) return false;
   double widest = 0.0;
@@ -48,11 +49,11 @@ double to_circle(double angle) {
   return angle - kTurn * std::floor(angle / kTurn);
 }
 
-double direction_of(const WaveComponent& c) {
+double component_direction(const WaveComponent& c) {
   return std::atan2(c.ky, c.kx);
 }
 
-/// Drift at a heading: headings of the drift's file may differ from those of the excitation.
+/// Drift at a heading: headings of the drift may differ from those of the excitation.
 Vec6 drift_at(const HydrodynamicData& data, const InFrequency& f, double heading) {
   const std::vector<double>& angles = data.drift.heading;
   const double a = to_circle(heading);
@@ -94,7 +95,7 @@ std::size_t padded(std::size_t count) {
 
 void fill_component(HullWaves& waves, std::size_t i, const WaveComponent& c, double orbital) {
   const auto rows = static_cast<std::size_t>(waves.count);
-  const double columns[kColumns] = {c.omega, c.kx, c.ky, c.phase, direction_of(c), orbital};
+  const double columns[kColumns] = {c.omega, c.kx, c.ky, c.phase, component_direction(c), orbital};
   for (std::size_t k = 0; k < kColumns; ++k) waves.components[k * rows + i] = columns[k];
 }
 
@@ -115,7 +116,7 @@ void fill_rows(HullWaves& waves, std::size_t i, const WaveComponent& c, const Hy
   }
 }
 
-HullWaveView view_of(const HullWaves& waves) {
+HullWaveView make_view(const HullWaves& waves) {
   const auto column = [&](int k) { return waves.components.data() + static_cast<std::size_t>(k * waves.count); };
   return {.count = waves.count,
           .omega = column(0),
@@ -136,7 +137,7 @@ struct Kernels {
   HullStripSums strips;
 };
 
-Kernels kernels_of(Isa isa) {
+Kernels select_kernels(Isa isa) {
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) return {isa_avx512::sum_hull_waves, isa_avx512::sum_strip_water};
   if (isa == Isa::avx2) return {isa_avx2::sum_hull_waves, isa_avx2::sum_strip_water};
@@ -146,7 +147,7 @@ Kernels kernels_of(Isa isa) {
 }
 
 const Kernels& kernels() {
-  static const Kernels kKernels = kernels_of(best_isa());
+  static const Kernels kKernels = select_kernels(best_isa());
   return kKernels;
 }
 
@@ -172,13 +173,13 @@ HullWaves make_hull_waves(const HydrodynamicData& data, const Sea& sea, WaveDrif
     const WaveComponent& c = real ? sea.components[i] : sea.components.back();
     fill_component(waves, i, c, real ? orbital_speed(c, sea.depth, draught) : 0.0);
     if (!real) continue;
-    require_heading(data, direction_of(c) - psi);
+    require_heading(data, component_direction(c) - psi);
     fill_rows(waves, i, c, data);
   }
-  const SeaBeside beside = sea_beside(sea, data.excitation.omega.front(), data.excitation.omega.back());
-  waves.below_table = beside.below;
-  waves.above_table = beside.above;
-  if (waves.drift != WaveDrift::none) waves.above_drift = sea_beside(sea, 0.0, data.drift.omega.back()).above;
+  const SeaOutsideRange outside = sea_outside_range(sea, data.excitation.omega.front(), data.excitation.omega.back());
+  waves.below_table = outside.below;
+  waves.above_table = outside.above;
+  if (waves.drift != WaveDrift::none) waves.above_drift = sea_outside_range(sea, 0.0, data.drift.omega.back()).above;
   return waves;
 }
 
@@ -186,7 +187,7 @@ WaveForce wave_force(const HullWaves& waves, double t, const Vec3& slow) {
   WaveForce out;
   if (waves.empty()) return out;
   alignas(64) double sums[24];
-  kernels().forces(view_of(waves), {t, slow.x(), slow.y(), slow.z()}, sums);
+  kernels().forces(make_view(waves), {t, slow.x(), slow.y(), slow.z()}, sums);
   out.first_order = Eigen::Map<const Vec6>(sums);
   out.drift = horizontal(sums + 8);
   out.mean_drift = horizontal(sums + 16);
@@ -200,7 +201,7 @@ Vec6 mean_drift(const HullWaves& waves, double psi) {
 StripWater strip_water(const HullWaves& waves, double t, const Vec3& slow, double first, double spacing) {
   StripWater water;
   if (waves.empty()) return water;
-  kernels().strips(view_of(waves), {t, slow.x(), slow.y(), slow.z()}, first, spacing, kHullStrips, water.along.data(),
+  kernels().strips(make_view(waves), {t, slow.x(), slow.y(), slow.z()}, first, spacing, kHullStrips, water.along.data(),
                    water.across.data());
   return water;
 }
@@ -211,7 +212,7 @@ Mat6 wave_drift_damping(const HydrodynamicData& data, const Sea& sea, double psi
   const double d = 0.01, last = data.drift.omega.back();  // difference of the frequencies for dD/dw [rad/s]
   for (const WaveComponent& c : sea.components) {
     if (c.omega > last) continue;
-    const double direction = direction_of(c) - psi;
+    const double direction = component_direction(c) - psi;
     const auto drift = [&](double w) { return drift_at(data, find_frequency(data.drift.omega, w), direction); };
     const double high = std::min(c.omega + d, last), low = c.omega - d;
     const Vec6 slope = (drift(high) - drift(low)) / (high - low);

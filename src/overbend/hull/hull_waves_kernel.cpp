@@ -21,7 +21,7 @@ inline double total(const Lanes& values) {
   return sum;
 }
 
-/// Eight values side by side.
+/// Eight adjacent values.
 struct Eight {
   Lanes part[kRegisters];
 };
@@ -36,13 +36,14 @@ inline void put(const Eight& e, double* out) {
   for (int r = 0; r < kRegisters; ++r) lanes(out, r * kWidth) = e.part[r];
 }
 
-/// Phases at the slow place, w t - k.x - eps: those of the crest over the hull.
-inline void find_phase(const HullWaveView& w, const HullWavePlace& at, int i, Lanes& sine, Lanes& cosine) {
-  const Lanes phase = (lanes(w.omega, i) * at.t - lanes(w.phase, i)) - lanes(w.kx, i) * at.x - lanes(w.ky, i) * at.y;
+/// Phases at the low-frequency position, w t - k.x - eps: zero with the crest at the hull.
+inline void find_phase(const HullWaveView& w, const HullWavePlace& place, int i, Lanes& sine, Lanes& cosine) {
+  const Lanes phase =
+      (lanes(w.omega, i) * place.t - lanes(w.phase, i)) - lanes(w.kx, i) * place.x - lanes(w.ky, i) * place.y;
   sine_cosine(phase, sine, cosine);
 }
 
-/// Two neighbouring headings of the table and the share of the second.
+/// Two neighbouring headings of the table and the weight of the second.
 struct Between {
   int low = 0, high = 0;
   double share = 0.0;
@@ -69,7 +70,7 @@ Between find_heading(const HullWaveView& w, double relative) {
   return {n - 1, 0, past / gap};
 }
 
-/// Sums of a sqrt(T) times cosine and sine where T is positive and where it is negative (Standing et al., 1987).
+/// Sums of a sqrt(T) times cosine and sine for positive and for negative T (Standing et al., 1987).
 struct DriftSums {
   Eight mean = none(), cosine_up = none(), sine_up = none(), cosine_down = none(), sine_down = none();
 };
@@ -108,7 +109,7 @@ inline void add_component(const HullWaveView& w, int i, const Between& b, double
   }
 }
 
-/// Steps along the centreline turn the phase by k cos(beta - psi) spacing.
+/// Steps along the centreline change the phase by k cos(beta - psi) spacing.
 inline void add_strips(const Lanes& speed, const Lanes& cosine_of_travel, const Lanes& sine_of_travel, Lanes sine,
                        Lanes cosine, const Lanes& step_sine, const Lanes& step_cosine, int strips, Lanes* along,
                        Lanes* across) {
@@ -124,17 +125,17 @@ inline void add_strips(const Lanes& speed, const Lanes& cosine_of_travel, const 
 
 }  // namespace
 
-void sum_hull_waves(const HullWaveView& w, const HullWavePlace& at, double* out) {
+void sum_hull_waves(const HullWaveView& w, const HullWavePlace& place, double* out) {
   Eight force = none();
   DriftSums sums;
   Between between;
   double last = 0.0;
   for (int i = 0; i < w.count; i += kWidth) {
     Lanes sine, cosine;
-    find_phase(w, at, i, sine, cosine);
+    find_phase(w, place, i, sine, cosine);
     for (int l = 0; l < kWidth; ++l) {
       const double direction = w.direction[i + l];
-      if (i + l == 0 || direction != last) between = find_heading(w, direction - at.psi);
+      if (i + l == 0 || direction != last) between = find_heading(w, direction - place.psi);
       last = direction;
       add_component(w, i + l, between, sine[l], cosine[l], force, sums);
     }
@@ -152,16 +153,16 @@ void sum_hull_waves(const HullWaveView& w, const HullWavePlace& at, double* out)
   put(sums.mean, out + 16);
 }
 
-void sum_strip_water(const HullWaveView& w, const HullWavePlace& at, double first, double spacing, int strips,
+void sum_strip_water(const HullWaveView& w, const HullWavePlace& place, double first, double spacing, int strips,
                      double* along, double* across) {
   Lanes u[8] = {}, v[8] = {};
-  const double c = __builtin_cos(at.psi), s = __builtin_sin(at.psi);
-  const HullWavePlace aft{at.t, at.x + first * c, at.y + first * s, at.psi};
+  const double c = __builtin_cos(place.psi), s = __builtin_sin(place.psi);
+  const HullWavePlace aft{place.t, place.x + first * c, place.y + first * s, place.psi};
   for (int i = 0; i < w.count; i += kWidth) {
     Lanes sine, cosine, step_sine, step_cosine, sine_of_travel, cosine_of_travel;
     find_phase(w, aft, i, sine, cosine);
     sine_cosine((lanes(w.kx, i) * c + lanes(w.ky, i) * s) * -spacing, step_sine, step_cosine);
-    sine_cosine(lanes(w.direction, i) - at.psi, sine_of_travel, cosine_of_travel);
+    sine_cosine(lanes(w.direction, i) - place.psi, sine_of_travel, cosine_of_travel);
     add_strips(lanes(w.orbital, i), cosine_of_travel, sine_of_travel, sine, cosine, step_sine, step_cosine, strips, u,
                v);
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kWarnAddedMass = 0.03, kWarnNegative = 0.01;
 constexpr const char* kModeNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
-/// Fits one group and adds it to the model. False where no order is good enough.
+/// Fits one group and adds it to the model. Returns false if no order is accurate enough.
 bool add_group(const RadiationSource& source, int group, RadiationModel& model, RadiationGroupReport& report) {
   const std::vector<int>& modes = model.groups[static_cast<std::size_t>(group)];
   const ChosenFit chosen = choose_fit(source, modes);
@@ -20,9 +20,9 @@ bool add_group(const RadiationSource& source, int group, RadiationModel& model, 
     return false;
   }
   report.order = chosen.order;
-  report.least_damping = chosen.fit.least_damping;
-  report.least_damping_omega = chosen.fit.least_damping_omega;
-  report.added_damping = std::max(0.0, -chosen.fit.least_damping);
+  report.min_fitted_damping = chosen.fit.min_fitted_damping;
+  report.min_fitted_damping_omega = chosen.fit.min_fitted_damping_omega;
+  report.added_damping = std::max(0.0, -chosen.fit.min_fitted_damping);
   for (std::size_t p = 0; p < chosen.fit.poles.size(); ++p) {
     RadiationPole pole;
     pole.pole = chosen.fit.poles[p];
@@ -35,7 +35,7 @@ bool add_group(const RadiationSource& source, int group, RadiationModel& model, 
     }
     model.poles.push_back(pole);
   }
-  const Vec6 peak = largest_diagonal(source.data, &RadiationPoint::damping);
+  const Vec6 peak = max_diagonals(source.data, &RadiationPoint::damping);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     model.constant_damping(modes[i], modes[i]) = report.added_damping * peak(modes[i]);
   }
@@ -49,7 +49,7 @@ void use_convolution(const RadiationSource& source, RadiationModel& model) {
   model.samples = convolution_samples(source.spectrum);
 }
 
-std::string names_of(const std::vector<int>& modes) {
+std::string join_mode_names(const std::vector<int>& modes) {
   std::string names;
   for (const int mode : modes) {
     names += (names.empty() ? "" : ", ") + std::string(kModeNames[mode]);
@@ -62,7 +62,7 @@ void fit_all(const RadiationSource& source, Radiated& radiated) {
   for (std::size_t g = 0; g < radiated.model.groups.size(); ++g) {
     if (!add_group(source, static_cast<int>(g), radiated.model, radiated.report.groups[g])) {
       radiated.report.findings.push_back({FindingCode::radiation_by_convolution,
-                                          "the radiation memory of " + names_of(radiated.model.groups[g]) +
+                                          "the radiation memory of " + join_mode_names(radiated.model.groups[g]) +
                                               " is not represented within 1 % by exponentials of order 20; direct "
                                               "convolution is used instead"});
       use_convolution(source, radiated.model);
@@ -82,8 +82,8 @@ bool share_group(const RadiationModel& model, int i, int j) {
 }
 
 void report_entries(const RadiationSource& source, Radiated& radiated) {
-  const Vec6 damping_peak = largest_diagonal(source.data, &RadiationPoint::damping);
-  const Vec6 mass_peak = largest_diagonal(source.data, &RadiationPoint::added_mass);
+  const Vec6 damping_peak = max_diagonals(source.data, &RadiationPoint::damping);
+  const Vec6 mass_peak = max_diagonals(source.data, &RadiationPoint::added_mass);
   Mat6 damping_error = Mat6::Zero(), mass_error = Mat6::Zero();
   for (const RadiationPoint& file : source.data.radiation) {
     const RadiationPoint made = radiation_at(radiated.model, file.omega);
@@ -95,10 +95,11 @@ void report_entries(const RadiationSource& source, Radiated& radiated) {
     for (int j = i; j < 6; ++j) {
       if (share_group(radiated.model, i, j)) {
         const double used = radiated.model.added_mass(i, j);
-        const double given = source.data.has_infinite
-                                 ? 0.5 * (source.data.added_mass_infinite(i, j) + source.data.added_mass_infinite(j, i))
-                                 : used;
-        radiated.report.entries.push_back({i, j, source.spectrum.tail_exponent(i, j), given, used,
+        const double file_value =
+            source.data.has_infinite
+                ? 0.5 * (source.data.added_mass_infinite(i, j) + source.data.added_mass_infinite(j, i))
+                : used;
+        radiated.report.entries.push_back({i, j, source.spectrum.tail_exponent(i, j), file_value, used,
                                            damping_error(i, j) / std::sqrt(damping_peak(i) * damping_peak(j)),
                                            mass_error(i, j) / std::sqrt(mass_peak(i) * mass_peak(j))});
       }
@@ -106,14 +107,14 @@ void report_entries(const RadiationSource& source, Radiated& radiated) {
   }
 }
 
-void warn_of_file(double largest_negative, RadiationReport& report) {
-  if (largest_negative > kWarnNegative) {
+void add_file_warnings(double max_negative_damping, RadiationReport& report) {
+  if (max_negative_damping > kWarnNegative) {
     report.findings.push_back(Finding{FindingCode::negative_radiation_damping,
-                                      "the hydrodynamic file holds negative radiation damping, up to " +
-                                          format_number(100.0 * largest_negative, 2) +
-                                          " % of the largest; it is taken as zero"}
+                                      "the hydrodynamic file contains negative radiation damping, up to " +
+                                          format_number(100.0 * max_negative_damping, 2) +
+                                          " % of the maximum; it is set to zero"}
                                   .on("vessel")
-                                  .with("fraction", largest_negative, "1"));
+                                  .with("fraction", max_negative_damping, "1"));
   }
   for (const RadiationEntryReport& entry : report.entries) {
     const double change = entry.added_mass_used / entry.added_mass_file - 1.0;
@@ -122,17 +123,17 @@ void warn_of_file(double largest_negative, RadiationReport& report) {
           Finding{FindingCode::added_mass_mismatch,
                   "added mass of " + std::string(kModeNames[entry.i]) + " at infinite frequency differs by " +
                       format_number(100.0 * change, 2) +
-                      " % from what the damping of the hydrodynamic file demands (Ogilvie's relation); " +
-                      "frequencies may not reach far enough"}
+                      " % from the value required by the damping of the hydrodynamic file (Ogilvie's relation); " +
+                      "its frequencies may not extend far enough"}
               .on("added mass of " + std::string(kModeNames[entry.i]))
               .with("difference", change, "1"));
     }
   }
 }
 
-/// Integral of K exp(-i omega t) of the convolution, velocities taken as linear between the points of its grid: K is
-/// the second derivative of its samples.
-Eigen::Matrix<std::complex<double>, 6, 6> transform_of(const RadiationSamples& samples, double omega) {
+/// Integral of K exp(-i omega t) of the convolution, with velocities linear between its grid points: K is the second
+/// derivative of its samples.
+Eigen::Matrix<std::complex<double>, 6, 6> kernel_transform(const RadiationSamples& samples, double omega) {
   const std::complex<double> i_omega(0.0, omega);
   CMat6 sum = CMat6::Zero();
   for (std::size_t k = 0; k + 1 < samples.twice.size(); ++k) {
@@ -147,7 +148,7 @@ Eigen::Matrix<std::complex<double>, 6, 6> transform_of(const RadiationSamples& s
 RadiationPoint radiation_at(const RadiationModel& model, double omega) {
   CMat6 transform = CMat6::Zero();
   if (model.kind == Radiation::convolution) {
-    transform = transform_of(model.samples, omega);
+    transform = kernel_transform(model.samples, omega);
   }
   const std::complex<double> s(0.0, omega);
   for (const RadiationPole& pole : model.poles) {
@@ -170,8 +171,8 @@ Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
     fit_all(source, radiated);
   }
   report_entries(source, radiated);
-  warn_of_file(source.spectrum.largest_negative, radiated.report);
-  radiated.report.states = static_cast<int>(fresh_memory(radiated.model).values.size());
+  add_file_warnings(source.spectrum.max_negative_damping, radiated.report);
+  radiated.report.states = static_cast<int>(make_bending_memory(radiated.model).values.size());
   return radiated;
 }
 

@@ -1,4 +1,4 @@
-/// How far a body lies from another pose of its.
+/// Displacement of a body between two poses.
 #pragma once
 
 #include <array>
@@ -9,7 +9,8 @@ namespace overbend {
 
 inline constexpr std::size_t kVesselFreedoms = 6;
 
-/// Surge, sway, heave [m], roll, pitch, yaw [rad] of a pose from another, along the axes of that; see VesselResult.
+/// Returns surge, sway, heave [m], roll, pitch, yaw [rad] from the first pose to the second, along the axes of the
+/// first; see VesselResult.
 std::array<double, kVesselFreedoms> shift_between(const VesselPose& from, const VesselPose& to);
 
 }  // namespace overbend

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of dz/dt = p z + v over a step with v linear: z1 = decay z0 + h (start v0 + end v1).
+/// Coefficients of dz/dt = p z + v over a step with linear v: z1 = decay z0 + h (start v0 + end v1).
 struct StepFactors {
   Complex decay, start, end;
 };
@@ -26,7 +26,7 @@ StepFactors step_factors(Complex pole, double h) {
   return {decay, f1 - f2, f2};
 }
 
-/// State of the memory at `index`.
+/// Memory state at `index`.
 Complex state(const RadiationMemory& memory, std::size_t index) {
   return {memory.values[2 * index], memory.values[2 * index + 1]};
 }
@@ -49,8 +49,8 @@ void add_force(const RadiationPole& pole, const std::vector<int>& modes, int j, 
 
 }  // namespace
 
-RadiationMemory fresh_memory(const RadiationModel& model) {
-  return model.kind == Radiation::convolution ? convolution::fresh_memory(model)
+RadiationMemory make_bending_memory(const RadiationModel& model) {
+  return model.kind == Radiation::convolution ? convolution::make_bending_memory(model)
                                               : RadiationMemory{std::vector<double>(2 * state_count(model), 0.0)};
 }
 

@@ -11,7 +11,7 @@ constexpr double kOnGrid = 1e-9;  // of an interval: rounding of sums of steps
 
 using VelocityMap = Eigen::Map<const Vec6>;
 
-/// The memory's parts. `newest` is the velocity at the last point of the grid, `offset` seconds ago.
+/// Parts of the memory. `newest` is the velocity at the last grid point, `offset` seconds ago.
 struct Ring {
   double offset;
   std::size_t newest, size;
@@ -20,12 +20,12 @@ struct Ring {
   VelocityMap back(std::size_t i) const { return VelocityMap(values + 6 * ((newest + size - i) % size)); }
 };
 
-Ring ring_of(const RadiationMemory& memory) {
+Ring make_ring(const RadiationMemory& memory) {
   return {memory.values[0], static_cast<std::size_t>(memory.values[1]), (memory.values.size() - kHeader) / 6,
           memory.values.data() + kHeader};
 }
 
-/// The second integral of K at `time`, by cubics through its values and slopes.
+/// Second integral of K at `time`, by cubics through its values and slopes.
 Mat6 twice_at(const RadiationSamples& samples, double time) {
   const double place = time / samples.interval;
   const auto i = static_cast<std::size_t>(place);
@@ -37,19 +37,19 @@ Mat6 twice_at(const RadiationSamples& samples, double time) {
          a * b * length * (a * samples.once[i] - b * samples.once[i + 1]);
 }
 
-/// Points of the grid that a step passes.
+/// Number of grid points passed by a step.
 std::size_t points_passed(double offset, double h, double interval) {
   return static_cast<std::size_t>((offset + h) / interval + kOnGrid);
 }
 
-/// History as it is seen from the end of a step of length h: velocities at knots `time` back from there, the first at
-/// 0. Within the step they are v0 share + v1 (1 - share).
+/// History as seen from the end of a step of length h: velocities at knots `time` back from there, the first at 0.
+/// Within the step they are v0 share + v1 (1 - share).
 struct Knots {
   Ring ring;
   const Vec6& v0;
   double h, interval;
   std::size_t passed;
-  double offset;  ///< Since the last point of the grid, at the end of the step.
+  double offset;  ///< Since the last grid point, at the end of the step.
 
   std::size_t count() const { return ring.size + 1; }
   double time(std::size_t i) const { return i == 0 ? 0.0 : offset + static_cast<double>(i - 1) * interval; }
@@ -61,8 +61,8 @@ struct Knots {
   double share_of_end(std::size_t i) const { return in_step(i) ? 1.0 - share_of_start(i) : 0.0; }
 };
 
-Knots knots_of(const RadiationModel& model, const RadiationMemory& memory, const Vec6& v0, double h) {
-  const Ring ring = ring_of(memory);
+Knots make_knots(const RadiationModel& model, const RadiationMemory& memory, const Vec6& v0, double h) {
+  const Ring ring = make_ring(memory);
   const double interval = model.samples.interval;
   const std::size_t passed = points_passed(ring.offset, h, interval);
   return {ring, v0, h, interval, passed, std::max(ring.offset + h - static_cast<double>(passed) * interval, 0.0)};
@@ -70,13 +70,14 @@ Knots knots_of(const RadiationModel& model, const RadiationMemory& memory, const
 
 }  // namespace
 
-RadiationMemory fresh_memory(const RadiationModel& model) {
+RadiationMemory make_bending_memory(const RadiationModel& model) {
   return {std::vector<double>(kHeader + 6 * model.samples.once.size(), 0.0)};
 }
 
-// Integrated by parts twice: with velocities linear between knots, mu = -sum of slope * (K2 at the end - at the begin).
+// Integrated by parts twice: with velocities linear between knots, mu = -sum of slope * (K2 at the end - at the
+// beginning).
 RadiationStep step(const RadiationModel& model, const RadiationMemory& memory, const Vec6& v0, double h) {
-  const Knots knots = knots_of(model, memory, v0, h);
+  const Knots knots = make_knots(model, memory, v0, h);
   RadiationStep result;
   Mat6 twice = Mat6::Zero();
   Vec6 velocity = knots.at_rest_end(0);
@@ -98,7 +99,7 @@ RadiationStep step(const RadiationModel& model, const RadiationMemory& memory, c
 }
 
 void advance(const RadiationModel& model, RadiationMemory& memory, const Vec6& v0, const Vec6& v1, double h) {
-  const Knots knots = knots_of(model, memory, v0, h);
+  const Knots knots = make_knots(model, memory, v0, h);
   for (std::size_t i = std::min(knots.passed, knots.ring.size); i >= 1; --i) {
     const std::size_t place = (knots.ring.newest + 1 + knots.passed - i) % knots.ring.size;
     const double share = knots.share_of_start(i);
@@ -109,8 +110,8 @@ void advance(const RadiationModel& model, RadiationMemory& memory, const Vec6& v
 }
 
 Vec6 force(const RadiationModel& model, const RadiationMemory& memory, const Vec6& v) {
-  // A step of no length: the newest knot is v, at `offset` before it the grid's last.
-  const Ring ring = ring_of(memory);
+  // A step of zero length: the newest knot is v, and `offset` before it the last grid point.
+  const Ring ring = make_ring(memory);
   Vec6 sum = Vec6::Zero();
   Mat6 twice = Mat6::Zero();
   Vec6 velocity = v;

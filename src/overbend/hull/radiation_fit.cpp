@@ -16,20 +16,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRounds = 40;
+constexpr int kMaxPassivityRounds = 40;
 constexpr int kRelocations = 10;
-/// Where slow motions are damped little the fit counts that little: a hull on its moorings would feel a wrong sign.
+/// Threshold and weight of low damping at low frequencies: a wrong sign there would affect the slow motions of a moored
+/// hull.
 constexpr double kSmallAtLowFrequency = 0.05, kLowWeight = 100.0;
-constexpr double kKernelWeight = 0.1;  ///< Of a sample of K against one of B.
-/// Damping that an inequality asks for, share of the largest; less towards zero frequency, where there is none. Below
-/// kNegative there is one more inequality; above kPassive the fit is passive but for rounding.
-constexpr double kAskedDamping = 1e-6, kNegative = -2e-7, kPassive = -1e-6;
+constexpr double kKernelWeight = 0.1;  ///< Weight of a sample of K relative to one of B.
+/// Damping required by an inequality, share of the maximum; less towards zero frequency, where there is none. Below
+/// kNegative another inequality is added; above kPassive the fit is passive but for rounding.
+constexpr double kRequiredDamping = 1e-6, kNegative = -2e-7, kPassive = -1e-6;
 
 /// Entries of a symmetric m x m matrix, row by row of its upper triangle.
 struct Pair {
   Index i, j;
 };
-std::vector<Pair> pairs_of(Index m) {
+std::vector<Pair> make_pairs(Index m) {
   std::vector<Pair> pairs;
   for (Index i = 0; i < m; ++i) {
     for (Index j = i; j < m; ++j) {
@@ -39,7 +40,7 @@ std::vector<Pair> pairs_of(Index m) {
   return pairs;
 }
 
-/// Real coefficients of an entry: Re and Im of the residue of a complex pole, the residue of a real one.
+/// Number of real coefficients of an entry: Re and Im of the residue of a complex pole, the residue of a real one.
 Index coefficient_count(const std::vector<Complex>& poles) {
   Index count = 0;
   for (const Complex& pole : poles) {
@@ -81,7 +82,7 @@ Eigen::RowVectorXd kernel_row(const std::vector<Complex>& poles, double time) {
   return row;
 }
 
-/// Largest damping of each mode.
+/// Maximum damping of each mode.
 VectorXd damping_peaks(const FitTarget& target) {
   VectorXd peaks = VectorXd::Zero(target.damping[0].rows());
   for (const MatrixXd& b : target.damping) {
@@ -90,8 +91,8 @@ VectorXd damping_peaks(const FitTarget& target) {
   return peaks;
 }
 
-/// Weights of an entry's values by frequency: in shares of the peaks, more on the slow motions' frequencies where the
-/// damping there is small beside its peak.
+/// Weights of an entry's values by frequency: relative to the peaks, higher at low-frequency motions where the damping
+/// is small compared with its peak.
 VectorXd entry_weights(const FitTarget& target, const VectorXd& peaks, const Pair& pair) {
   double peak = 0.0, low = 0.0;
   for (std::size_t k = 0; k < target.omega.size(); ++k) {
@@ -107,11 +108,11 @@ VectorXd entry_weights(const FitTarget& target, const VectorXd& peaks, const Pai
   return weights;
 }
 
-/// Least squares of one group: the same rows for every entry but for weights; unknowns that keep B(0) = 0.
+/// Least-squares problem of one group: the same rows for every entry except for weights; unknowns that keep B(0) = 0.
 class ResidueProblem {
  public:
   ResidueProblem(const FitTarget& target, const std::vector<Complex>& poles)
-      : target_(target), poles_(poles), peaks_(damping_peaks(target)), pairs_(pairs_of(peaks_.size())) {
+      : target_(target), poles_(poles), peaks_(damping_peaks(target)), pairs_(make_pairs(peaks_.size())) {
     find_free_directions();
     set_rows();
     for (std::size_t e = 0; e < pairs_.size(); ++e) {
@@ -124,42 +125,43 @@ class ResidueProblem {
     MatrixXd rows = MatrixXd::Zero(unknowns(), unknowns());
     VectorXd wanted(unknowns());
     for (std::size_t e = 0; e < pairs_.size(); ++e) {
-      rows.block(at(e), at(e), free_.cols(), free_.cols()) = triangles_[e];
-      wanted.segment(at(e), free_.cols()) = reduced_[e];
+      rows.block(first_unknown(e), first_unknown(e), free_.cols(), free_.cols()) = triangles_[e];
+      wanted.segment(first_unknown(e), free_.cols()) = reduced_[e];
     }
-    return fit_of(inequality_least_squares(rows, wanted, passive_rows_, passive_wanted_));
+    return make_fit(inequality_least_squares(rows, wanted, passive_rows_, passive_wanted_));
   }
 
-  /// Looks for negative damping; sets the fit's least value and adds an inequality for every dip. False where it is
+  /// Checks for negative damping: sets the fit's minimum and adds an inequality for every dip. Returns false if it is
   /// passive.
-  bool ask_for_passivity(GroupFit& fit) {
+  bool add_passivity_inequalities(GroupFit& fit) {
     const VectorXd scale = peaks_.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const auto& omega = target_.checked_omega;
-    std::vector<double> least(omega.size());
+    std::vector<double> min_damping(omega.size());
     std::vector<VectorXd> direction(omega.size());
     for (std::size_t k = 0; k < omega.size(); ++k) {
-      const MatrixXd damping = scale.asDiagonal() * transform_of(fit, omega[k]).real() * scale.asDiagonal();
+      const MatrixXd damping = scale.asDiagonal() * kernel_transform(fit, omega[k]).real() * scale.asDiagonal();
       const SymmetricModes modes = symmetric_modes(damping);
-      least[k] = modes.values(0);
+      min_damping[k] = modes.values(0);
       direction[k] = scale.cwiseProduct(modes.vectors.col(0));
     }
-    const std::size_t worst = static_cast<std::size_t>(std::min_element(least.begin(), least.end()) - least.begin());
-    fit.least_damping = least[worst];
-    fit.least_damping_omega = omega[worst];
+    const std::size_t worst =
+        static_cast<std::size_t>(std::min_element(min_damping.begin(), min_damping.end()) - min_damping.begin());
+    fit.min_fitted_damping = min_damping[worst];
+    fit.min_fitted_damping_omega = omega[worst];
     for (std::size_t k = 0; k < omega.size(); ++k) {
-      const double before = k > 0 ? least[k - 1] : 0.0, behind = k + 1 < omega.size() ? least[k + 1] : 0.0;
-      if (least[k] < kNegative && least[k] <= before && least[k] <= behind) {
+      const double before = k > 0 ? min_damping[k - 1] : 0.0, behind = k + 1 < omega.size() ? min_damping[k + 1] : 0.0;
+      if (min_damping[k] < kNegative && min_damping[k] <= before && min_damping[k] <= behind) {
         add_passive_row(omega[k], direction[k]);
       }
     }
-    return least[worst] < kPassive;
+    return min_damping[worst] < kPassive;
   }
 
  private:
   Index unknowns() const { return static_cast<Index>(pairs_.size()) * free_.cols(); }
-  Index at(std::size_t e) const { return static_cast<Index>(e) * free_.cols(); }
+  Index first_unknown(std::size_t e) const { return static_cast<Index>(e) * free_.cols(); }
 
-  /// Coefficients = free_ * unknowns spans all with no damping at zero frequency.
+  /// Coefficients = free_ * unknowns spans all coefficients with zero damping at zero frequency.
   void find_free_directions() { free_ = directions_across(damping_row(poles_, 0.0).transpose()); }
 
   void set_rows() {
@@ -175,7 +177,7 @@ class ResidueProblem {
     }
   }
 
-  /// The triangle and right-hand side that stand for all rows of one entry.
+  /// Reduces all rows of one entry to a triangle and a right-hand side.
   void reduce(std::size_t e) {
     const Pair& pair = pairs_[e];
     const Index frequencies = damping_rows_.rows(), times = kernel_rows_.rows();
@@ -189,7 +191,7 @@ class ResidueProblem {
       const double wanted = target_.kernel[static_cast<std::size_t>(k)](pair.i, pair.j);
       rows.row(frequencies + k) << kKernelWeight * kernel_rows_.row(k), kKernelWeight * wanted;
     }
-    const MatrixXd triangle = triangle_of(rows);
+    const MatrixXd triangle = qr_triangle(rows);
     triangles_.push_back(triangle.topLeftCorner(free_.cols(), free_.cols()));
     reduced_.push_back(triangle.topRightCorner(free_.cols(), 1));
   }
@@ -201,18 +203,18 @@ class ResidueProblem {
     for (std::size_t e = 0; e < pairs_.size(); ++e) {
       const auto [i, j] = pairs_[e];
       const double share = (i == j ? 1.0 : 2.0) * direction(i) * direction(j);
-      passive_rows_.block(passive_rows_.rows() - 1, at(e), 1, free_.cols()) = share * damping;
+      passive_rows_.block(passive_rows_.rows() - 1, first_unknown(e), 1, free_.cols()) = share * damping;
     }
-    passive_wanted_(passive_rows_.rows() - 1) = kAskedDamping * std::pow(std::min(1.0, omega / target_.low_to), 4);
+    passive_wanted_(passive_rows_.rows() - 1) = kRequiredDamping * std::pow(std::min(1.0, omega / target_.low_to), 4);
   }
 
-  GroupFit fit_of(const VectorXd& unknown) const {
+  GroupFit make_fit(const VectorXd& unknown) const {
     GroupFit fit;
     fit.poles = poles_;
     fit.residues.assign(poles_.size(), Eigen::MatrixXcd::Zero(peaks_.size(), peaks_.size()));
     for (std::size_t e = 0; e < pairs_.size(); ++e) {
       const auto [i, j] = pairs_[e];
-      const VectorXd coefficients = free_ * unknown.segment(at(e), free_.cols());
+      const VectorXd coefficients = free_ * unknown.segment(first_unknown(e), free_.cols());
       Index k = 0;
       for (std::size_t p = 0; p < poles_.size(); ++p) {
         const double re = coefficients(k++), im = poles_[p].imag() > 0.0 ? coefficients(k++) : 0.0;
@@ -235,7 +237,7 @@ class ResidueProblem {
 
 }  // namespace
 
-Eigen::MatrixXcd transform_of(const GroupFit& fit, double omega) {
+Eigen::MatrixXcd kernel_transform(const GroupFit& fit, double omega) {
   const Complex s(0.0, omega);
   Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(fit.residues[0].rows(), fit.residues[0].cols());
   for (std::size_t p = 0; p < fit.poles.size(); ++p) {
@@ -246,7 +248,7 @@ Eigen::MatrixXcd transform_of(const GroupFit& fit, double omega) {
 
 std::vector<Complex> improve_poles(const FitTarget& target, std::vector<Complex> poles, double slowest) {
   const VectorXd peaks = damping_peaks(target);
-  const std::vector<Pair> pairs = pairs_of(peaks.size());
+  const std::vector<Pair> pairs = make_pairs(peaks.size());
   FrequencyResponse response;
   response.omega = target.omega;
   response.values.resize(static_cast<Index>(target.omega.size()), static_cast<Index>(pairs.size()));
@@ -270,7 +272,7 @@ GroupFit fit_residues(const FitTarget& target, const std::vector<Complex>& poles
   ResidueProblem problem(target, poles);
   GroupFit fit = problem.solve();
   int rounds = 0;
-  while (problem.ask_for_passivity(fit) && rounds < kMostRounds) {
+  while (problem.add_passivity_inequalities(fit) && rounds < kMaxPassivityRounds) {
     check_interruption();
     fit = problem.solve();
     fit.rounds = ++rounds;

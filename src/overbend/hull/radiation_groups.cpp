@@ -11,30 +11,30 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr int kLeastOrder = 6, kMostOrder = 20;
-/// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
-/// damping that may be left to the constant one.
+constexpr int kMinOrder = 6, kMaxOrder = 20;
+/// Errors of damping and added mass at which the search for an order ends, errors that are acceptable, and negative
+/// damping that may be compensated by constant damping.
 constexpr double kGoodFit = 0.003, kFairFit = 0.01, kPassive = 1e-5;
-/// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
-/// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
-constexpr double kJudgedFrom = 0.03;
-constexpr double kNoise = 1e-4;   ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
-constexpr double kSilent = 1e-6;  ///< Of the strongest mode of its kind: it does not radiate.
-/// Slowest decay and interval of the kernel's samples, as shares of the typical frequency and over it: 0.03 1/s and
-/// 0.2 s for a barge of 120 m.
+/// Share of the maximum frequency below which errors are ignored: added mass of heave in finite depth grows like a
+/// logarithm towards zero frequency, which a few exponentials cannot represent and no motion feels.
+constexpr double kCheckedFrom = 0.03;
+constexpr double kNoise = 1e-4;   ///< Relative to sqrt(max ii * max jj): weaker coupling is rounding of the panel code.
+constexpr double kSilent = 1e-6;  ///< Relative to the strongest mode of its kind: weaker modes do not radiate.
+/// Slowest decay relative to the typical frequency, and sample interval of the kernel over it: 0.03 1/s and 0.2 s for a
+/// barge of 120 m.
 constexpr double kSlowest = 0.0275, kInterval = 0.219;
 constexpr int kKernelSamples = 401;
 
-/// Largest coupling of each pair.
-Mat6 largest_damping(const HydrodynamicData& data) {
-  Mat6 largest = Mat6::Zero();
+/// Maximum coupling of each pair.
+Mat6 max_pair_damping(const HydrodynamicData& data) {
+  Mat6 max_values = Mat6::Zero();
   for (const RadiationPoint& point : data.radiation) {
-    largest = largest.cwiseMax((0.5 * (point.damping + point.damping.transpose())).cwiseAbs());
+    max_values = max_values.cwiseMax((0.5 * (point.damping + point.damping.transpose())).cwiseAbs());
   }
-  return largest;
+  return max_values;
 }
 
-/// Rows and columns of a group, each divided by a unit.
+/// Rows and columns of a group, each divided by its unit.
 MatrixXd part(const Mat6& matrix, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
   const auto m = static_cast<Eigen::Index>(modes.size());
   MatrixXd result(m, m);
@@ -54,7 +54,7 @@ Mat6 damping_at(const DampingSpectrum& spectrum, double omega) {
   return (1.0 - share) * spectrum.damping[right - 1] + share * spectrum.damping[right];
 }
 
-/// Equal steps to one and a half times the last frequency of the data, coarser ones to 4.5 times.
+/// Equal steps to 1.5 times the last frequency of the data, coarser ones to 4.5 times.
 std::vector<double> fitted_frequencies(double last) {
   std::vector<double> omega;
   for (int k = 1; k <= 150; ++k) {
@@ -77,7 +77,7 @@ std::vector<double> checked_frequencies(double last) {
   return omega;
 }
 
-FitTarget target_of(const RadiationSource& source, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
+FitTarget make_target(const RadiationSource& source, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
   const DampingSpectrum& spectrum = source.spectrum;
   FitTarget target;
   target.interval = source.interval;
@@ -94,22 +94,22 @@ FitTarget target_of(const RadiationSource& source, const std::vector<int>& modes
   return target;
 }
 
-/// What the kernel itself says at the frequencies of the data, scaled as the target.
-struct Truth {
+/// Spectrum of the kernel itself at the frequencies of the data, scaled as the target.
+struct LaneMask {
   std::vector<double> omega;
   std::vector<MatrixXd> damping, mass_above_infinite;
   Eigen::VectorXd damping_peak, mass_peak;
 };
 
-Truth truth_of(const DampingSpectrum& spectrum, const HydrodynamicData& data, const std::vector<int>& modes,
-               const Eigen::VectorXd& unit) {
-  Truth truth;
+LaneMask make_reference_spectrum(const DampingSpectrum& spectrum, const HydrodynamicData& data,
+                                 const std::vector<int>& modes, const Eigen::VectorXd& unit) {
+  LaneMask truth;
   truth.damping_peak = truth.mass_peak = Eigen::VectorXd::Zero(unit.size());
   for (const RadiationPoint& point : data.radiation) {
     const MatrixXd damping = part(damping_at(spectrum, point.omega), modes, unit);
     truth.damping_peak = truth.damping_peak.cwiseMax(damping.diagonal());
     truth.mass_peak = truth.mass_peak.cwiseMax(part(point.added_mass, modes, unit).diagonal());
-    if (point.omega >= kJudgedFrom * spectrum.last) {
+    if (point.omega >= kCheckedFrom * spectrum.last) {
       truth.omega.push_back(point.omega);
       truth.damping.push_back(damping);
       truth.mass_above_infinite.push_back(part(added_mass_above_infinite(spectrum, point.omega), modes, unit));
@@ -118,15 +118,15 @@ Truth truth_of(const DampingSpectrum& spectrum, const HydrodynamicData& data, co
   return truth;
 }
 
-/// Largest error of damping and added mass, share of the peaks.
-double error_of(const GroupFit& fit, const Truth& truth) {
+/// Maximum error of damping and added mass, share of the peaks.
+double max_fit_error(const GroupFit& fit, const LaneMask& truth) {
   double error = 0.0;
   for (std::size_t k = 0; k < truth.omega.size(); ++k) {
-    const Eigen::MatrixXcd at = transform_of(fit, truth.omega[k]);
-    for (Eigen::Index i = 0; i < at.rows(); ++i) {
-      for (Eigen::Index j = i; j < at.cols(); ++j) {
-        const double damping = at(i, j).real() - truth.damping[k](i, j);
-        const double mass = at(i, j).imag() / truth.omega[k] - truth.mass_above_infinite[k](i, j);
+    const Eigen::MatrixXcd response = kernel_transform(fit, truth.omega[k]);
+    for (Eigen::Index i = 0; i < response.rows(); ++i) {
+      for (Eigen::Index j = i; j < response.cols(); ++j) {
+        const double damping = response(i, j).real() - truth.damping[k](i, j);
+        const double mass = response(i, j).imag() / truth.omega[k] - truth.mass_above_infinite[k](i, j);
         error = std::max({error, std::abs(damping) / std::sqrt(truth.damping_peak(i) * truth.damping_peak(j)),
                           std::abs(mass) / std::sqrt(truth.mass_peak(i) * truth.mass_peak(j))});
       }
@@ -144,17 +144,17 @@ RadiationSource radiation_source(const HydrodynamicData& data) {
   return source;
 }
 
-Vec6 largest_diagonal(const HydrodynamicData& data, Mat6 RadiationPoint::*what) {
-  Vec6 largest = Vec6::Zero();
+Vec6 max_diagonals(const HydrodynamicData& data, Mat6 RadiationPoint::*what) {
+  Vec6 max_values = Vec6::Zero();
   for (const RadiationPoint& point : data.radiation) {
-    largest = largest.cwiseMax((point.*what).diagonal().cwiseAbs());
+    max_values = max_values.cwiseMax((point.*what).diagonal().cwiseAbs());
   }
-  return largest;
+  return max_values;
 }
 
 std::vector<std::vector<int>> coupled_groups(const HydrodynamicData& data) {
-  const Mat6 damping = largest_damping(data);
-  const Vec6 peak = largest_diagonal(data, &RadiationPoint::damping);
+  const Mat6 damping = max_pair_damping(data);
+  const Vec6 peak = max_diagonals(data, &RadiationPoint::damping);
   std::vector<std::vector<int>> groups;
   std::vector<bool> taken(6, false);
   for (int i = 0; i < 6; ++i) {
@@ -189,20 +189,20 @@ ChosenFit choose_fit(const RadiationSource& source, const std::vector<int>& mode
   for (std::size_t i = 0; i < modes.size(); ++i) {
     unit(static_cast<Eigen::Index>(i)) = std::sqrt(source.kernel[0](modes[i], modes[i]));
   }
-  const FitTarget target = target_of(source, modes, unit);
-  const Truth truth = truth_of(source.spectrum, source.data, modes, unit);
-  const HankelRealization realization(target.kernel, target.interval, kMostOrder);
+  const FitTarget target = make_target(source, modes, unit);
+  const LaneMask truth = make_reference_spectrum(source.spectrum, source.data, modes, unit);
+  const HankelRealization realization(target.kernel, target.interval, kMaxOrder);
   const double slowest = kSlowest * source.spectrum.typical;
   ChosenFit best;
   best.unit = unit;
   double best_error = kFairFit;
-  // Errors fall with the order, by and large: the least order that is good is looked for by halves.
-  for (int low = kLeastOrder, high = kMostOrder; low <= high;) {
+  // Errors mostly decrease with the order: bisection for the minimum order with a good fit.
+  for (int low = kMinOrder, high = kMaxOrder; low <= high;) {
     const int order = low + (high - low) / 4 * 2;
     const std::vector<std::complex<double>> poles = improve_poles(target, realization.poles(order, slowest), slowest);
     GroupFit fit = poles.size() < 2 ? GroupFit{} : fit_residues(target, poles);
-    const bool passive = poles.size() >= 2 && fit.least_damping > -kPassive;
-    const double error = passive ? error_of(fit, truth) : 1.0;
+    const bool passive = poles.size() >= 2 && fit.min_fitted_damping > -kPassive;
+    const double error = passive ? max_fit_error(fit, truth) : 1.0;
     const bool good = error <= kGoodFit;
     if (good || error < best_error) {
       best_error = error;

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// Blocks kernel[first + i + j].
+/// Block Hankel matrix: blocks kernel[first + i + j].
 Eigen::MatrixXd block_hankel(const std::vector<Eigen::MatrixXd>& kernel, Eigen::Index blocks, Eigen::Index first) {
   const Eigen::Index m = kernel[0].rows();
   Eigen::MatrixXd hankel(blocks * m, blocks * m);
@@ -26,16 +26,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Partial fractions of unit coefficients at each frequency: a real pole has one, a complex pair two.
+/// Partial fractions of unit coefficients at each frequency: one of a real pole, two of a complex pair.
 Eigen::MatrixXcd fractions(const std::vector<Complex>& poles, const std::vector<double>& omega) {
   std::vector<Eigen::VectorXcd> columns;
   const Complex i(0.0, 1.0);
   for (const Complex& pole : poles) {
     Eigen::VectorXcd first(static_cast<Index>(omega.size())), second(first.size());
     for (std::size_t k = 0; k < omega.size(); ++k) {
-      const Complex one = 1.0 / (i * omega[k] - pole), other = 1.0 / (i * omega[k] - std::conj(pole));
-      first(static_cast<Index>(k)) = pole.imag() > 0.0 ? one + other : one;
-      second(static_cast<Index>(k)) = i * one - i * other;
+      const Complex direct = 1.0 / (i * omega[k] - pole), conjugate = 1.0 / (i * omega[k] - std::conj(pole));
+      first(static_cast<Index>(k)) = pole.imag() > 0.0 ? direct + conjugate : direct;
+      second(static_cast<Index>(k)) = i * direct - i * conjugate;
     }
     columns.push_back(first);
     if (pole.imag() > 0.0) {
@@ -49,7 +49,7 @@ Eigen::MatrixXcd fractions(const std::vector<Complex>& poles, const std::vector<
   return result;
 }
 
-/// Real and imaginary parts as rows of their own.
+/// Real and imaginary parts as separate rows.
 MatrixXd stacked(const Eigen::MatrixXcd& m) {
   MatrixXd result(2 * m.rows(), m.cols());
   result << m.real(), m.imag();
@@ -71,12 +71,12 @@ Eigen::VectorXcd zeros(const std::vector<Complex>& poles, const VectorXd& coeffi
       b(k++) = 1.0;
     }
   }
-  return eigenvalues_of(a - b * coefficients.transpose());
+  return compute_eigenvalues(a - b * coefficients.transpose());
 }
 
-/// Real poles that were brought to the slowest decay stand at one place, where their partial fractions cannot be told
-/// apart and rounding would decide: from the second on each decays half as fast again as the one before.
-void part_slowest(std::vector<Complex>& poles, double slowest) {
+/// Separates real poles that were limited to the slowest decay, where their partial fractions would coincide and
+/// rounding would decide: from the second on, each decays 1.5 times as fast as the previous one.
+void separate_slowest(std::vector<Complex>& poles, double slowest) {
   constexpr double kApart = 1.5, kSame = 1.0 + 1e-9;
   double decay = slowest;
   for (Complex& pole : poles) {
@@ -89,8 +89,9 @@ void part_slowest(std::vector<Complex>& poles, double slowest) {
 }  // namespace
 
 // Symmetric samples make a symmetric matrix: its singular values and vectors are its eigenvalues and vectors with the
-// sign moved to one side, H = U S V^T with V = U sign. The state matrix is S^-1/2 U^T H' V S^-1/2, H' shifted by one.
-HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel, double interval, int most)
+// sign moved to one side, H = U S V^T with V = U sign. The state matrix is S^-1/2 U^T H' V S^-1/2, with H' shifted by
+// one.
+HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel, double interval, int max_order)
     : interval_(interval) {
   const auto blocks = static_cast<Eigen::Index>((kernel.size() - 1) / 2);
   const SymmetricModes modes = symmetric_modes(block_hankel(kernel, blocks, 0));
@@ -101,21 +102,21 @@ HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel,
   }
   std::sort(order.begin(), order.end(),
             [&](Eigen::Index a, Eigen::Index b) { return std::abs(values(a)) > std::abs(values(b)); });
-  const Eigen::Index count = std::min<Eigen::Index>(most, values.size());
+  const Eigen::Index count = std::min<Eigen::Index>(max_order, values.size());
   Eigen::MatrixXd left(values.size(), count), right(values.size(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index at = order[static_cast<std::size_t>(k)];
-    const double root = std::sqrt(std::abs(values(at)));
+    const Eigen::Index index = order[static_cast<std::size_t>(k)];
+    const double root = std::sqrt(std::abs(values(index)));
     const double inverse = root > 1e-12 * std::sqrt(std::abs(values(order[0]))) ? 1.0 / root : 0.0;
-    left.col(k) = inverse * modes.vectors.col(at);
-    right.col(k) = std::copysign(1.0, values(at)) * left.col(k);
+    left.col(k) = inverse * modes.vectors.col(index);
+    right.col(k) = std::copysign(1.0, values(index)) * left.col(k);
   }
   transition_ = left.transpose() * block_hankel(kernel, blocks, 1) * right;
 }
 
 std::vector<std::complex<double>> HankelRealization::poles(int order, double slowest) const {
   const Eigen::Index n = std::min<Eigen::Index>(order, transition_.rows());
-  const Eigen::VectorXcd values = eigenvalues_of(transition_.topLeftCorner(n, n));
+  const Eigen::VectorXcd values = compute_eigenvalues(transition_.topLeftCorner(n, n));
   const double nyquist = std::numbers::pi / interval_;
   std::vector<std::complex<double>> poles;
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -128,7 +129,7 @@ std::vector<std::complex<double>> HankelRealization::poles(int order, double slo
       poles.emplace_back(std::min(pole.real(), -slowest), pole.imag());
     }
   }
-  part_slowest(poles, slowest);
+  separate_slowest(poles, slowest);
   return poles;
 }
 
@@ -138,11 +139,11 @@ std::vector<Complex> relocate_poles(const FrequencyResponse& response, const std
   const Index n = base.cols(), functions = response.values.cols();
   MatrixXd rows(n * functions, n);
   VectorXd wanted(n * functions);
-  for (Index e = 0; e < functions; ++e) {  // the function's own coefficients are eliminated
+  for (Index e = 0; e < functions; ++e) {  // eliminate the function's own coefficients
     const auto weight = response.weights.col(e).asDiagonal();
     Eigen::MatrixXcd block(base.rows(), 2 * n + 1);
     block << weight * base, -(weight * (response.values.col(e).asDiagonal() * base)), weight * response.values.col(e);
-    const MatrixXd triangle = triangle_of(stacked(block));
+    const MatrixXd triangle = qr_triangle(stacked(block));
     for (Index k = 0; k < n; ++k) {
       rows.row(e * n + k).setZero();
       rows.row(e * n + k).tail(n - k) = triangle.row(n + k).segment(n + k, n - k);
@@ -157,7 +158,7 @@ std::vector<Complex> relocate_poles(const FrequencyResponse& response, const std
       moved.emplace_back(std::min(-std::abs(zero.real()), -slowest), zero.imag());
     }
   }
-  part_slowest(moved, slowest);
+  separate_slowest(moved, slowest);
   return moved;
 }
 

@@ -10,17 +10,17 @@ namespace overbend {
 namespace {
 
 constexpr double kTwoOverPi = 2.0 / std::numbers::pi;
-constexpr double kUsualExponent = 3.0, kLeastExponent = 2.0, kMostExponent = 6.0;
-/// Where the exponent moves A_inf by less than this share it is not what A_inf depends on.
+constexpr double kUsualExponent = 3.0, kMinExponent = 2.0, kMaxExponent = 6.0;
+/// If the exponent changes A_inf by less than this share, A_inf does not determine it.
 constexpr double kTailMatters = 5e-3;
 constexpr int kCellsOfData = 440;
 constexpr double kTailGrowth = 1.01, kTailEnd = 1e4;
-/// Band over which A_inf is averaged, share of the highest frequency: around resonance of heave, roll and pitch, where
-/// panel codes are at their best.
+/// Band over which A_inf is averaged, share of the maximum frequency: around resonance of heave, roll and pitch, where
+/// panel codes are most accurate.
 constexpr double kBandFrom = 0.23, kBandTo = 0.6;
 
 double log_distance(double a, double b) {
-  // At a node the logarithms of the cells on both sides cancel.
+  // At a node the logarithms of the two adjacent cells cancel.
   const double distance = std::abs(a - b);
   return distance < 1e-9 * (a + b) ? 0.0 : std::log(distance);
 }
@@ -34,7 +34,7 @@ Antiderivative antiderivative(double x, double w) {
   return {0.5 * (below - above) / w, 0.5 * (below + above)};
 }
 
-/// Weights of the nodes' values in (2/pi) PV integral of B/(x^2 - w^2).
+/// Weights of the nodal values in (2/pi) PV integral of B/(x^2 - w^2).
 std::vector<double> ogilvie_weights(const std::vector<double>& nodes, double w) {
   std::vector<double> weights(nodes.size(), 0.0);
   Antiderivative left = antiderivative(nodes[0], w);
@@ -57,8 +57,8 @@ Mat6 weighted_sum(const std::vector<double>& weights, const std::vector<Mat6>& v
   return sum;
 }
 
-/// Frequencies over which A_inf is averaged, as indices into the data: those of the band, all where it holds none.
-std::vector<std::size_t> band_of(const HydrodynamicData& data) {
+/// Indices of the frequencies over which A_inf is averaged: those of the band, all if it contains none.
+std::vector<std::size_t> find_band(const HydrodynamicData& data) {
   std::vector<std::size_t> band, all;
   for (std::size_t i = 0; i < data.radiation.size(); ++i) {
     const double share = data.radiation[i].omega / data.radiation.back().omega;
@@ -71,7 +71,7 @@ std::vector<std::size_t> band_of(const HydrodynamicData& data) {
 }
 
 /// 0 to the first frequency, then every interval of the data, in equal cells; then geometric.
-std::vector<double> nodes_of(const HydrodynamicData& data) {
+std::vector<double> make_nodes(const HydrodynamicData& data) {
   const double last = data.radiation.back().omega, cell = last / kCellsOfData;
   std::vector<double> nodes = {0.0};
   for (const RadiationPoint& point : data.radiation) {
@@ -87,7 +87,7 @@ std::vector<double> nodes_of(const HydrodynamicData& data) {
   return nodes;
 }
 
-/// What the tail makes of A_inf: sum of weights times (omega/last)^-n.
+/// Contribution of the tail to A_inf: sum of weights times (omega/last)^-n.
 double tail_sum(const DampingSpectrum& spectrum, const std::vector<double>& weights, std::size_t first, double n) {
   double sum = 0.0;
   for (std::size_t i = first; i < weights.size(); ++i) {
@@ -96,11 +96,11 @@ double tail_sum(const DampingSpectrum& spectrum, const std::vector<double>& weig
   return sum;
 }
 
-/// The exponent for which `sum(n) * at_last` is `wanted`, by bisection: the sum falls with n.
+/// Exponent for which `sum(n) * at_last` is `wanted`, by bisection: the sum decreases with n.
 double exponent_for(const DampingSpectrum& spectrum, const std::vector<double>& weights, std::size_t first,
                     double at_last, double wanted) {
   const auto excess = [&](double n) { return tail_sum(spectrum, weights, first, n) * at_last - wanted; };
-  double low = kLeastExponent, high = kMostExponent;
+  double low = kMinExponent, high = kMaxExponent;
   const double low_value = excess(low), high_value = excess(high);
   if ((low_value > 0.0) == (high_value > 0.0)) {
     return std::abs(low_value) < std::abs(high_value) ? low : high;
@@ -116,7 +116,7 @@ Mat6 symmetric(const Mat6& m) {
   return 0.5 * (m + m.transpose());
 }
 
-/// Exponent of every pair; the spectrum holds the data and zeros behind them.
+/// Exponent of every pair; the spectrum holds the data and zeros after them.
 Mat6 tail_exponents(const DampingSpectrum& spectrum, const HydrodynamicData& data, const std::vector<double>& weights,
                     const Mat6& mean_added_mass, std::size_t last) {
   Mat6 exponents = Mat6::Constant(kUsualExponent);
@@ -124,7 +124,7 @@ Mat6 tail_exponents(const DampingSpectrum& spectrum, const HydrodynamicData& dat
     return exponents;
   }
   const double span =
-      tail_sum(spectrum, weights, last + 1, kLeastExponent) - tail_sum(spectrum, weights, last + 1, kMostExponent);
+      tail_sum(spectrum, weights, last + 1, kMinExponent) - tail_sum(spectrum, weights, last + 1, kMaxExponent);
   const Mat6 infinite = symmetric(data.added_mass_infinite);
   const Mat6 wanted = mean_added_mass - infinite - weighted_sum(weights, spectrum.damping);
   for (int i = 0; i < 6; ++i) {
@@ -142,9 +142,9 @@ Mat6 tail_exponents(const DampingSpectrum& spectrum, const HydrodynamicData& dat
 
 namespace {
 
-/// Mean over the modes that radiate of the middle of their damping over frequency.
+/// Mean over the radiating modes of the median frequency of their damping.
 double typical_frequency(const HydrodynamicData& data) {
-  constexpr double kUnheard = 1e-6;  // of the strongest mode of its kind
+  constexpr double kUnheard = 1e-6;  // relative to the strongest mode of its kind
   Vec6 sum = Vec6::Zero(), moment = Vec6::Zero();
   for (std::size_t k = 0; k + 1 < data.radiation.size(); ++k) {
     const RadiationPoint &left = data.radiation[k], &right = data.radiation[k + 1];
@@ -168,22 +168,22 @@ DampingSpectrum damping_spectrum(const HydrodynamicData& data) {
   DampingSpectrum spectrum;
   spectrum.last = data.radiation.back().omega;
   spectrum.typical = typical_frequency(data);
-  spectrum.omega = nodes_of(data);
+  spectrum.omega = make_nodes(data);
   spectrum.damping.assign(spectrum.omega.size(), Mat6::Zero());
   const auto last = static_cast<std::size_t>(std::find(spectrum.omega.begin(), spectrum.omega.end(), spectrum.last) -
                                              spectrum.omega.begin());
-  interpolate_damping(data, passive_damping(data, spectrum.largest_negative), std::span(spectrum.omega).first(last + 1),
-                      std::span(spectrum.damping).first(last + 1));
+  interpolate_damping(data, passive_damping(data, spectrum.max_negative_damping),
+                      std::span(spectrum.omega).first(last + 1), std::span(spectrum.damping).first(last + 1));
 
   std::vector<double> weights(spectrum.omega.size(), 0.0);
   Mat6 mean = Mat6::Zero();
-  const std::vector<std::size_t> band = band_of(data);
-  for (const std::size_t at : band) {
-    const std::vector<double> here = ogilvie_weights(spectrum.omega, data.radiation[at].omega);
+  const std::vector<std::size_t> band = find_band(data);
+  for (const std::size_t index : band) {
+    const std::vector<double> node_weights = ogilvie_weights(spectrum.omega, data.radiation[index].omega);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      weights[i] += here[i] / static_cast<double>(band.size());
+      weights[i] += node_weights[i] / static_cast<double>(band.size());
     }
-    mean += symmetric(data.radiation[at].added_mass) / static_cast<double>(band.size());
+    mean += symmetric(data.radiation[index].added_mass) / static_cast<double>(band.size());
   }
   spectrum.tail_exponent = tail_exponents(spectrum, data, weights, mean, last);
   for (std::size_t k = last + 1; k < spectrum.omega.size(); ++k) {
@@ -233,8 +233,8 @@ namespace {
 Mat6 retardation_integral(const DampingSpectrum& spectrum, double time) {
   const auto& w = spectrum.omega;
   const auto per_omega = [&](std::size_t i) -> Mat6 {
-    const std::size_t at = std::max<std::size_t>(i, 1);
-    return spectrum.damping[at] / w[at];
+    const std::size_t node = std::max<std::size_t>(i, 1);
+    return spectrum.damping[node] / w[node];
   };
   Mat6 sum = Mat6::Zero(), left = per_omega(0);
   const Mat6 first = left;
@@ -249,7 +249,7 @@ Mat6 retardation_integral(const DampingSpectrum& spectrum, double time) {
   return kTwoOverPi * (sum / (time * time) + (first - std::cos(w.back() * time) * left) / time);
 }
 
-/// Samples after the last at which an entry exceeds a share of its peak.
+/// Number of samples up to the last one at which an entry exceeds a share of its peak.
 int samples_that_count(const std::vector<Mat6>& kernel, double share) {
   Mat6 peak = Mat6::Zero();
   for (const Mat6& k : kernel) {
@@ -266,24 +266,24 @@ int samples_that_count(const std::vector<Mat6>& kernel, double share) {
 }  // namespace
 
 RadiationSamples convolution_samples(const DampingSpectrum& spectrum) {
-  // Over the typical frequency, which is 1.09 rad/s for a barge of 120 m.
-  constexpr double kInterval = 0.109, kShortest = 22.0, kLongest = 87.0, kForgotten = 1e-3;
+  // Relative to the typical frequency, which is 1.09 rad/s for a barge of 120 m.
+  constexpr double kInterval = 0.109, kMinMemory = 22.0, kMaxMemory = 87.0, kForgotten = 1e-3;
   const double interval = kInterval / spectrum.typical;
   const auto steps = [&](double time) { return static_cast<int>(std::ceil(time / interval - 1e-9)); };
-  const std::vector<Mat6> kernel = retardation_samples(spectrum, interval, steps(kLongest / spectrum.typical) + 1);
-  const int last = std::clamp(samples_that_count(kernel, kForgotten), steps(kShortest / spectrum.typical),
-                              steps(kLongest / spectrum.typical));
+  const std::vector<Mat6> kernel = retardation_samples(spectrum, interval, steps(kMaxMemory / spectrum.typical) + 1);
+  const int last = std::clamp(samples_that_count(kernel, kForgotten), steps(kMinMemory / spectrum.typical),
+                              steps(kMaxMemory / spectrum.typical));
   const Mat6 mean = retardation_integral(spectrum, last * interval) / (last * interval);
   RadiationSamples samples;
   samples.interval = interval;
   samples.once.push_back(Mat6::Zero());
   samples.twice.push_back(Mat6::Zero());
   for (int i = 1; i <= last; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto index = static_cast<std::size_t>(i);
     samples.once.push_back(retardation_integral(spectrum, i * interval) - i * interval * mean);
-    // Trapezoid with its end correction, of fourth order; the mean drops out of the difference of K.
-    samples.twice.push_back(samples.twice.back() + 0.5 * interval * (samples.once[at - 1] + samples.once[at]) +
-                            interval * interval / 12.0 * (kernel[at - 1] - kernel[at]));
+    // Trapezoid with its end correction, of fourth order; the mean cancels in the difference of K.
+    samples.twice.push_back(samples.twice.back() + 0.5 * interval * (samples.once[index - 1] + samples.once[index]) +
+                            interval * interval / 12.0 * (kernel[index - 1] - kernel[index]));
   }
   return samples;
 }

@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-/// Angular velocity in the body's axes is W (phi', theta', psi'); W depends on phi and theta alone.
+/// Angular velocity in the body's axes is W (phi', theta', psi'); W depends on phi and theta only.
 struct BodyRates {
   Mat3 W, by_phi, by_theta;
   Mat3 by_phi_phi, by_phi_theta, by_theta_theta;

@@ -1,4 +1,4 @@
-/// Slow position and heading of a hull: what phases of the waves and headings of tables hang on.
+/// Low-frequency position and heading of a hull, for the phases of waves and the headings of tables.
 ///
 ///     u'' = w^2 (x - u) - 2 w u',   w = 2 pi / T
 ///
@@ -10,16 +10,17 @@
 
 namespace overbend {
 
+/// Low-frequency motion.
 struct SlowMotion {
   Vec3 value = Vec3::Zero();  ///< x_f, y_f, psi_f [m, m, rad].
   Vec3 rate = Vec3::Zero();   ///< Their rates [m/s, m/s, rad/s].
 };
 
-/// At rest where the hull is.
-SlowMotion slow_rest(const Vec6& h);
+/// Returns the motion at rest at the position of h.
+SlowMotion slow_motion_at_rest(const Vec6& h);
 
-/// After a step of length `step` [s] in which x, y and psi go linearly from those of h0 to those of h1. `period` is the
-/// corner period T [s].
+/// Returns the motion after a step of length `step` [s] in which x, y and psi change linearly from those of h0 to those
+/// of h1. `period` is the corner period T [s].
 SlowMotion slow_motion_after(const SlowMotion& before, const Vec6& h0, const Vec6& h1, double step, double period);
 
 }  // namespace overbend

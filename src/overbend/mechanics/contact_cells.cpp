@@ -12,7 +12,8 @@ Cell empty_cell() {
   return {kInfinity, -kInfinity, -kInfinity};
 }
 
-/// A pipe can touch a roller only where its axis passes within both radii of the roller's axis.
+/// Extends a cell by a roller. The pipe can touch a roller only if its axis passes within both radii of the roller's
+/// axis.
 void enclose(Cell& cell, const Roller& roller, double pipe_radius) {
   const double reach = roller.radius + pipe_radius;
   const double half = 0.5 * roller.face;
@@ -40,12 +41,12 @@ void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& e
                   std::vector<ElementRange>& ranges) {
   ranges.assign(cells.boxes.size(), ElementRange{});
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    const ElementBounds& at = elements[e];
-    if (!cells.all.meets(at.x_low, at.x_high, at.z_low)) {
+    const ElementBounds& bounds = elements[e];
+    if (!cells.all.meets(bounds.x_low, bounds.x_high, bounds.z_low)) {
       continue;
     }
     for (std::size_t b = 0; b < cells.boxes.size(); ++b) {
-      if (cells.boxes[b].meets(at.x_low, at.x_high, at.z_low)) {
+      if (cells.boxes[b].meets(bounds.x_low, bounds.x_high, bounds.z_low)) {
         ElementRange& range = ranges[b];
         range.first = range.last == 0 ? static_cast<int>(e) : range.first;
         range.last = static_cast<int>(e) + 1;

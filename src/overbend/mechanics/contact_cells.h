@@ -1,10 +1,10 @@
-/// Search for the rollers that a line may touch: one cell around all supports, inside it one cell per roller box,
-/// [silva2009] figures 6 and 7. Cells are fixed in the ramp/stinger frame S and so move with the vessel.
+/// Broad-phase search for roller contacts: one cell around all supports, inside it one cell per roller box, [silva2009]
+/// figures 6 and 7. Cells are fixed in the ramp/stinger frame S and move with the vessel.
 ///
 /// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe
-/// on its desired side, so a pipe on the wrong side must be found. Along the vessel it reaches far enough
-/// for every closest point whose distance to the roller's axis is less than both radii and kWrongSideReach together. An
-/// element that meets no cell costs two comparisons.
+/// on its desired side, so a pipe on the wrong side must be found. Along the vessel it contains every closest point
+/// whose distance to the roller's axis is less than both radii plus kWrongSideReach. An element outside all cells costs
+/// two comparisons.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,7 @@
 
 namespace overbend {
 
-inline constexpr double kWrongSideReach =
-    1.0;  ///< How far on the wrong side of a roller the search promises to look [m].
+inline constexpr double kWrongSideReach = 1.0;  ///< Guaranteed search distance on the wrong side of a roller [m].
 
 struct Cell {
   double x_low = 0.0, x_high = 0.0, z_high = 0.0;  ///< Frame S [m].
@@ -29,10 +28,10 @@ struct ContactCells {
   std::vector<Cell> boxes;
 };
 
-/// `pipe_radius`: largest outer radius of the line [m].
+/// Returns the cells of all supports. `pipe_radius`: maximum outer radius of the line [m].
 ContactCells contact_cells(const Supports& supports, double pipe_radius);
 
-/// Bounds of one element in S. The four Bezier points of the cubic hold it inside their hull.
+/// Bounds of one element in S. The convex hull of the four Bezier points of the cubic contains the element.
 struct ElementBounds {
   double x_low, x_high, z_low;
 };
@@ -42,8 +41,8 @@ struct ElementRange {
   int first = 0, last = 0;
 };
 
-/// For every box the range of elements whose bounds meet its cell. `ranges` is overwritten, no allocation once it has
-/// its size.
+/// Finds for every box the range of elements whose bounds intersect its cell. `ranges` is overwritten; no allocation
+/// once it has its size.
 void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements,
                   std::vector<ElementRange>& ranges);
 

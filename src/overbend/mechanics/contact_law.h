@@ -1,4 +1,4 @@
-/// The law of contact between pipe and roller: forces from penetration, rates and contact history.
+/// Law of contact between pipe and roller: forces from penetration, rates and contact history.
 ///
 ///     normal      k g + c g'            for g > 0, never pulling         [silva2009] equations 11 to 14
 ///     tangential  k_T s + c_T v, at most mu times the normal force       [silva2009] equation 15
@@ -29,12 +29,13 @@ struct NormalForce {
   double by_rate = 0.0;         ///< [N s/m]
 };
 
-/// Spring and dashpot as they are, pulling where they would: for contacts known to carry.
+/// Spring and dashpot without cut-off, tensile if negative: for contacts of the active set.
 inline NormalForce attached_force(const ContactLaw& law, double penetration, double rate) {
   return {law.stiffness * penetration + law.damping * rate, law.stiffness, law.damping};
 }
 
-/// `penetration` g [m], positive in contact; `rate` = dg/dt [m/s].
+/// Returns the normal force; zero without contact and where spring and dashpot would pull. `penetration` g [m],
+/// positive in contact; `rate` = dg/dt [m/s].
 inline NormalForce normal_force(const ContactLaw& law, double penetration, double rate) {
   if (penetration <= 0.0) {
     return {};
@@ -47,47 +48,47 @@ enum class Slip { backward = -1, stick = 0, forward = 1 };
 
 /// Friction in one direction, with its derivatives and the new slip.
 struct FrictionForce {
-  double force = 0.0;      ///< On the pipe, in the direction the slip is measured [N].
+  double force = 0.0;      ///< Acts on the pipe, in the direction the slip is measured [N].
   double by_rate = 0.0;    ///< [N s/m]
   double by_normal = 0.0;  ///< [-]
   double slip = 0.0;       ///< Elastic part at the end of the step [m].
   Slip state = Slip::stick;
 };
 
-/// The slip of a step of `dt` [s] and what it is measured against: `slip` at its start [m], `rate` at its end [m/s],
-/// `normal` force at its end [N]; `start_rate` [m/s], where the contact was there before the step.
+/// Kinematics of a friction step of `dt` [s]: elastic `slip` at its start [m], sliding `rate` at its end [m/s],
+/// `normal` force at its end [N]; `start_rate` [m/s] if the contact existed before the step.
 struct SlipStep {
   double slip = 0.0, rate = 0.0, dt = 0.0, normal = 0.0;
   std::optional<double> start_rate{};
 };
 
-/// Elastic slip at the end of a step in which a contact sticks from some instant on.
+/// Elastic slip at the end of a step in which the contact sticks from some instant on.
 struct ElasticSlip {
   double slip = 0.0, by_rate = 0.0;  ///< [m], [s]
-  double by_most = 0.0;              ///< By the most that it may be [-].
+  double by_max_slip = 0.0;          ///< Derivative with the slip limit [-].
 };
 
-/// The rate is linear in the step. Where it turns, the slip has by then gone no further than `most` either way, and
-/// comes back from there.
-inline ElasticSlip elastic_slip(const SlipStep& step, double most) {
+/// Returns the elastic slip for a rate that is linear in the step. Where the rate changes sign, the slip at that
+/// instant is limited to `max_slip` in either direction, and returns from there.
+inline ElasticSlip elastic_slip(const SlipStep& step, double max_slip) {
   const double r1 = step.rate, r0 = step.start_rate.value_or(r1), dt = step.dt;
   if (!(r0 * r1 < 0.0)) {
     return {step.slip + 0.5 * dt * (r0 + r1), step.start_rate ? 0.5 * dt : dt, 0.0};
   }
-  const double turn = r0 / (r0 - r1), back = 1.0 - turn;  // shares of the step
-  const double free = step.slip + 0.5 * dt * r0 * turn, farthest = std::clamp(free, -most, most);
+  const double turn = r0 / (r0 - r1), back = 1.0 - turn;  // fractions of the step
+  const double free = step.slip + 0.5 * dt * r0 * turn, farthest = std::clamp(free, -max_slip, max_slip);
   const double sign = farthest < free ? 1.0 : farthest > free ? -1.0 : 0.0;
   const double outwards = sign == 0.0 ? 0.5 * dt * turn * turn : 0.0;
   return {farthest + 0.5 * dt * r1 * back, outwards + 0.5 * dt * back * (1.0 + turn), sign};
 }
 
-/// Friction of a contact known to stick or to slide.
+/// Returns the friction of a contact known to stick or to slide; `mu` [-].
 inline FrictionForce friction_in_state(const ContactLaw& law, double mu, const SlipStep& step, Slip state) {
   if (state == Slip::stick) {
     const double k = law.tangential_stiffness;
     const ElasticSlip elastic = elastic_slip(step, k > 0.0 ? std::max(mu * step.normal, 0.0) / k : 0.0);
     return {-(k * elastic.slip + law.tangential_damping * step.rate), -(k * elastic.by_rate + law.tangential_damping),
-            -mu * elastic.by_most, elastic.slip, state};
+            -mu * elastic.by_max_slip, elastic.slip, state};
   }
   const double side = static_cast<int>(state);
   const double limit = mu * step.normal;
@@ -95,6 +96,8 @@ inline FrictionForce friction_in_state(const ContactLaw& law, double mu, const S
           law.tangential_stiffness > 0.0 ? side * limit / law.tangential_stiffness : 0.0, state};
 }
 
+/// Returns the friction by return mapping: stick within the Coulomb limit, else slip. `mu` is the friction coefficient
+/// [-].
 inline FrictionForce friction_force(const ContactLaw& law, double mu, const SlipStep& step) {
   const FrictionForce stick = friction_in_state(law, mu, step, Slip::stick);
   const double limit = mu * step.normal;

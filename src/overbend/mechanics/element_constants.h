@@ -1,5 +1,5 @@
-/// What elements are made of, kind by kind, and how that becomes the arrays of LineElements: pipes by their sections,
-/// cables by their numbers.
+/// Material and hydrodynamic constants of line elements, and their conversion to the arrays of LineElements: pipes from
+/// their sections, cables from their line types.
 #pragma once
 
 #include <vector>
@@ -9,32 +9,32 @@
 
 namespace overbend {
 
-/// Of one kind of element; see LineElements for the meanings. Per unstressed length.
+/// Constants of one kind of element; meanings as in LineElements. Per unstressed length.
 struct ElementConstants {
-  double EA = 0.0, EI = 0.0;                   ///< [N], [N m2]
-  double compression = 1.0;                    ///< Share of EA that bears compression, see slack_law.h [-].
-  double damping = 0.0;                        ///< Of what bears none, see slack_law.h; that of its line [s].
-  double weight = 0.0, buoyancy = 0.0;         ///< [N/m]
-  double radius = 1.0;                         ///< [m]
-  double drag_normal = 0.0, drag_axial = 0.0;  ///< [kg/m2]
+  double EA = 0.0, EI = 0.0;  ///< [N], [N m2]
+  double compression = 1.0;   ///< Fraction of EA effective in compression, see slack_law.h [-].
+  double damping = 0.0;  ///< Internal damping of the tension-only part, see slack_law.h; set for the whole line [s].
+  double weight = 0.0, buoyancy = 0.0;                                             ///< [N/m]
+  double radius = 1.0;                                                             ///< [m]
+  double drag_normal = 0.0, drag_axial = 0.0;                                      ///< [kg/m2]
   double pressure_constant = 0.0, pressure_slope = 0.0, pressure_external = 0.0;   ///< [N], [N/m], [N/m]
   double mass = 0.0, displaced_mass = 0.0, added_normal = 0.0, added_axial = 0.0;  ///< [kg/m]
   double drag_on_bed = 0.0;                                                        ///< [-]
 };
 
-/// Of a pipe with this section in the model's water.
+/// Returns the constants of a pipe with this section in the model's water.
 ElementConstants pipe_constants(const Model& model, const Section& section);
 
-/// Of a cable, chain or flexible in the model's water. It has a little bending stiffness
-/// whatever its type says, of no effect on tensions, so that it has some where it is slack. Its axial stiffness is that
-/// of the effective tension, so that pressure makes none; what it displaces follows from its two weights, and its
-/// radius, which says when it is wet, from what it displaces. Drag counts on its own diameter, along it on the
-/// circumference (Morison et al. 1950; as MoorDyn, Hall and Goupee 2015, has it).
+/// Returns the constants of a cable, chain or flexible in the model's water. It gets a small bending stiffness
+/// regardless of its type, without effect on tensions, so that it has lateral stiffness when slack. Its axial stiffness
+/// is that of the effective tension, so that pressure causes none; its displaced mass follows from its two weights, and
+/// its radius, which decides when it is wet, from its displaced mass. Drag refers to its own diameter, axial drag to
+/// its circumference (Morison et al. 1950; as in MoorDyn, Hall and Goupee 2015).
 ElementConstants cable_constants(const Model& model, const LineTypeDescription& type);
 
-/// Elements of the given unstressed lengths [m]; element i is of `kinds[i]`. Those that only pull are damped as one
-/// line.
-LineElements elements_of_kinds(const std::vector<double>& lengths, const std::vector<int>& kinds,
-                               const std::vector<ElementConstants>& constants);
+/// Makes elements of the given unstressed lengths [m]; element i has the constants `constants[kinds[i]]`. Tension-only
+/// elements are damped as one line.
+LineElements make_elements_by_kind(const std::vector<double>& lengths, const std::vector<int>& kinds,
+                                   const std::vector<ElementConstants>& constants);
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 namespace overbend {
 namespace {
 
-/// `side` 1: the stop below, which the angle runs into as it grows; -1: the one above.
+/// `side` 1: the lower stop, approached by a growing angle; -1: the upper one.
 void add_stop(const HingeLaw& law, double beyond, double rate, double side, HingeMoment& sum) {
   ContactLaw stop;
   stop.stiffness = law.stop_stiffness;
@@ -30,7 +30,7 @@ HingeMoment hinge_moment(const HingeLaw& law, double angle, double rate, double 
   add_stop(law, law.up - angle, rate, -1.0, sum);
   if (law.friction > 0.0) {
     ContactLaw rub;
-    rub.tangential_stiffness = law.friction / kBreakaway;
+    rub.tangential_stiffness = law.friction / kBreakawayRotation;
     rub.tangential_damping = law.friction_damping;
     const FrictionForce friction = friction_force(rub, 1.0, {slip, rate, dt, law.friction});
     sum.friction = friction.force;

@@ -1,7 +1,7 @@
-/// Moment in a hinge: stops on either side, and friction.
+/// Moment in a hinge: end stops and friction.
 ///
-/// A stop is a spring with a dashpot that never pulls. Friction is Coulomb's with an elastic part, as that of rollers
-/// (mechanics/contact_law.h): before the hinge turns it yields by kBreakaway.
+/// A stop is a spring with a dashpot that never pulls. Friction is Coulomb friction with an elastic part, as for
+/// rollers (mechanics/contact_law.h): the hinge deforms elastically by kBreakawayRotation before it slips.
 #pragma once
 
 #include <limits>
@@ -10,35 +10,36 @@
 
 namespace overbend {
 
-/// How far a hinge yields before its friction is overcome [rad].
-inline constexpr double kBreakaway = 2e-4;
-/// Damping of a stop, of critical with the inertia of what it stops: it rebounds with some 85 % of its speed.
+/// Elastic rotation of a hinge before its friction is overcome [rad].
+inline constexpr double kBreakawayRotation = 2e-4;
+/// Damping ratio of a stop with the inertia of the stopped body: the rebound has about 85 % of the impact speed [-].
 inline constexpr double kStopDamping = 0.05;
 
 struct HingeLaw {
-  double up = -std::numeric_limits<double>::infinity();   ///< Angle at which the upper stop begins to carry [rad].
-  double down = std::numeric_limits<double>::infinity();  ///< Likewise of the lower one [rad].
+  double up = -std::numeric_limits<double>::infinity();   ///< Angle at which the upper stop engages [rad].
+  double down = std::numeric_limits<double>::infinity();  ///< Angle at which the lower stop engages [rad].
   double stop_stiffness = 0.0;                            ///< [N m/rad]
   double stop_damping = 0.0;                              ///< [N m s/rad]
-  double friction = 0.0;                                  ///< Moment before it turns [N m].
-  double friction_damping = 0.0;                          ///< Of the elastic part [N m s/rad].
+  double friction = 0.0;                                  ///< Breakaway moment [N m].
+  double friction_damping = 0.0;                          ///< Damping of the elastic part [N m s/rad].
 };
 
-/// Moments on the body, positive when they push the tip down [N m], with what follows from them.
+/// Moments on the body with their derivatives; positive when they push the tip down [N m].
 struct HingeMoment {
   double stop = 0.0, friction = 0.0;
-  double by_angle = 0.0;  ///< Of the sum [N m/rad].
+  double by_angle = 0.0;  ///< Derivative of the sum [N m/rad].
   double by_rate = 0.0;   ///< [N m s/rad]
   double slip = 0.0;      ///< Elastic part of the friction at the end of the step [rad].
-  double stored = 0.0;    ///< In the stop's spring [J].
+  double stored = 0.0;    ///< Energy in the stop's spring [J].
 
   double sum() const { return stop + friction; }
 };
 
-/// What the springs of the stops exert at an angle, without their dashpots [N m].
+/// Returns the spring moment of the stops at an angle, without their dashpots [N m].
 double stop_spring_moment(const HingeLaw& law, double angle);
 
-/// At an angle [rad] with its rate [rad/s], a step of `dt` [s] after the friction's elastic part was `slip`.
+/// Returns the moment at an angle [rad] and rate [rad/s], a step of `dt` [s] after the elastic part of the friction was
+/// `slip` [rad].
 HingeMoment hinge_moment(const HingeLaw& law, double angle, double rate, double slip, double dt);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Vectors of three registers, and what the compiler's vectors lack. For kernels alone, see simd.h: everything stands
+/// Three-component vectors of SIMD registers and missing vector operations. For kernels only, see simd.h: all code is
 /// in the unnamed namespace of one instruction set.
 #pragma once
 
@@ -7,8 +7,8 @@
 #endif
 
 #include "base/lane_transpose.h"
-#include "base/loose_lanes.h"
 #include "base/simd.h"
+#include "base/unaligned_lanes.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -40,7 +40,7 @@ inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Whether any lane is above zero.
+/// True if any lane is above zero.
 inline bool any(const Lanes& x) {
 #if defined(__AVX512F__)
   return _mm512_cmp_pd_mask(x, _mm512_setzero_pd(), _CMP_GT_OQ) != 0;
@@ -59,7 +59,7 @@ inline bool any(const Lanes& x) {
 
 inline Lanes root(const Lanes& a) {
 #if defined(__AVX512F__)
-  return _mm512_maskz_sqrt_pd(0xff, a);  // g++ 12 warns of the plain one
+  return _mm512_maskz_sqrt_pd(0xff, a);  // g++ 12 warns about _mm512_sqrt_pd
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(a);
 #elif defined(__SSE2__)

@@ -8,21 +8,21 @@
 #include "mechanics/slack_law.h"
 #include "model/lay_stage.h"
 #include "model/pipe/line_types.h"
-#include "model/site/bed_shape.h"
+#include "model/site/seabed_shape.h"
 
 namespace overbend {
 namespace {
 
-/// A slack line without bending stiffness would have none at all across. A solid bar has EA D^2/16, a wire rope a
-/// thousandth of EA D^2, this a hundredth of that; where a model gives an EA without bounds, what bends under its own
-/// weight over a metre [N m2].
-double least_bending(const LineTypeDescription& type, double diameter) {
+/// Returns the bending stiffness [N m2] that keeps a slack line from having no lateral stiffness: a hundredth of a wire
+/// rope's, which is a thousandth of EA D^2 (a solid bar has EA D^2/16); if a model gives an unlimited EA, the stiffness
+/// that bends under its own weight over a metre.
+double min_bending_stiffness(const LineTypeDescription& type, double diameter) {
   constexpr double kShare = 1e-5, kMetre = 1.0;
   return std::min(kShare * type.axial_stiffness * diameter * diameter, type.weight_in_air * std::pow(kMetre, 3));
 }
 
-/// Of a line that is held at one end the first axial mode has a quarter of its wave in it: its frequency is pi/2 over
-/// the time in which an axial wave goes through.
+/// Sets the damping of tension-only elements. The first axial mode of a line fixed at one end is a quarter wave: its
+/// frequency is pi/2 over the travel time of an axial wave through the line.
 void set_damping(LineElements& e) {
   double time = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
@@ -33,13 +33,13 @@ void set_damping(LineElements& e) {
   }
 }
 
-/// Friction against the motion of a line that is dragged along the bed, positive away from the vessel [-].
+/// Returns the friction coefficient of a line dragged along the seabed, positive away from the vessel [-].
 double drag_on_bed(const Model& model, const Section& section) {
-  const double way = dragging_direction(model.description);
-  if (way == 0.0) return 0.0;
+  const double direction = dragging_direction(model.description);
+  if (direction == 0.0) return 0.0;
   const bool cable = section.kind == SectionKind::cable;
   const double axial = model.seabed.friction_axial;
-  return -way * (cable ? model.description.operation.lay.cable->friction.value_or(axial) : axial);
+  return -direction * (cable ? model.description.operation.lay.cable->friction.value_or(axial) : axial);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ ElementConstants cable_constants(const Model& model, const LineTypeDescription& 
   c.weight = type.weight_in_air;
   c.buoyancy = type.weight_in_air - type.weight_submerged;
   c.radius = area > 0.0 ? std::sqrt(area / std::numbers::pi) : 0.5 * type.diameter;
-  c.EI = std::max(type.bending_stiffness, least_bending(type, 2.0 * c.radius));
+  c.EI = std::max(type.bending_stiffness, min_bending_stiffness(type, 2.0 * c.radius));
   if (!bears_compression(type)) c.compression = kSlackShare;
   c.drag_normal = 0.5 * model.water_density * type.drag_normal * drag_diameter;
   c.drag_axial = 0.5 * model.water_density * std::numbers::pi * drag_diameter * type.drag_axial;
@@ -85,8 +85,8 @@ ElementConstants cable_constants(const Model& model, const LineTypeDescription& 
   return c;
 }
 
-LineElements elements_of_kinds(const std::vector<double>& lengths, const std::vector<int>& kinds,
-                               const std::vector<ElementConstants>& constants) {
+LineElements make_elements_by_kind(const std::vector<double>& lengths, const std::vector<int>& kinds,
+                                   const std::vector<ElementConstants>& constants) {
   LineElements e;
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
@@ -121,10 +121,10 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
   std::vector<ElementConstants> constants;
   constants.reserve(model.sections.size());
   for (const Section& section : model.sections) constants.push_back(pipe_constants(model, section));
-  return elements_of_kinds(lengths, sections, constants);
+  return make_elements_by_kind(lengths, sections, constants);
 }
 
-void set_shape(LineEnvironment& env, const BedSurface& bed) {
+void set_shape(LineEnvironment& env, const SeabedSurface& bed) {
   if (bed.shape() == nullptr) return;
   env.bed_shape = bed.shape();
   env.bed_highest = std::max(bed.shape()->highest, bed.offset());
@@ -132,7 +132,7 @@ void set_shape(LineEnvironment& env, const BedSurface& bed) {
 
 LineEnvironment line_environment(const Model& model, const LayRoute& route) {
   LineEnvironment env;
-  const BedSurface& bed = model.seabed.surface;
+  const SeabedSurface& bed = model.seabed.surface;
   const Vec3 start = route.place(0.0);
   const Vec3 along = bed.along(start, route.direction(0.0));
   for (int i = 0; i < 3; ++i) {
@@ -217,13 +217,13 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
 
 LineEnergy line_energy(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                        const LineMotion& motion, Isa isa) {
-  LineMotion now = motion;
-  now.step = 0.0;
-  now.bed_slip_next = nullptr;
+  LineMotion current_motion = motion;
+  current_motion.step = 0.0;
+  current_motion.bed_slip_next = nullptr;
   LineEnergy energy;
   LineTarget target;
   target.energy = &energy;
-  add_line_forces(elements, env, shape, now, target, isa);
+  add_line_forces(elements, env, shape, current_motion, target, isa);
   return energy;
 }
 

@@ -26,12 +26,13 @@ inline void gather(Batch& e, const LineView& line, const LineShape& shape, int f
   clear_forces(e);
 }
 
-/// What the elements of a batch add to their upper nodes: the next batch adds its lower nodes' to the last.
+/// Contributions of the elements of a batch to their upper nodes: the next batch adds the contributions of its lower
+/// nodes to the last one.
 struct UpperForces {
   Lanes f[kNodeDofs] = {};
 };
 
-/// Forces of elements that do not fill a batch.
+/// Stores the forces of elements that do not fill a batch.
 inline void put_forces_singly(const Lanes (&at_node)[kNodeDofs], const Lanes (&upper)[kNodeDofs],
                               const LineTarget& target, int first, int used) {
   for (int l = 0; l < used; ++l) {
@@ -44,7 +45,7 @@ inline void put_forces_singly(const Lanes (&at_node)[kNodeDofs], const Lanes (&u
   }
 }
 
-/// Writes what both elements at a node add to it, but at the node after the last element, which is left in `before`.
+/// Writes the sum of both elements at each node, except at the node after the last element, which is left in `before`.
 inline void put_forces(const Batch& e, const LineTarget& target, UpperForces& before, int first, int used) {
   Lanes lower[kNodeDofs], upper[kNodeDofs], at_node[kNodeDofs];
   nodal_forces(e, lower, upper);
@@ -65,7 +66,7 @@ inline void put_forces(const Batch& e, const LineTarget& target, UpperForces& be
   }
 }
 
-/// At the line's last node, above the element in lane `last`.
+/// Writes the force at the line's last node, above the element in lane `last`.
 inline void put_last_forces(const UpperForces& upper, const LineTarget& target, int node, int last) {
   for (int i = 0; i < kNodeDofs; ++i) {
     target.residual[kNodeDofs * node + i] = upper.f[i][last];
@@ -88,8 +89,8 @@ inline PressureTension pressure_tension(const LineView& line, int first) {
           load_lanes(line.pressure_external + first)};
 }
 
-/// The lengths of a batch's elements, 0 where they only fill it up.
-inline Lanes counting(const Lanes& h, int used) {
+/// Returns the lengths of a batch's elements, 0 for padding elements.
+inline Lanes counted_lengths(const Lanes& h, int used) {
   Lanes counts = h;
   for (int l = used; l < kWidth; ++l) {
     counts[l] = 0.0;
@@ -101,7 +102,7 @@ inline int padded_count(const LineView& line) {
   return (line.count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// What a batch reads and writes.
+/// Input and output of a batch.
 struct LineData {
   const LineView& line;
   const LineEnvironment& env;
@@ -110,8 +111,8 @@ struct LineData {
   const LineTarget& target;
 };
 
-/// Of a line at rest or, with kMoving, in motion, for all forces and, with kEnergy, energies. `blocks` is null without
-/// a tangent.
+/// Adds the forces of a batch of a line at rest or, with kMoving, in motion, and with kEnergy its energies. `blocks` is
+/// null without a tangent.
 template <bool kTangent, bool kMoving, bool kEnergy>
 void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, EnergyLanes* sum, int first) {
   const auto& [line, env, shape, motion, target] = data;
@@ -129,8 +130,8 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
   } else {
     m.head[0] = m.head[1] = Lanes{};
   }
-  const EnergySums energy{sum, kEnergy ? counting(e.h, used) : Lanes{}};
-  Membrane membrane = membrane_of(e, pressure_tension(line, first), m.head);
+  const EnergySums energy{sum, kEnergy ? counted_lengths(e.h, used) : Lanes{}};
+  Membrane membrane = make_membrane(e, pressure_tension(line, first), m.head);
   if constexpr (kMoving) {
     if (kEnergy || axial.slack()) set_rates(membrane, e, slopes_at_strains(m.v).at);
   } else if (axial.slack()) {
@@ -143,7 +144,7 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
   const LoadConstants loads = load_constants(line, first);
   const InertiaConstants inertia = kMoving ? inertia_constants(line, first) : InertiaConstants{};
   PointSlope slopes[kGaussPoints];
-  for (int i = 0; i < kGaussPoints; ++i) {  // roots and quotients take long, and all can go on at once
+  for (int i = 0; i < kGaussPoints; ++i) {  // a loop of its own: the latencies of square roots and divisions overlap
     slopes[i] = slope_at(e, kGauss[i]);
   }
 #pragma GCC unroll 1
@@ -155,7 +156,7 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
   }
   if constexpr (kMoving) {
     if (motion->held != nullptr) {
-      add_held_sections<kTangent>(e, tangent, slopes, *motion->held, counting(e.h, used), first, padded);
+      add_held_sections<kTangent>(e, tangent, slopes, *motion->held, counted_lengths(e.h, used), first, padded);
     }
   }
 #pragma GCC unroll 1
@@ -165,7 +166,7 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
                moving_load<kTangent, kEnergy>(env, *motion, energy, {e, m, kGauss[i]}, slopes[i], loads, inertia, i,
                                               first, padded));
     } else {
-      add_load(e, tangent, i, resting_load<kTangent>(env, loads, value_at(e.r, kGauss[i]), slopes[i]));
+      add_load(e, tangent, i, static_load<kTangent>(env, loads, value_at(e.r, kGauss[i]), slopes[i]));
     }
   }
   if (target.residual != nullptr) {
@@ -193,7 +194,7 @@ __attribute__((flatten)) void add_batches(const LineData& data) {
     put_last_block(blocks, data.target, count, last);
   }
   if constexpr (kEnergy) {
-    *data.target.energy = sum_of(sum);
+    *data.target.energy = lane_sum(sum);
   }
 }
 

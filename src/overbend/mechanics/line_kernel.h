@@ -1,15 +1,15 @@
-/// Forces and tangents of all elements of a line, as many at a time as a register holds. Compiled once per instruction
-/// set; raw pointers only, so that no inline function of another header is compiled for an instruction set that the
-/// machine may lack.
+/// Forces and tangents of all elements of a line, one SIMD register of elements at a time. Compiled once per
+/// instruction set; raw pointers only, so that no inline function of another header is compiled for an instruction set
+/// that the machine may lack.
 #pragma once
 
 #include "model/site/route_piece.h"
 
 namespace overbend {
 
-struct BedShape;
+struct SeabedShape;
 
-/// Element constants, see LineElements.
+/// Pointers to element constants, see LineElements.
 struct LineView {
   int count = 0;
   const double *length, *EA, *EI, *compression, *damping, *weight, *buoyancy, *radius, *drag_normal, *drag_axial;
@@ -18,101 +18,104 @@ struct LineView {
   const double* drag_on_bed;
 };
 
-/// What acts on every element. Directions and points in W. Bed and route are numbers here and functions of the place in
-/// ground.h and line_kernel_ground.h.
+/// Environment of every element. Directions and points in W. Seabed and route are evaluated in ground.h and
+/// line_kernel_ground.h.
 struct LineEnvironment {
   double bed_normal[3] = {0.0, 0.0, 1.0};
-  double bed_offset = -1e30;  ///< normal . point of the bed [m].
-  /// Heights of a bed that is not a plane, in place of normal and offset; null for a plane.
-  const BedShape* bed_shape = nullptr;
-  double bed_relief = 1.0;     ///< Factor on the shape's heights over `bed_level`, for continuation.
+  double bed_offset = -1e30;  ///< normal . point of the seabed [m].
+  /// Bathymetry in place of normal and offset; null for a plane seabed.
+  const SeabedShape* bed_shape = nullptr;
+  double bed_relief = 1.0;     ///< Factor on the shape's heights above `bed_level`, for continuation.
   double bed_level = 0.0;      ///< [m]
-  double bed_lowered = 0.0;    ///< How far the shape lies lower, along its normal [m].
-  double bed_highest = -1e30;  ///< No place of the shape is higher, whatever its relief [m].
+  double bed_lowered = 0.0;    ///< Distance by which the shape is lowered, along its normal [m].
+  double bed_highest = -1e30;  ///< Upper bound of the height of the shape, for any relief [m].
   double bed_stiffness = 0.0;  ///< [N/m2]
   double bed_friction_lateral = 0.0;
   double bed_friction_axial = 0.0;
-  double bed_stick = 0.0;  ///< Elastic stick per length [N/m2].
-  /// Whether the line is dragged along the bed: in statics LineView::drag_on_bed acts instead of bed_friction_axial.
+  double bed_stick = 0.0;  ///< Elastic friction stiffness per length [N/m2].
+  /// True if the line is dragged along the seabed: in statics LineView::drag_on_bed then replaces bed_friction_axial.
   bool dragged = false;
-  int bed_soil = 0;                          ///< As SoilModel: linear, hyperbolic, bilinear.
-  double bed_bearing = 0.0;                  ///< Of soil that is not linear [N/m].
-  double bed_damping = 0.0;                  ///< On approach, in motion only [N s/m2].
+  int bed_soil = 0;                          ///< Values of SoilModel: linear, hyperbolic, bilinear.
+  double bed_bearing = 0.0;                  ///< Bearing force of nonlinear soil [N/m].
+  double bed_damping = 0.0;                  ///< Damping on approach, in dynamics only [N s/m2].
   double route_normal[3] = {0.0, 1.0, 0.0};  ///< Horizontal, across the lay route, to port.
-  double bed_along[3] = {1.0, 0.0, 0.0};     ///< Along the laid line on the bed, away from the barge.
+  double bed_along[3] = {1.0, 0.0, 0.0};     ///< Along the laid line on the seabed, away from the vessel.
   double route_offset = 0.0;                 ///< route_normal . point of the route [m].
-  int route_pieces = 0;                      ///< 0: the route is straight, as the three above have it.
-  const RoutePiece* route = nullptr;         ///< Of one that is not; `route_normal` and `bed_along` are at its start.
-  double route_shift = 0.0;                  ///< How far to port of these the pipe was laid [m].
-  double current_scale = 1.0;                ///< Of the current's speed, for continuation.
-  int current_rows = 0;                      ///< 0: no current.
-  const double* current_z = nullptr;         ///< Rising z [m].
+  int route_pieces = 0;                      ///< 0: the route is straight, given by the three members above.
+  /// Pieces of a curved route; `route_normal` and `bed_along` then refer to its start.
+  const RoutePiece* route = nullptr;
+  double route_shift = 0.0;           ///< Distance to port by which the pipe was laid off the route [m].
+  double current_scale = 1.0;         ///< Factor on the current speed, for continuation.
+  int current_rows = 0;               ///< 0: no current.
+  const double* current_z = nullptr;  ///< Ascending z [m].
   const double* current_vx = nullptr;
   const double* current_vy = nullptr;
 };
 
-/// Position and tangent of every node, six doubles each. `low`, which may be null, holds what rounding cut off `q`:
-/// with axial stiffness of 1e9 N, positions of hundreds of metres in plain doubles are worth 1e-3 N.
+/// Position and tangent of every node, six doubles each. `low`, which may be null, holds the rounding error of `q`:
+/// with an axial stiffness of 1e9 N, rounding of positions of hundreds of metres in double precision corresponds to
+/// 1e-3 N.
 struct LineShape {
   const double* q = nullptr;
   const double* low = nullptr;
 };
 
-/// Doubles per node that describe the water: velocity, acceleration, elevation of the surface, head of the dynamic
-/// pressure.
+/// Doubles per node that describe the water: velocity, acceleration, surface elevation, head of the dynamic pressure.
 inline constexpr int kWaterValues = 8;
-/// Directions in which the bed holds by friction: across the route, along it.
+/// Directions of seabed friction: across the route, along it.
 inline constexpr int kBedDirections = 2;
 
-/// Numbers of a section whose steel may yield, see HeldSections: tangent and first axis of its memory, in these axes
-/// the curvature about which nothing slides and how far from there (negative: not known), the plastic moment of its
-/// slips in these axes, and the energy that they store.
+/// Offsets of the values of a section with plasticity, see HeldSections: tangent and first axis of its memory; in these
+/// axes the centre and radius of the curvature range without slip (negative radius: unknown) and the plastic moment of
+/// its slips; and the stored energy of the slips.
 enum HeldValue { kHeldTangent = 0, kHeldAxis = 3, kHeldCenter = 6, kHeldSlack = 8, kHeldMoment = 9, kHeldStored = 11 };
 inline constexpr int kHeldValues = 12;
 
-/// Steel that may yield, at the Gauss points of a line in motion (mechanics/plastic_bending.h). A section that nothing
-/// slides in holds its plastic moment, whose axes go with the pipe: the kernel takes that off the elastic moment.
+/// Plastic history at the Gauss points of a moving line (mechanics/plastic_bending.h). A section without slip keeps its
+/// plastic moment, whose axes move with the pipe: the kernel subtracts it from the elastic moment.
 struct HeldSections {
-  const double* values = nullptr;  ///< kHeldValues by Gauss point, number and element (padded count).
-  double* after = nullptr;         ///< The same after the step, of which tangents and axes are written.
-  /// By Gauss point and element (padded count), written: above zero where springs slide and nothing was taken off.
+  const double* values = nullptr;  ///< Values kHeldValues by Gauss point, number and element (padded count).
+  double* after = nullptr;         ///< Values after the step; only tangents and axes are written.
+  /// Output by Gauss point and element (padded count): above zero where springs slip and nothing was subtracted.
   double* left = nullptr;
-  /// Energy stored beyond that of elastic bending where nothing slides [J]: kLanes sums, added to.
+  /// Energy beyond that of elastic bending in sections without slip [J]: kLanes sums, accumulated.
   double* stored = nullptr;
 };
 
-/// What motion adds to a shape. In statics there is none.
+/// Kinematic state of a moving line; not used in statics.
 struct LineMotion {
   const double* v = nullptr;        ///< Velocities of all unknowns, six per node [m/s], [1/s].
   const double* acc = nullptr;      ///< Accelerations of all unknowns.
-  double velocity_share = 0.0;      ///< Change of a velocity with its unknown, by the integrator's formula [1/s].
-  double acceleration_share = 0.0;  ///< The same for the acceleration [1/s2].
-  double step = 0.0;                ///< Time since the stretch of the bed's friction was `bed_slip` [s].
-  /// Waves at every node, kWaterValues each, current not included; null in calm water. Linear along an element.
+  double velocity_share = 0.0;      ///< Derivative of a velocity with its unknown, by the integrator's formula [1/s].
+  double acceleration_share = 0.0;  ///< Derivative of an acceleration with its unknown [1/s2].
+  double step = 0.0;                ///< Time since the elastic slip of the seabed friction was `bed_slip` [s].
+  /// Waves at every node, kWaterValues each, current not included; null in calm water. Interpolated linearly along an
+  /// element.
   const double* water = nullptr;
-  /// Elastic stretch of the bed's friction, by Gauss point, direction and element (padded count) [m]: at the start of
-  /// the step, and where what it has become is put.
+  /// Elastic slip of the seabed friction by Gauss point, direction and element (padded count) [m]: at the start of the
+  /// step, and output at its end.
   const double* bed_slip = nullptr;
   double* bed_slip_next = nullptr;
-  const HeldSections* held = nullptr;  ///< Null where no steel yields.
+  const HeldSections* held = nullptr;  ///< Null if no steel yields.
 };
 
 /// Sums over the line at one instant.
 struct LineEnergy {
   double kinetic = 0.0, strain = 0.0, gravity = 0.0, seabed = 0.0;  ///< [J]
-  double fluid_power = 0.0;  ///< Of buoyancy, drag, inertia forces of the water and pressure on the pipe [W].
-  double seabed_loss = 0.0;  ///< Damping and friction of the bed, stored stretch included [W].
-  double line_loss = 0.0;    ///< Internal damping of what only pulls [W].
+  double fluid_power = 0.0;  ///< Power of buoyancy, drag, inertia forces of the water and pressure on the pipe [W].
+  double seabed_loss = 0.0;  ///< Dissipation by seabed damping and friction, including stored elastic slip [W].
+  double line_loss = 0.0;    ///< Dissipation by internal damping of tension-only elements [W].
 };
 
-/// Where the results go, whatever is not null. Everything is written.
+/// Output pointers; null ones are skipped. Everything is overwritten.
 struct LineTarget {
   double* residual = nullptr;                                  ///< Six per node.
   double *diag = nullptr, *upper = nullptr, *lower = nullptr;  ///< As stored by BlockTridiagonal.
-  /// Six per node: what the element below a node adds to the node's residual; at the first node minus what the first
-  /// element adds. In balance that is what the line above a cut at the node exerts on what is below.
+  /// Six per node: contribution of the element below a node to the node's residual; at the first node minus the
+  /// contribution of the first element. In equilibrium it is the force of the line above a cut at the node on the line
+  /// below.
   double* cuts = nullptr;
-  LineEnergy* energy = nullptr;  ///< In motion, and only without blocks: at the end of the step.
+  LineEnergy* energy = nullptr;  ///< Only in dynamics without blocks: at the end of the step.
 };
 
 namespace isa_baseline {

@@ -1,5 +1,5 @@
-/// Vector algebra of the element kernel and the batch of elements it works on. For line_kernel.cpp alone: everything
-/// stands in the unnamed namespace of one instruction set.
+/// Vector algebra of the element kernel and its batch of elements. For line_kernel.cpp only: all code is in the unnamed
+/// namespace of one instruction set.
 ///
 /// Inside, the unknowns t are scaled by the element length, so that the Hermite functions are the same numbers for all
 /// elements of a batch; force and tangent are scaled back at the end.
@@ -16,7 +16,7 @@ namespace {
 
 inline constexpr int kDofs = 12;
 inline constexpr int kNodeDofs = 6;
-inline constexpr int kRowWidth = 8;  ///< Of a row of a block, see LineTarget.
+inline constexpr int kRowWidth = 8;  ///< Row length of a block, see LineTarget.
 inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
 inline constexpr double kPi = 3.14159265358979323846;
 
@@ -28,29 +28,28 @@ struct Mat {
   Lanes m[3][3];
 };
 
-/// A cubic about the middle of the elements: c0 + c1 y + c2 y^2 + c3 y^3 with y = xi - 1/2, so that a point costs a
-/// constant for each power.
+/// Cubic about the middle of the elements: c0 + c1 y + c2 y^2 + c3 y^3 with y = xi - 1/2, so that its value at a point
+/// costs one constant per power.
 struct Cubic {
   Vec c0, c1, c2, c3;
 };
 
-/// Of r1, h t1, r2, h t2, or what moves like them; `chord` is r2 - r1.
-inline Cubic cubic_of(const Vec (&nodes)[4], const Vec& chord) {
+/// Returns the cubic of r1, h t1, r2, h t2, or of rates of these; `chord` is r2 - r1.
+inline Cubic make_cubic(const Vec (&nodes)[4], const Vec& chord) {
   const Vec both = nodes[1] + nodes[3], turn = nodes[3] - nodes[1];
   return {0.5 * (nodes[0] + nodes[2]) - 0.125 * turn, 1.5 * chord - 0.25 * both, 0.5 * turn, both - 2.0 * chord};
 }
 
-inline Cubic cubic_of(const Vec (&nodes)[4]) {
-  return cubic_of(nodes, nodes[2] - nodes[0]);
+inline Cubic make_cubic(const Vec (&nodes)[4]) {
+  return make_cubic(nodes, nodes[2] - nodes[0]);
 }
 
-/// Its derivative by xi.
-inline Vec slope_of(const Cubic& c, double y) {
+/// Returns the derivative with xi.
+inline Vec cubic_slope(const Cubic& c, double y) {
   return c.c1 + y * (2.0 * c.c2 + (3.0 * y) * c.c3);
 }
 
-/// A Gauss point: its distance y from the middle with what cubics, their derivatives and forces at it are multiplied
-/// by.
+/// Gauss point: its distance y from the middle and the factors for cubics, their derivatives and forces.
 struct GaussPoint {
   double y, y2, y3, twice_y, thrice_y2, six_y, weight;
 };
@@ -68,13 +67,13 @@ inline Vec value_at(const Cubic& c, const GaussPoint& p) {
   return c.c0 + p.y * c.c1 + p.y2 * c.c2 + p.y3 * c.c3;
 }
 
-/// What the unknowns of an element are for its derivatives: mean (r1 + r2)/2 and turn h (t2 - t1), whose functions are
-/// even about the middle; chord r2 - r1 and both h (t1 + t2), whose functions are odd. Derivatives along the element
-/// depend on the last three alone.
+/// Transformed unknowns of an element, used in its derivatives: mean (r1 + r2)/2 and turn h (t2 - t1), whose functions
+/// are even about the middle; chord r2 - r1 and both h (t1 + t2), whose functions are odd. Derivatives along the
+/// element depend on the last three only.
 enum Unknown { kMean = 0, kTurn = 1, kChord = 2, kBoth = 3 };
 inline constexpr int kSlopeDofs = 9;  ///< Turn, chord, both.
 
-/// The functions of these four at a point, of the three their first derivatives by xi and their second.
+/// Values of these four functions at a point, and the first and second derivatives with xi of the last three.
 struct Shape {
   double n[4], c[3], d[3];
 };
@@ -85,40 +84,41 @@ constexpr Shape shape_at(double y) {
           {1.0, -12.0 * y, 6.0 * y}};
 }
 
-/// Gauss points come in pairs as far below as above the middle: the functions at the upper ones, 2 and 3.
+/// Gauss points are in pairs symmetric about the middle: function values are stored for the upper ones, 2 and 3.
 inline constexpr int kGaussPairs = kGaussPoints / 2;
 inline constexpr Shape kGaussShape[kGaussPairs] = {shape_at(kGauss[2].y), shape_at(kGauss[3].y)};
 
-/// As many elements as a register holds: unknowns, what derivatives along the element are made of, and forces.
+/// One register of elements: unknowns, intermediate values and forces.
 struct Batch {
-  Vec q[4];   ///< r1, h t1, r2, h t2.
-  Vec chord;  ///< r2 - r1: derivatives need no more, and the difference keeps digits that positions of hundreds of
-              ///< metres lose.
+  Vec q[4];  ///< r1, h t1, r2, h t2.
+  /// r2 - r1: derivatives depend on it only, and the difference keeps digits that are lost in positions of hundreds of
+  /// metres.
+  Vec chord;
   Lanes h, inv_h;
-  Cubic r;            ///< Place.
+  Cubic r;            ///< Position.
   Vec a1, a2, a3;     ///< dr/ds of the unstressed length = a1 + a2 y + a3 y^2.
   Vec b0, b1;         ///< d2r/ds2 = b0 + b1 y.
-  Vec by_cubic[4];    ///< Forces on c0 to c3 of the place,
-  Vec by_tangent[2];  ///< and beside them on h t1 and h t2.
+  Vec by_cubic[4];    ///< Forces on c0 to c3 of the position,
+  Vec by_tangent[2];  ///< and additional forces on h t1 and h t2.
 };
 
-/// Derivatives of the forces of a batch, of each kind in the form it comes in: joined at the end.
+/// Derivatives of the forces of a batch, each kind in its own form; joined at the end.
 struct BatchTangent {
-  Mat aa[kGaussPoints], bb[kGaussPoints];      ///< Of bending, in slope and curvature, times the point's weight,
-  Mat ba[kGaussPoints];                        ///< and mixed: rows by the curvature.
-  Lanes by_slope[kSlopeDofs][kSlopeDofs];      ///< Of strains, symmetric: the blocks on and above the diagonal.
-  Lanes by_height[kSlopeDofs][3];              ///< Of the tension of pressure, in z of kMean, kTurn, kChord.
-  Mat in_r[kGaussPoints], in_a[kGaussPoints];  ///< Of loads, in place and slope, times the point's weight.
-  bool has_rates = false;                      ///< Where elements only pull:
-  Vec rate_rows[3], rate_columns[3];           ///< by the rates of the three strains, a column in a row.
-  Lanes k[kDofs][kDofs];                       ///< All together.
+  Mat aa[kGaussPoints], bb[kGaussPoints];      ///< Bending, in slope and curvature, times the weight of the point,
+  Mat ba[kGaussPoints];                        ///< and mixed terms: rows by the curvature.
+  Lanes by_slope[kSlopeDofs][kSlopeDofs];      ///< Strains, symmetric: blocks on and above the diagonal.
+  Lanes by_height[kSlopeDofs][3];              ///< Tension of pressure, in z of kMean, kTurn, kChord.
+  Mat in_r[kGaussPoints], in_a[kGaussPoints];  ///< Loads, in position and slope, times the weight of the point.
+  bool has_rates = false;                      ///< Set if elements are tension-only:
+  Vec rate_rows[3], rate_columns[3];           ///< derivatives with the rates of the three strains, a column in a row.
+  Lanes k[kDofs][kDofs];                       ///< Sum of all parts.
 };
 
 inline Lanes load_lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
 }
 
-/// How many registers a row of kRow numbers takes, and where part number kPart begins: the last ends with the row, if
+/// Number of registers for a row of kRow numbers, and first number of part kPart: the last part ends with the row if
 /// the row fills a register.
 template <int kRow>
 inline constexpr int kRowParts = (kRow + kWidth - 1) / kWidth;
@@ -130,7 +130,7 @@ inline void load_part(Lanes (&out)[kRow], const double* rows) {
   constexpr int kStart = kPartStart<kRow, kPart>;
   Lanes columns[kWidth];
   for (int l = 0; l < kWidth; ++l) {
-    columns[l] = loose(rows + kRow * l + kStart);
+    columns[l] = unaligned(rows + kRow * l + kStart);
   }
   transpose(columns);
   for (int j = 0; j < kWidth && kStart + j < kRow; ++j) {
@@ -143,15 +143,15 @@ inline void load_parts(Lanes (&out)[kRow], const double* rows, std::integer_sequ
   (load_part<kRow, P>(out, rows), ...);
 }
 
-/// Rows of kRow numbers, one after the other, to a register for each number. Rows shorter than a register are read on
-/// into the next: there must be one after the last.
+/// Loads consecutive rows of kRow numbers into one register per number. Rows shorter than a register are read into the
+/// next row: one more row must follow the last.
 template <int kRow>
 inline void load_rows(Lanes (&out)[kRow], const double* rows) {
   load_parts<kRow>(out, rows, std::make_integer_sequence<int, kRowParts<kRow>>());
 }
 
 inline constexpr int kNodeParts = kRowParts<kNodeDofs>;
-/// The six numbers of every node of a batch, as load_rows() reads them: by part and node.
+/// Six numbers of every node of a batch in the layout of load_rows(): by part and node.
 using NodeRows = Lanes[kNodeParts][kWidth];
 
 template <int kPart>
@@ -163,13 +163,13 @@ inline void turn_part(NodeRows& rows, const Lanes (&values)[kNodeDofs]) {
   transpose(rows[kPart]);
 }
 
-/// Which part of a node's row begins with a number of it; the last reaches to the row's end.
+/// Part of a node's row that begins with a given number; the last part reaches to the end of the row.
 template <int kFirst>
 inline constexpr int kPartFrom = kWidth >= kNodeDofs                                    ? 0
                                  : kFirst % kWidth == 0 && kFirst + kWidth <= kNodeDofs ? kFirst / kWidth
                                                                                         : kNodeParts - 1;
 
-/// Register number kOut of the rows of a batch side by side; I runs over its lanes.
+/// Register kOut of the packed rows of a batch; I runs over its lanes.
 template <int kOut, int... I>
 inline Lanes packed_register(const NodeRows& rows, std::integer_sequence<int, I...> /*all*/) {
   constexpr int kNode = kOut * kWidth / kNodeDofs, kFirst = kOut * kWidth % kNodeDofs;
@@ -185,7 +185,7 @@ inline Lanes packed_register(const NodeRows& rows, std::integer_sequence<int, I.
 template <int... O>
 inline void store_registers(double* to, const NodeRows& rows, std::integer_sequence<int, O...> /*registers*/) {
   constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
-  ((loose(to + kWidth * O) = packed_register<O>(rows, lanes)), ...);
+  ((unaligned(to + kWidth * O) = packed_register<O>(rows, lanes)), ...);
 }
 
 template <int... P>
@@ -193,7 +193,7 @@ inline void turn_parts(NodeRows& rows, const Lanes (&values)[kNodeDofs], std::in
   (turn_part<P>(rows, values), ...);
 }
 
-/// The way back: six numbers of every node side by side.
+/// Inverse of load_rows(): stores the six numbers of every node consecutively.
 inline void store_rows(double* to, const Lanes (&values)[kNodeDofs]) {
   NodeRows rows;
   turn_parts(rows, values, std::make_integer_sequence<int, kNodeParts>());
@@ -205,7 +205,7 @@ inline Lanes lanes_from_next(const Lanes& x, double next, std::integer_sequence<
   return __builtin_shufflevector(x, Lanes{} + next, (L + 1)...);
 }
 
-/// Lane l receives that of l + 1, the last `next`.
+/// Shifts lanes down: lane l receives lane l + 1, the last one `next`.
 inline Lanes from_next(const Lanes& x, double next) {
   return lanes_from_next(x, next, std::make_integer_sequence<int, kWidth>());
 }
@@ -215,12 +215,12 @@ inline Lanes lanes_from_last(const Lanes& x, const Lanes& before, std::integer_s
   return __builtin_shufflevector(x, before, (L == 0 ? 2 * kWidth - 1 : L - 1)...);
 }
 
-/// Lane l receives that of l - 1, the first the last of `before`.
+/// Shifts lanes up: lane l receives lane l - 1, the first one the last of `before`.
 inline Lanes from_last(const Lanes& x, const Lanes& before) {
   return lanes_from_last(x, before, std::make_integer_sequence<int, kWidth>());
 }
 
-/// kRow numbers per node at both nodes of every element of a batch; beyond the last element, of the last.
+/// Gathers kRow numbers per node at both nodes of every element of a batch; lanes beyond the last element repeat it.
 template <int kRow>
 inline void gather_ends(Lanes (&lower)[kRow], Lanes (&upper)[kRow], const double* from, int first, int count) {
   const double* rows = from + kRow * first;
@@ -252,9 +252,9 @@ inline void gather_nodes(Vec (&out)[4], const double* from, int first, int count
   }
 }
 
-/// What the unknowns of a batch make of place, slope and curvature.
+/// Computes position, slope and curvature polynomials from the unknowns of a batch.
 inline void find_cubic(Batch& e) {
-  e.r = cubic_of(e.q, e.chord);
+  e.r = make_cubic(e.q, e.chord);
   e.a1 = e.inv_h * e.r.c1;
   e.a2 = (2.0 * e.inv_h) * e.r.c2;
   e.a3 = (3.0 * e.inv_h) * e.r.c3;
@@ -267,7 +267,7 @@ inline void clear_forces(Batch& e) {
   for (Vec& force : e.by_tangent) force = Vec{};
 }
 
-/// A force at a point.
+/// Adds a force at a point.
 inline void add_force(Batch& e, const GaussPoint& p, const Vec& f) {
   e.by_cubic[0] = e.by_cubic[0] + f;
   e.by_cubic[1] = e.by_cubic[1] + p.y * f;
@@ -275,7 +275,7 @@ inline void add_force(Batch& e, const GaussPoint& p, const Vec& f) {
   e.by_cubic[3] = e.by_cubic[3] + p.y3 * f;
 }
 
-/// What works at a point on dr/d(xi) and d2r/d(xi)2.
+/// Adds generalised forces at a point, conjugate to dr/d(xi) and d2r/d(xi)2.
 inline void add_strain_force(Batch& e, const GaussPoint& p, const Vec& g, const Vec& m) {
   e.by_cubic[1] = e.by_cubic[1] + g;
   e.by_cubic[2] = e.by_cubic[2] + (p.twice_y * g + 2.0 * m);
@@ -288,7 +288,7 @@ inline void put_components(Lanes* to, const Vec& v) {
   to[2] = v.z;
 }
 
-/// All forces of a batch, on r and t of its lower and upper nodes.
+/// Returns all forces of a batch on r and t of its lower and upper nodes.
 inline void nodal_forces(const Batch& e, Lanes (&lower)[kNodeDofs], Lanes (&upper)[kNodeDofs]) {
   const Vec by_chord = 1.5 * e.by_cubic[1] - 2.0 * e.by_cubic[3];
   const Vec by_both = e.by_cubic[3] - 0.25 * e.by_cubic[1];

@@ -1,8 +1,8 @@
-/// Bed and route under a batch of points: the one place where the kernel computes them. For line_kernel.cpp alone.
+/// Seabed and route under a batch of points, for all of the kernel. For line_kernel.cpp only.
 ///
-/// A plane is the fast path. Where a bed has a shape, gap and normal are those of the tangent plane at the same x and
-/// y: clearance = (z - z_bed) cos(slope), normal = (-dz_bed/dx, -dz_bed/dy, 1) cos(slope), so that the clearance grows
-/// along its own gradient, which is not quite the normal, and the normal turns with the place.
+/// A plane is the fast path. For a seabed with bathymetry, gap and normal are those of the tangent plane at the same x
+/// and y: clearance = (z - z_bed) cos(slope), normal = (-dz_bed/dx, -dz_bed/dy, 1) cos(slope). The gradient of the
+/// clearance therefore differs slightly from the normal, and the normal varies with position.
 #pragma once
 
 #include "mechanics/line_kernel_batch.h"
@@ -10,28 +10,28 @@
 
 namespace overbend {
 
-/// Height of a shape under a place and its derivatives, see model/site/bed_shape.h.
-void bed_values(const BedShape* shape, double x, double y, double* six);
+/// Height of the seabed at a position and its derivatives, see model/site/seabed_shape.h.
+void bed_values(const SeabedShape* shape, double x, double y, double* six);
 
 }  // namespace overbend
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// Columns of a derivative in the place that has none in z.
+/// Columns of a derivative with position that does not depend on z.
 struct LevelColumns {
   Vec in_x, in_y;
 };
 
-struct BedUnder {
+struct SeabedUnder {
   Vec normal;
-  Lanes clearance;    ///< Of the axis from the bed, along its normal [m].
-  Vec gradient;       ///< Of the clearance; of a plane its normal.
-  LevelColumns turn;  ///< Derivative of the normal; only of a shape, as what follows from it.
+  Lanes clearance;    ///< Distance of the axis from the seabed, along its normal [m].
+  Vec gradient;       ///< Gradient of the clearance; for a plane its normal.
+  LevelColumns turn;  ///< Derivative of the normal; only set for bathymetry, as are values derived from it.
 };
 
-/// One lane over a shape.
-inline void put_shape_under(BedUnder& under, int l, const LineEnvironment& env, const Vec& r) {
+/// Evaluates one lane over bathymetry.
+inline void put_shape_under(SeabedUnder& under, int l, const LineEnvironment& env, const Vec& r) {
   double v[6];
   bed_values(env.bed_shape, r.x[l], r.y[l], v);
   const double over = r.z[l] - (env.bed_level + env.bed_relief * (v[0] - env.bed_level));
@@ -54,9 +54,10 @@ inline void put_shape_under(BedUnder& under, int l, const LineEnvironment& env, 
   under.turn.in_y.z[l] = cy;
 }
 
-/// Points that no place of a shape reaches, given the pipe's radius, get a clearance that says so.
-inline __attribute__((noinline)) BedUnder shape_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
-  BedUnder under{{Lanes{}, Lanes{}, all(1.0)}, r.z - env.bed_highest, {Lanes{}, Lanes{}, all(1.0)}, LevelColumns{}};
+/// Seabed under points. Points that cannot touch the shape, given the pipe's radius, get a large clearance.
+inline __attribute__((noinline)) SeabedUnder shape_under(const LineEnvironment& env, const Vec& r,
+                                                         const Lanes& radius) {
+  SeabedUnder under{{Lanes{}, Lanes{}, all(1.0)}, r.z - env.bed_highest, {Lanes{}, Lanes{}, all(1.0)}, LevelColumns{}};
   if (!any(radius - under.clearance)) {
     return under;
   }
@@ -72,20 +73,20 @@ inline Vec plane_normal(const LineEnvironment& env) {
   return {all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
 }
 
-inline BedUnder bed_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+inline SeabedUnder bed_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
   if (env.bed_shape != nullptr) return shape_under(env, r, radius);
   const Vec n = plane_normal(env);
   return {n, dot(n, r) - env.bed_offset, n, LevelColumns{}};
 }
 
-/// Whether any point may lie on the bed: of most lines most do not, and they are spared the rest.
+/// True if any point may touch the seabed: most lines are clear of it and skip the rest.
 inline bool near_bed(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
   return any(env.bed_shape != nullptr ? radius - (r.z - env.bed_highest)
                                       : radius - (dot(plane_normal(env), r) - env.bed_offset));
 }
 
-/// Force per length of soil that is not linear, its derivative in the penetration and its integral; see
-/// mechanics/soil_law.h for the laws. All 0 where nothing touches.
+/// Force per length of nonlinear soil, its derivative with penetration and its integral; laws as in
+/// mechanics/soil_law.h. All 0 without contact.
 struct SoilForce {
   Lanes force, slope, energy;
 };
@@ -112,7 +113,7 @@ inline __attribute__((noinline)) SoilForce soil_force(const LineEnvironment& env
   return soil;
 }
 
-/// m += s times a derivative in x and y.
+/// m += s times a derivative with x and y.
 inline void add_columns(Mat& m, const Lanes& s, const LevelColumns& columns) {
   m.m[0][0] += s * columns.in_x.x;
   m.m[1][0] += s * columns.in_x.y;
@@ -122,21 +123,21 @@ inline void add_columns(Mat& m, const Lanes& s, const LevelColumns& columns) {
   m.m[2][1] += s * columns.in_y.z;
 }
 
-/// The columns' products with a vector.
+/// Returns the products of the columns with a vector.
 inline Vec transposed_times(const LevelColumns& columns, const Vec& v) {
   return {dot(columns.in_x, v), dot(columns.in_y, v), Lanes{}};
 }
 
-/// The route where it is nearest to a point.
-struct RouteBeside {
+/// Point of the route nearest to a given point.
+struct NearestRoutePoint {
   Vec across;       ///< Horizontal unit vector, to port.
   Lanes off;        ///< Distance of the point, to port [m].
-  Lanes curvature;  ///< Of the line beside the route through the point, positive where it turns to port [1/m].
+  Lanes curvature;  ///< Curvature of the parallel line through the point, positive where it turns to port [1/m].
 };
 
-/// Of a route with arcs: the piece is the last whose beginning the point has passed.
-inline __attribute__((noinline)) RouteBeside beside_bent_route(const LineEnvironment& env, const Vec& r) {
-  RouteBeside at{{Lanes{}, Lanes{}, Lanes{}}, Lanes{}, Lanes{}};
+/// Nearest point of a route with arcs: the piece is the last one whose start the point has passed.
+inline __attribute__((noinline)) NearestRoutePoint nearest_on_curved_route(const LineEnvironment& env, const Vec& r) {
+  NearestRoutePoint route{{Lanes{}, Lanes{}, Lanes{}}, Lanes{}, Lanes{}};
   for (int l = 0; l < kWidth; ++l) {
     const RoutePiece* piece = env.route;
     for (const RoutePiece* next = piece + 1; next < env.route + env.route_pieces; ++next) {
@@ -148,27 +149,27 @@ inline __attribute__((noinline)) RouteBeside beside_bent_route(const LineEnviron
     const double px = piece->ty, py = -piece->tx;
     double dx = r.x[l] - piece->x, dy = r.y[l] - piece->y;
     if (piece->curvature == 0.0) {
-      at.across.x[l] = px;
-      at.across.y[l] = py;
-      at.off[l] = dx * px + dy * py - env.route_shift;
+      route.across.x[l] = px;
+      route.across.y[l] = py;
+      route.off[l] = dx * px + dy * py - env.route_shift;
       continue;
     }
-    const double radius = 1.0 / piece->curvature;  // to port of the beginning lies the centre
+    const double radius = 1.0 / piece->curvature;  // the centre is to port of the start
     dx -= radius * px;
     dy -= radius * py;
     const double side = radius > 0.0 ? 1.0 : -1.0;
     const double from_centre = __builtin_sqrt(dx * dx + dy * dy) + 1e-30;
-    at.across.x[l] = -side * dx / from_centre;
-    at.across.y[l] = -side * dy / from_centre;
-    at.off[l] = radius - side * from_centre - env.route_shift;
-    at.curvature[l] = side / from_centre;
+    route.across.x[l] = -side * dx / from_centre;
+    route.across.y[l] = -side * dy / from_centre;
+    route.off[l] = radius - side * from_centre - env.route_shift;
+    route.curvature[l] = side / from_centre;
   }
-  return at;
+  return route;
 }
 
-inline RouteBeside beside_route(const LineEnvironment& env, const Vec& r) {
+inline NearestRoutePoint nearest_route_point(const LineEnvironment& env, const Vec& r) {
   if (env.route_pieces > 0) {
-    return beside_bent_route(env, r);
+    return nearest_on_curved_route(env, r);
   }
   const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
   return {across, dot(across, r) - env.route_offset, Lanes{}};
@@ -176,10 +177,10 @@ inline RouteBeside beside_route(const LineEnvironment& env, const Vec& r) {
 
 /// Horizontal unit vector across the route, to port, at the point of the route nearest to r.
 inline Vec across_route(const LineEnvironment& env, const Vec& r) {
-  return beside_route(env, r).across;
+  return nearest_route_point(env, r).across;
 }
 
-/// Unit vector on a plane bed along the route, away from the barge; on a shape see along_shape().
+/// Unit vector on a plane seabed along the route, away from the vessel; for bathymetry see along_shape().
 inline Vec along_route(const LineEnvironment& env, const Vec& r) {
   if (env.route_pieces == 0) {
     return {all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
@@ -191,13 +192,13 @@ inline Vec along_route(const LineEnvironment& env, const Vec& r) {
   return (1.0 / root(dot(along, along))) * along;
 }
 
-/// The same on a shape, with its derivative: the route's direction as it lies in the tangent plane.
+/// Direction along the route in the tangent plane of the bathymetry, with its derivative.
 struct AlongShape {
   Vec direction;
   LevelColumns turn;
 };
 
-inline AlongShape along_shape(const LineEnvironment& env, const Vec& r, const BedUnder& bed) {
+inline AlongShape along_shape(const LineEnvironment& env, const Vec& r, const SeabedUnder& bed) {
   const Vec across = across_route(env, r);
   const Vec ahead{-across.y, across.x, Lanes{}};
   const Lanes into = dot(ahead, bed.normal);

@@ -1,5 +1,5 @@
 /// Weight, buoyancy, seabed and current at the Gauss points of a batch, with their exact derivatives. For
-/// line_kernel.cpp alone.
+/// line_kernel.cpp only.
 #pragma once
 
 #include "mechanics/line_kernel_energy.h"
@@ -12,8 +12,8 @@ struct Wetting {
   Lanes share, slope;
 };
 
-/// Of points some of which the surface cuts. What looks at lanes one by one has a call of its own: it would keep all
-/// that it touches out of registers.
+/// Wetting of points near the surface. Lane-by-lane code is kept out of line: inlined, it would spill its operands from
+/// registers.
 inline __attribute__((noinline)) Wetting wetting_at_surface(const Lanes& z, const Lanes& radius) {
   Wetting wet{z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
   const Lanes c = z / radius;
@@ -28,22 +28,22 @@ inline __attribute__((noinline)) Wetting wetting_at_surface(const Lanes& z, cons
 }
 
 inline Wetting wetting(const Lanes& z, const Lanes& radius) {
-  if (!any(radius * radius - z * z)) {  // almost every point is wholly under or wholly above the water
+  if (!any(radius * radius - z * z)) {  // most points are fully above or below the surface
     return {z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
   }
   return wetting_at_surface(z, radius);
 }
 
 struct Current {
-  Vec velocity, slope;  ///< Slope: derivative in z.
+  Vec velocity, slope;  ///< Derivative in z.
 };
 
-/// Linear between the rows of the table, constant beyond: a row below all points and what the intervals over it add, as
-/// far as they reach any.
+/// Returns the current, linear between the rows of the table and constant beyond: starts from a row below all points
+/// and adds the intervals above it up to the highest point.
 inline Current current_at(const LineEnvironment& env, const Lanes& z) {
   int i = 0;
   while (i + 2 < env.current_rows && !any(env.current_z[i + 1] - z)) ++i;
-  Current now{{all(env.current_vx[i]), all(env.current_vy[i]), Lanes{}}, {}};
+  Current current{{all(env.current_vx[i]), all(env.current_vy[i]), Lanes{}}, {}};
   for (; i + 1 < env.current_rows && any(z - env.current_z[i]); ++i) {
     const double below = env.current_z[i], above = env.current_z[i + 1], by_dz = 1.0 / (above - below);
     const double slope_x = (env.current_vx[i + 1] - env.current_vx[i]) * by_dz;
@@ -51,17 +51,17 @@ inline Current current_at(const LineEnvironment& env, const Lanes& z) {
     const Lanes from_below = z > below ? z - below : Lanes{};
     const Lanes part = z < above ? from_below : all(above - below);
     const Lanes inside = z < above ? (z > below ? all(1.0) : Lanes{}) : Lanes{};
-    now.velocity.x += slope_x * part;
-    now.velocity.y += slope_y * part;
-    now.slope.x += slope_x * inside;
-    now.slope.y += slope_y * inside;
+    current.velocity.x += slope_x * part;
+    current.velocity.y += slope_y * part;
+    current.slope.x += slope_x * inside;
+    current.slope.y += slope_y * inside;
   }
-  now.velocity = env.current_scale * now.velocity;
-  now.slope = env.current_scale * now.slope;
-  return now;
+  current.velocity = env.current_scale * current.velocity;
+  current.slope = env.current_scale * current.slope;
+  return current;
 }
 
-/// Force per length at a point and, where a tangent is asked for, its derivatives in position and tangent.
+/// Force per length at a point and, with a tangent, its derivatives with position and tangent vector.
 template <bool kTangent>
 struct PointLoad {
   Vec f;
@@ -81,7 +81,7 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
   }
 }
 
-/// Derivative of a load in the position: s a b'.
+/// Adds to the derivative of a load with position: s a b'.
 template <bool kTangent>
 inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const Vec& a, const Vec& b) {
   if constexpr (kTangent) {
@@ -89,7 +89,7 @@ inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const Vec& a
   }
 }
 
-/// The same: s times a derivative in x and y.
+/// Adds to the derivative of a load with position: s times a derivative with x and y.
 template <bool kTangent>
 inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const LevelColumns& columns) {
   if constexpr (kTangent) {
@@ -97,9 +97,9 @@ inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const LevelC
   }
 }
 
-/// A load that depends on nothing but, with slope `in_z`, on the height.
+/// Returns a load that depends on height only, with slope `in_z`.
 template <bool kTangent>
-inline PointLoad<kTangent> load_of(const Vec& f, const Lanes& in_z) {
+inline PointLoad<kTangent> make_height_load(const Vec& f, const Lanes& in_z) {
   PointLoad<kTangent> load;
   load.f = f;
   if constexpr (kTangent) {
@@ -113,11 +113,10 @@ inline PointLoad<kTangent> load_of(const Vec& f, const Lanes& in_z) {
   return load;
 }
 
-/// Axial friction on a shape: what lies on the bed does not slide down its local slope, up to mu times the normal
-/// force.
+/// Axial friction on bathymetry: prevents sliding down the local slope, up to mu times the normal force.
 template <bool kTangent>
 inline void add_downhill_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
-                                  const BedUnder& bed, const Lanes& touching, const Lanes& normal,
+                                  const SeabedUnder& bed, const Lanes& touching, const Lanes& normal,
                                   const Lanes& stiffness, const Lanes& submerged_weight) {
   const AlongShape along = along_shape(env, r, bed);
   const Lanes pull = touching * submerged_weight * along.direction.z;
@@ -132,13 +131,12 @@ inline void add_downhill_friction(PointLoad<kTangent>& load, const LineEnvironme
   add_in_place(load, (1.0 - sliding) * touching * submerged_weight, along.direction, rise);
 }
 
-/// Axial friction on a route that bends keeps the laid pipe from sliding downhill as on a straight one, along the
-/// direction of the place.
+/// Axial friction on a curved route: prevents sliding downhill as on a straight one, along the local direction.
 template <bool kTangent>
 inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
                                           const Vec& n, const Lanes& touching, const Lanes& normal,
                                           const Lanes& stiffness, const Lanes& submerged_weight) {
-  const auto [across, off, curvature] = beside_route(env, r);
+  const auto [across, off, curvature] = nearest_route_point(env, r);
   const Vec level{-1.0 * across.y, across.x, Lanes{}};
   const Vec along = along_route(env, r);
   const Lanes pull = submerged_weight * along.z;
@@ -149,7 +147,7 @@ inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineE
   const Lanes force = uphill * (sliding * limit + (touching - sliding * touching) * size);
   load.f = load.f + force * along;
   add_in_place(load, -env.bed_friction_axial * uphill * sliding * stiffness, along, n);
-  // going along the bend turns the level direction towards its centre, and `along` as far as it lies on the bed
+  // along the bend the level direction turns towards the centre, and so does `along` within the seabed
   const Vec turned = across - dot(across, n) * n;
   const Lanes rise = dot(level, n);
   const Vec turn = (curvature / root(1.0 - rise * rise)) * (turned - dot(along, turned) * along);
@@ -157,10 +155,12 @@ inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineE
   add_in_place(load, (touching - sliding * touching) * submerged_weight * turn.z, along, level);
 }
 
-/// Friction of a line dragged along the bed: `drag` times the normal force, along the route as it lies on the bed.
+/// Friction of a line dragged along the seabed: `drag` times the normal force, along the route in the plane of the
+/// seabed.
 template <bool kTangent>
 inline void add_dragging_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
-                                  const BedUnder& bed, const Lanes& normal, const Lanes& stiffness, const Lanes& drag) {
+                                  const SeabedUnder& bed, const Lanes& normal, const Lanes& stiffness,
+                                  const Lanes& drag) {
   const Lanes force = drag * normal;
   if (env.bed_shape == nullptr) {
     const Vec along = along_route(env, r);
@@ -174,7 +174,7 @@ inline void add_dragging_friction(PointLoad<kTangent>& load, const LineEnvironme
   add_in_place(load, -drag * stiffness, along.direction, bed.gradient);
 }
 
-/// Axial friction that keeps the laid pipe from sliding down a plane bed.
+/// Axial friction that prevents the laid pipe from sliding down a plane seabed.
 template <bool kTangent>
 inline void add_downhill_friction_on_plane(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
                                            const Vec& n, const Lanes& touching, const Lanes& normal,
@@ -188,15 +188,15 @@ inline void add_downhill_friction_on_plane(PointLoad<kTangent>& load, const Line
   add_in_place(load, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
 }
 
-/// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
-/// normal force (statics: the pipe was laid on its route and has been pushed off it once).
+/// Normal penalty on the underside of the pipe and lateral friction relative to the lay route: elastic stick up to mu
+/// times the normal force (statics: the pipe was laid on its route and displaced from it once).
 template <bool kTangent>
 inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
                        const Lanes& submerged_weight, const Lanes& drag) {
   if (!near_bed(env, r, radius)) {
     return;
   }
-  const BedUnder bed = bed_under(env, r, radius);
+  const SeabedUnder bed = bed_under(env, r, radius);
   const Vec& n = bed.normal;
   const Lanes penetration = radius - bed.clearance;
   const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
@@ -224,7 +224,7 @@ inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, co
     add_downhill_friction_on_plane(load, env, r, n, touching, normal, stiffness, submerged_weight);
   }
   if (env.bed_friction_lateral > 0.0) {
-    const auto [across, off, curvature] = beside_route(env, r);
+    const auto [across, off, curvature] = nearest_route_point(env, r);
     const Lanes stick = -env.bed_stick * touching * off;
     const Lanes limit = env.bed_friction_lateral * normal;
     const Lanes sign = off > 0.0 ? all(-1.0) : all(1.0);
@@ -232,8 +232,7 @@ inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, co
     const Lanes sliding = size > limit ? all(1.0) : Lanes{};
     const Lanes force = sliding * sign * limit + (1.0 - sliding) * stick;
     load.f = load.f + force * across;
-    if (env.route_pieces >
-        0) {  // going along a bent route turns the direction across it: d across = -curvature d along
+    if (env.route_pieces > 0) {  // along a curved route the transverse direction turns: d across = -curvature d along
       const Vec level{-1.0 * across.y, across.x, Lanes{}};
       add_in_place(load, -1.0 * curvature * force, level, level);
     }
@@ -242,7 +241,7 @@ inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, co
   }
 }
 
-/// Adds df/dt' (I - t t') / |a| to the derivative in the tangent, for df/dt' = t w' + s I + d e e', e normal to t.
+/// Adds df/dt' (I - t t') / |a| to the derivative with the tangent, for df/dt' = t w' + s I + d e e', e normal to t.
 inline void add_turning(Mat& in_a, const Lanes& scale, const Vec& t, const Vec& w, const Lanes& s, const Lanes& d,
                         const Vec& e) {
   const Vec across = scale * (w - (dot(w, t) + s) * t);
@@ -257,21 +256,21 @@ inline void add_turning(Mat& in_a, const Lanes& scale, const Vec& t, const Vec& 
 
 /// Quadratic drag on the relative velocity u of the water.
 struct Drag {
-  Vec t;           ///< Along the pipe.
-  Lanes ut;        ///< u along it.
-  Vec un;          ///< u across it.
+  Vec t;           ///< Unit vector along the pipe.
+  Lanes ut;        ///< Component of u along the pipe.
+  Vec un;          ///< Component of u across the pipe.
   Lanes by_size;   ///< Cn |un|
   Lanes by_along;  ///< Ct |ut|
   Lanes inv_size;  ///< 1 / |un|
 };
 
 template <bool kTangent>
-inline Drag drag_of(const Vec& t, const Vec& u, const Lanes& normal, const Lanes& axial) {
+inline Drag compute_drag(const Vec& t, const Vec& u, const Lanes& normal, const Lanes& axial) {
   Drag d;
   d.t = t;
   d.ut = dot(u, t);
   d.un = u - d.ut * t;
-  const Lanes size = root(dot(d.un, d.un)) + 1e-30;  // water along the pipe has no normal drag, not 0/0
+  const Lanes size = root(dot(d.un, d.un)) + 1e-30;  // avoids 0/0 where water flows along the pipe
   d.by_size = normal * size;
   d.by_along = axial * (d.ut > 0.0 ? d.ut : -d.ut);
   if constexpr (kTangent) {
@@ -280,7 +279,7 @@ inline Drag drag_of(const Vec& t, const Vec& u, const Lanes& normal, const Lanes
   return d;
 }
 
-/// What a change of the water's velocity changes: Cn (|un| I + un un'/|un|) across, 2 Ct |ut| along.
+/// Change of the drag with the velocity of the water: Cn (|un| I + un un'/|un|) across, 2 Ct |ut| along.
 inline Vec with_velocity(const Drag& d, const Vec& change) {
   const Vec across = change - dot(change, d.t) * d.t;
   return d.by_size * (across + (d.inv_size * d.inv_size * dot(d.un, across)) * d.un) +
@@ -294,17 +293,17 @@ inline void add_drag(PointLoad<kTangent>& load, const LineEnvironment& env, cons
   if (!any(wet.share)) {
     return;
   }
-  const Current now = current_at(env, z);
-  const Drag d = drag_of<kTangent>(slope.inv_norm * slope.a, now.velocity, drag_normal, drag_axial);
+  const Current current = current_at(env, z);
+  const Drag d = compute_drag<kTangent>(slope.inv_norm * slope.a, current.velocity, drag_normal, drag_axial);
   const Vec f = d.by_size * d.un + (d.by_along * d.ut) * d.t;
   load.f = load.f + wet.share * f;
   if constexpr (kTangent) {
-    const Vec z_column = wet.share * with_velocity(d, now.slope) + wet.slope * f;
+    const Vec z_column = wet.share * with_velocity(d, current.slope) + wet.slope * f;
     load.in_r.m[0][2] += z_column.x;
     load.in_r.m[1][2] += z_column.y;
     load.in_r.m[2][2] += z_column.z;
-    // Turning the pipe: d un = -(u.dt) t - ut dt; in the drag's own terms t (2 Ct |ut| - Cn |un|) u' and the rest.
-    add_turning(load.in_a, wet.share * slope.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * now.velocity,
+    // Rotation of the pipe: d un = -(u.dt) t - ut dt; in terms of the drag t (2 Ct |ut| - Cn |un|) u' and the rest.
+    add_turning(load.in_a, wet.share * slope.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * current.velocity,
                 d.ut * (d.by_along - d.by_size), -d.ut * d.by_size, d.inv_size * d.un);
   }
 }
@@ -332,11 +331,11 @@ inline void add_load(Batch& e, BatchTangent* tangent, int i, const PointLoad<kTa
 
 /// Weight, buoyancy, seabed and current at a Gauss point.
 template <bool kTangent>
-inline PointLoad<kTangent> resting_load(const LineEnvironment& env, const LoadConstants& c, const Vec& r,
-                                        const PointSlope& slope) {
+inline PointLoad<kTangent> static_load(const LineEnvironment& env, const LoadConstants& c, const Vec& r,
+                                       const PointSlope& slope) {
   const Wetting wet = wetting(r.z, c.radius);
   PointLoad<kTangent> load =
-      load_of<kTangent>({Lanes{}, Lanes{}, c.buoyancy * wet.share - c.weight}, c.buoyancy * wet.slope);
+      make_height_load<kTangent>({Lanes{}, Lanes{}, c.buoyancy * wet.share - c.weight}, c.buoyancy * wet.slope);
   add_seabed(load, env, r, c.radius, c.weight - c.buoyancy, c.drag_on_bed);
   if (env.current_rows > 0) {
     add_drag(load, env, r.z, slope, wet, c.drag_normal, c.drag_axial);

@@ -1,5 +1,5 @@
-/// Inertia, Morison's forces and the bed's friction at the Gauss points of a batch in motion, with their exact
-/// derivatives and energies. For line_kernel.cpp alone.
+/// Inertia, Morison's forces and seabed friction at the Gauss points of a moving batch, with their exact derivatives
+/// and energies. For line_kernel.cpp only.
 #pragma once
 
 #include "mechanics/line_kernel_loads.h"
@@ -7,20 +7,20 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// The water along the elements of a batch: in the middle, and what it changes from end to end.
+/// Water along the elements of a batch: value in the middle and change from end to end.
 struct BatchWater {
   Vec velocity, acceleration;
   Lanes surface;  ///< Elevation [m].
 };
 
-/// Motion of a batch: velocity and acceleration along its elements, and the water's.
+/// Motion of a batch: velocity and acceleration along its elements, and of the water.
 struct BatchMotion {
   Cubic v, acc;
   BatchWater middle, change;
-  Lanes head[2];  ///< Of the dynamic pressure at both ends [m].
+  Lanes head[2];  ///< Head of the dynamic pressure at both ends [m].
 };
 
-/// Water at both ends, linear along an element; beyond the last element, of the last.
+/// Gathers the water at both ends, linear along an element; lanes beyond the last element repeat it.
 inline void gather_water(BatchMotion& m, const double* water, int first, int count) {
   Lanes ends[2][kWaterValues];
   gather_ends<kWaterValues>(ends[0], ends[1], water, first, count);
@@ -35,13 +35,13 @@ inline void gather_water(BatchMotion& m, const double* water, int first, int cou
   m.head[1] = ends[1][7];
 }
 
-/// The cubic that values of six per node make along every element.
+/// Returns the cubic of nodal values, six per node, along every element.
 inline Cubic gather_cubic(const double* values, const Lanes& h, int first, int count) {
   Vec nodes[4];
   gather_nodes(nodes, values, first, count);
   nodes[1] = h * nodes[1];
   nodes[3] = h * nodes[3];
-  return cubic_of(nodes);
+  return make_cubic(nodes);
 }
 
 inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& motion, int first, int count) {
@@ -54,13 +54,13 @@ inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& moti
   m.head[0] = m.head[1] = Lanes{};
 }
 
-/// Constants of a moving batch beside LoadConstants.
+/// Constants of a moving batch in addition to LoadConstants.
 struct InertiaConstants {
   Lanes mass, displaced, added_normal, added_axial;
 };
 
-/// A Gauss point of a moving line and the waves there. Each quantity is made where it is used: all at once would not
-/// fit into the registers.
+/// Gauss point of a moving line and its waves. Each quantity is computed on use: all at once would exceed the
+/// registers.
 struct MovingPoint {
   const Batch& e;
   const BatchMotion& m;
@@ -80,24 +80,24 @@ struct MovingPoint {
 /// Returns the force.
 template <bool kTangent>
 inline Vec add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
-                       const MovingPoint& at, const Lanes& z, const PointSlope& slope, const Wetting& wet,
+                       const MovingPoint& point, const Lanes& z, const PointSlope& slope, const Wetting& wet,
                        const LoadConstants& c, const InertiaConstants& i) {
   if (!any(wet.share)) {
     return Vec{};
   }
   const Vec t = slope.inv_norm * slope.a;
-  const Vec water_a = at.water_a(), slip = water_a - at.acc();
+  const Vec water_a = point.water_a(), slip = water_a - point.acc();
   const Lanes more_along = i.added_axial - i.added_normal;
   const Lanes slip_t = more_along * dot(slip, t);
   Vec f = i.displaced * water_a + i.added_normal * slip;
-  Vec u = at.water_v() - at.v();
+  Vec u = point.water_v() - point.v();
   Vec current_slope{};
   if (env.current_rows > 0) {
-    const Current now = current_at(env, z);
-    u = u + now.velocity;
-    current_slope = now.slope;
+    const Current current = current_at(env, z);
+    u = u + current.velocity;
+    current_slope = current.slope;
   }
-  const Drag d = drag_of<kTangent>(t, u, c.drag_normal, c.drag_axial);
+  const Drag d = compute_drag<kTangent>(t, u, c.drag_normal, c.drag_axial);
   f = f + d.by_size * d.un + (d.by_along * d.ut + slip_t) * t;
   const Vec wetted = wet.share * f;
   load.f = load.f + wetted;
@@ -120,8 +120,8 @@ inline Vec add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, co
   return wetted;
 }
 
-/// One direction of the bed's friction: elastic stretch up to mu times the normal force, then sliding (return mapping).
-/// Returns the new stretch.
+/// Adds one direction of seabed friction: elastic slip up to mu times the normal force, then sliding (return mapping).
+/// Returns the new elastic slip.
 template <bool kTangent>
 inline Lanes add_bed_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
                               const Vec& n, const Vec& direction, double mu, const Lanes& touching, const Lanes& normal,
@@ -145,20 +145,20 @@ struct BedSlip {
   Lanes across, along;
 };
 
-/// The bed's normal force at moving points.
+/// Normal force of the seabed at moving points.
 struct NormalForce {
   Lanes touching, approaching;
-  Lanes held;       ///< By the soil [N/m].
-  Lanes size;       ///< With damping.
-  Lanes in_r;       ///< Derivative of its size along the normal of a plane.
-  Lanes stiffness;  ///< Of the soil.
+  Lanes held;       ///< Spring force of the soil [N/m].
+  Lanes size;       ///< Normal force including damping.
+  Lanes in_r;       ///< Derivative of the normal force along the normal of a plane.
+  Lanes stiffness;  ///< Stiffness of the soil.
 };
 
-/// What a shape adds to the normal force of a plane, and friction on it: clearance and normal have their own
-/// derivatives, and the direction along the route turns with the bed.
+/// Adds the terms of bathymetry to the normal force of a plane, and friction on it: clearance and normal have their own
+/// derivatives, and the direction along the route varies with the seabed.
 template <bool kTangent>
 inline BedSlip add_moving_shape(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
-                                const Vec& r, const Vec& v, const BedUnder& bed, const NormalForce& normal,
+                                const Vec& r, const Vec& v, const SeabedUnder& bed, const NormalForce& normal,
                                 const BedSlip& slip) {
   const Vec& n = bed.normal;
   const Vec more =
@@ -195,9 +195,9 @@ inline BedSlip add_moving_shape(PointLoad<kTangent>& load, const LineEnvironment
   return next;
 }
 
-/// What the bed stores and takes at a point; the stretch of its friction counts as lost.
+/// Energy and dissipation of the seabed at a point; elastic friction slip counts as dissipated.
 inline void add_bed_energy(const EnergySums& energy, const Lanes& w, const LineEnvironment& env, const Vec& r,
-                           const Vec& v, const BedUnder& bed, const NormalForce& normal, const Lanes& penetration,
+                           const Vec& v, const SeabedUnder& bed, const NormalForce& normal, const Lanes& penetration,
                            const BedSlip& slip) {
   EnergyLanes& sum = *energy.sum;
   const Lanes speed = dot(bed.normal, v), held = normal.held;
@@ -208,7 +208,7 @@ inline void add_bed_energy(const EnergySums& energy, const Lanes& w, const LineE
     sum.seabed += 0.5 * w * held * penetration;
   }
   Vec along = along_route(env, r);
-  if (env.bed_shape != nullptr) {  // the force of a curved bed has no potential: what it is off counts as lost
+  if (env.bed_shape != nullptr) {  // the force of a curved seabed has no potential: the difference counts as dissipated
     along = along_shape(env, r, bed).direction;
     loss += held * dot(bed.gradient - bed.normal, v);
   }
@@ -216,13 +216,13 @@ inline void add_bed_energy(const EnergySums& energy, const Lanes& w, const LineE
   sum.seabed_loss += w * loss;
 }
 
-/// Normal penalty with damping on approach, never pulling, and friction across and along the route: `slip` becomes what
-/// its stretch is after the step.
+/// Adds the normal penalty with damping on approach, never pulling, and friction across and along the route; `slip` is
+/// updated to the elastic slip after the step.
 template <bool kTangent, bool kEnergy>
 inline void add_moving_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
                               const EnergySums& energy, const Lanes& w, const Vec& r, const Vec& v, const Lanes& radius,
                               BedSlip& slip) {
-  const BedUnder bed = bed_under(env, r, radius);
+  const SeabedUnder bed = bed_under(env, r, radius);
   const Vec& n = bed.normal;
   const Lanes penetration = radius - bed.clearance;
   const Lanes speed = -dot(n, v);
@@ -263,23 +263,23 @@ inline void add_moving_seabed(PointLoad<kTangent>& load, const LineEnvironment& 
   }
 }
 
-/// Of Gauss point i of a batch that begins with element `first`: the stretch of the bed's friction.
+/// Returns the elastic slip of the seabed friction at Gauss point i of a batch that begins with element `first`.
 inline Lanes* slip_at(double* slips, int i, int direction, int padded, int first) {
   return reinterpret_cast<Lanes*>(slips + (i * kBedDirections + direction) * padded + first);
 }
 
-/// Weight, buoyancy, seabed, water and inertia at Gauss point i of a batch that begins with element `first`, and with
-/// kEnergy the energies there.
+/// Returns weight, buoyancy, seabed, water and inertia at Gauss point i of a batch that begins with element `first`,
+/// and with kEnergy adds the energies.
 template <bool kTangent, bool kEnergy>
 inline PointLoad<kTangent> moving_load(const LineEnvironment& env, const LineMotion& motion, const EnergySums& energy,
-                                       const MovingPoint& at, const PointSlope& slope, const LoadConstants& c,
+                                       const MovingPoint& point, const PointSlope& slope, const LoadConstants& c,
                                        const InertiaConstants& inertia, int i, int first, int padded) {
-  const Vec r = value_at(at.e.r, at.p);
-  const Wetting wet = wetting(r.z - at.surface(), c.radius);
-  const Lanes lift = c.buoyancy * wet.share, w = at.p.weight * energy.counts;
-  Vec f = -inertia.mass * at.acc();
+  const Vec r = value_at(point.e.r, point.p);
+  const Wetting wet = wetting(r.z - point.surface(), c.radius);
+  const Lanes lift = c.buoyancy * wet.share, w = point.p.weight * energy.counts;
+  Vec f = -inertia.mass * point.acc();
   f.z += lift - c.weight;
-  PointLoad<kTangent> load = load_of<kTangent>(f, c.buoyancy * wet.slope);
+  PointLoad<kTangent> load = make_height_load<kTangent>(f, c.buoyancy * wet.slope);
   if constexpr (kTangent) {
     for (int k = 0; k < 3; ++k) {
       load.in_r.m[k][k] -= motion.acceleration_share * inertia.mass;
@@ -291,15 +291,15 @@ inline PointLoad<kTangent> moving_load(const LineEnvironment& env, const LineMot
       double* slips = const_cast<double*>(motion.bed_slip);
       slip = {*slip_at(slips, i, 0, padded, first), *slip_at(slips, i, 1, padded, first)};
     }
-    add_moving_seabed<kTangent, kEnergy>(load, env, motion, energy, w, r, at.v(), c.radius, slip);
+    add_moving_seabed<kTangent, kEnergy>(load, env, motion, energy, w, r, point.v(), c.radius, slip);
   }
   if (motion.bed_slip_next != nullptr) {
     *slip_at(motion.bed_slip_next, i, 0, padded, first) = slip.across;
     *slip_at(motion.bed_slip_next, i, 1, padded, first) = slip.along;
   }
-  const Vec water = add_morison<kTangent>(load, env, motion, at, r.z, slope, wet, c, inertia);
+  const Vec water = add_morison<kTangent>(load, env, motion, point, r.z, slope, wet, c, inertia);
   if constexpr (kEnergy) {
-    const Vec v = at.v();
+    const Vec v = point.v();
     energy.sum->kinetic += 0.5 * w * inertia.mass * dot(v, v);
     energy.sum->gravity += w * c.weight * r.z;
     energy.sum->fluid_power += w * (dot(water, v) + lift * v.z);

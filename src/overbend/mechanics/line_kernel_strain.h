@@ -1,7 +1,7 @@
-/// Bending and membrane of a batch with their exact derivatives. For line_kernel.cpp alone.
+/// Bending and membrane of a batch with their exact derivatives. For line_kernel.cpp only.
 ///
-/// Strains are functions of derivatives along the element, which depend on turn, chord and both (see Unknown) alone.
-/// Their tangent is collected by these nine, symmetric, and brought to all twelve unknowns once at the end
+/// Strains are functions of derivatives along the element, which depend on turn, chord and both (see Unknown) only.
+/// Their tangent is accumulated in these nine, symmetric, and transformed to all twelve unknowns once at the end
 /// (line_kernel_tangent.h).
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// The centreline's derivatives by the unstressed length at a point of the elements.
+/// Derivatives of the centreline with the unstressed length at a point of the elements.
 struct PointSlope {
   Vec a, b;     ///< dr/ds, d2r/ds2
   Lanes inv_g;  ///< 1 / |a|^2.
@@ -19,12 +19,12 @@ struct PointSlope {
 };
 
 inline PointSlope slope_at(const Batch& e, const GaussPoint& p) {
-  PointSlope at;
-  at.a = e.a1 + p.y * e.a2 + p.y2 * e.a3;
-  at.b = e.b0 + p.y * e.b1;
-  at.inv_g = 1.0 / dot(at.a, at.a);
-  at.inv_norm = root(at.inv_g);
-  return at;
+  PointSlope slope;
+  slope.a = e.a1 + p.y * e.a2 + p.y2 * e.a3;
+  slope.b = e.b0 + p.y * e.b1;
+  slope.inv_g = 1.0 / dot(slope.a, slope.a);
+  slope.inv_norm = root(slope.inv_g);
+  return slope;
 }
 
 /// u v'
@@ -59,16 +59,16 @@ inline Mat operator*(double s, const Mat& a) {
   return m;
 }
 
-/// Of the energy EI/2 (b.b/g - (a.b)^2/g^2) per unstressed length at Gauss point i, with g = a.a: the square of the
-/// tangent's turning per unstressed length. With the part n of b across the pipe it is EI/2 n.n/g, and its derivatives
-/// are n/g in b and -(n.n/g a + a.b/g n)/g in a. `tangent` is null unless kTangent. Returns twice the energy, per
-/// length.
+/// Adds the forces of the energy EI/2 (b.b/g - (a.b)^2/g^2) per unstressed length at Gauss point i, with g = a.a: the
+/// square of the tangent's rotation per unstressed length. With the part n of b across the pipe it is EI/2 n.n/g, and
+/// its derivatives are n/g in b and -(n.n/g a + a.b/g n)/g in a. `tangent` is null unless kTangent. Returns twice the
+/// energy, per length.
 template <bool kTangent>
-inline Lanes add_bending(Batch& e, BatchTangent* tangent, int i, const Lanes& EI, const PointSlope& at) {
-  const Vec &a = at.a, &b = at.b;
-  const Lanes ig = at.inv_g, m = dot(a, b), along = m * ig;
+inline Lanes add_bending(Batch& e, BatchTangent* tangent, int i, const Lanes& EI, const PointSlope& slope) {
+  const Vec &a = slope.a, &b = slope.b;
+  const Lanes ig = slope.inv_g, m = dot(a, b), along = m * ig;
   const Vec n = b - along * a;
-  const Lanes w = kGauss[i].weight * EI;  // times h, one h lost to each derivative
+  const Lanes w = kGauss[i].weight * EI;  // times h, one h cancels in each derivative
   const Vec by_b = (w * ig) * n;
   const Lanes twice_energy = dot(by_b, n);
   add_strain_force(e, kGauss[i], (-ig * twice_energy) * a - along * by_b, e.inv_h * by_b);
@@ -99,71 +99,71 @@ struct PressureTension {
   Lanes constant, slope, external;
 };
 
-/// Height of water over z: that of the hydrostatic pressure with the head of the dynamic one.
+/// Height of water above z: hydrostatic plus dynamic pressure head.
 inline Lanes water_over(const Lanes& z, const Lanes& head) {
   const Lanes depth = head - z;
   return depth > 0.0 ? depth : Lanes{};
 }
 
-/// Linear between the values at both ends.
+/// Interpolates linearly between the values at both ends.
 inline Lanes mixed(const Lanes (&ends)[2], double xi) {
   return (1.0 - xi) * ends[0] + xi * ends[1];
 }
 
-/// Strains at the ends and the middle of the elements. Their pressure has the `head` of the dynamic one at both ends.
+/// Strains at the ends and the middle of the elements, with the pressure including the dynamic `head` at both ends.
 struct Membrane {
   Vec u[3];           ///< Unit tangents.
   Lanes inv_norm[3];  ///< 1 / |dr/ds|.
   Lanes strain[3];
-  Lanes tension[3];        ///< Effective tension of pressure.
+  Lanes tension[3];        ///< Effective tension from pressure.
   Lanes tension_slope[3];  ///< Its derivative in z.
-  // Where elements only pull:
-  Lanes rate[3];   ///< Of the strains [1/s].
-  Vec turning[3];  ///< Rate of the unit tangents, by 1: how the strains' rates change with the slopes.
+  // Only for tension-only elements:
+  Lanes rate[3];   ///< Rates of the strains [1/s].
+  Vec turning[3];  ///< Rate of the unit tangents with xi: derivative of the strain rates with the slopes.
 };
 
-/// Rates of the strains; `velocity` are the slopes of the velocity by xi.
-inline void set_rates(Membrane& at, const Batch& e, const Vec (&velocity)[3]) {
+/// Sets the strain rates; `velocity` are the slopes of the velocity with xi.
+inline void set_rates(Membrane& membrane, const Batch& e, const Vec (&velocity)[3]) {
   for (int k = 0; k < 3; ++k) {
     const Vec slope = e.inv_h * velocity[k];
-    at.rate[k] = dot(at.u[k], slope);
-    at.turning[k] = at.inv_norm[k] * (slope - at.rate[k] * at.u[k]);
+    membrane.rate[k] = dot(membrane.u[k], slope);
+    membrane.turning[k] = membrane.inv_norm[k] * (slope - membrane.rate[k] * membrane.u[k]);
   }
 }
 
-inline void set_no_rates(Membrane& at) {
+inline void set_no_rates(Membrane& membrane) {
   for (int k = 0; k < 3; ++k) {
-    at.rate[k] = Lanes{};
-    at.turning[k] = Vec{};
+    membrane.rate[k] = Lanes{};
+    membrane.turning[k] = Vec{};
   }
 }
 
 /// Axial constants of a batch.
 struct AxialConstants {
   Lanes EA, share, damping;
-  double velocity_share;  ///< Of a velocity's change with its unknown [1/s].
+  double velocity_share;  ///< Derivative of a velocity with its unknown [1/s].
 
-  /// Whether any of the elements only pulls.
+  /// True if any element is tension-only.
   bool slack() const { return any(1.0 - share); }
 };
 
-inline Membrane membrane_of(const Batch& e, const PressureTension& pressure, const Lanes (&head)[2]) {
-  Membrane at;
+inline Membrane make_membrane(const Batch& e, const PressureTension& pressure, const Lanes (&head)[2]) {
+  Membrane membrane;
   const Vec slope[3] = {e.inv_h * e.q[1], e.a1, e.inv_h * e.q[3]};
   const Lanes z[3] = {e.q[0].z, e.r.c0.z, e.q[2].z};
   for (int k = 0; k < 3; ++k) {
     const Lanes norm = root(dot(slope[k], slope[k]));
-    at.inv_norm[k] = 1.0 / norm;
-    at.u[k] = at.inv_norm[k] * slope[k];
-    at.strain[k] = norm - 1.0;
+    membrane.inv_norm[k] = 1.0 / norm;
+    membrane.u[k] = membrane.inv_norm[k] * slope[k];
+    membrane.strain[k] = norm - 1.0;
     const Lanes depth = water_over(z[k], mixed(head, 0.5 * k));
-    at.tension[k] = pressure.constant + pressure.slope * z[k] + pressure.external * depth;
-    at.tension_slope[k] = pressure.slope - (depth > 0.0 ? pressure.external : Lanes{});
+    membrane.tension[k] = pressure.constant + pressure.slope * z[k] + pressure.external * depth;
+    membrane.tension_slope[k] = pressure.slope - (depth > 0.0 ? pressure.external : Lanes{});
   }
-  return at;
+  return membrane;
 }
 
-/// Of dr/d(xi) in the middle: by chord and both. At the ends it is (both -+ turn)/2.
+/// Coefficients of dr/d(xi) in the middle for chord and both. At the ends it is (both -+ turn)/2.
 inline constexpr double kMidChord = 1.5, kMidBoth = -0.25;
 
 inline void set_slope_block(BatchTangent& tangent, int j, int k, const Mat& a) {
@@ -174,102 +174,105 @@ inline void set_slope_block(BatchTangent& tangent, int j, int k, const Mat& a) {
   }
 }
 
-/// Forces of the three strains over h, each the sum of what its own and the others' make, and how they change with the
+/// Forces of the three strains over h, each including the coupling to the others, and their derivatives with the
 /// strains.
 struct StrainForces {
   Lanes force[3], slope[3][3];
-  Lanes by_rate[3];  ///< Of each by its own rate; set where elements only pull.
+  Lanes by_rate[3];  ///< Derivative of each force with its own rate; set for tension-only elements.
 };
 
-/// Of what only pulls, over EA: force and its slope.
+/// Tension-only law over EA: force and its slope.
 struct SlackLaw {
   Lanes force, slope;
 };
 
-/// How far the pulling part is from none, 0, to the line N = EA e, 1.
-inline Lanes taut_share(const Lanes& strain) {
+/// Position in the transition of the pulling part from zero, 0, to the line N = EA e, 1.
+inline Lanes taut_fraction(const Lanes& strain) {
   const Lanes grown = (0.5 / kSlackStrain) * strain + 0.5;
   const Lanes above = grown > 0.0 ? grown : Lanes{};
   return above < 1.0 ? above : all(1.0);
 }
 
-/// The part that pulls, before its share.
-inline SlackLaw pulling_law(const Lanes& strain) {
-  const Lanes x = taut_share(strain);
+/// Tension-only part, before its share.
+inline SlackLaw tension_only_law(const Lanes& strain) {
+  const Lanes x = taut_fraction(strain);
   return {x < 1.0 ? kSlackStrain * x * x : strain, x};
 }
 
-/// The part that is left in compression, before its share.
-inline SlackLaw left_law(const Lanes& strain) {
+/// Part effective in compression, before its share.
+inline SlackLaw compression_law(const Lanes& strain) {
   const Lanes x = 1.0 + strain, inverse = 1.0 / (x * x);
   return {0.25 * x * (1.0 - inverse * inverse), 0.25 + 0.75 * inverse * inverse};
 }
 
-/// Twice the energy of both.
+/// Returns twice the energy of both parts.
 inline Lanes twice_slack_energy(const Lanes& strain, const Lanes& share) {
   constexpr double kThird = kSlackStrain * kSlackStrain / 3.0;
-  const Lanes x = taut_share(strain), length = 1.0 + strain, squared = length * length;
+  const Lanes x = taut_fraction(strain), length = 1.0 + strain, squared = length * length;
   const Lanes stored = x < 1.0 ? 4.0 * kThird * x * x * x : strain * strain + kThird;
   return 0.25 * share * (squared + 1.0 / squared - 2.0) + (1.0 - share) * stored;
 }
 
-inline void add_pressure(StrainForces& f, const Membrane& at) {
+inline void add_pressure(StrainForces& f, const Membrane& membrane) {
   for (int k = 0; k < 3; ++k) {
-    f.force[k] +=
-        kStrainMass[k][0] * at.tension[0] + kStrainMass[k][1] * at.tension[1] + kStrainMass[k][2] * at.tension[2];
+    f.force[k] += kStrainMass[k][0] * membrane.tension[0] + kStrainMass[k][1] * membrane.tension[1] +
+                  kStrainMass[k][2] * membrane.tension[2];
   }
 }
 
-/// Of pipe, which is pushed as it is pulled.
-inline StrainForces linear_forces(const Membrane& at, const Lanes& EA) {
+/// Forces of a pipe, linear in tension and compression.
+inline StrainForces linear_forces(const Membrane& membrane, const Lanes& EA) {
   StrainForces f;
   for (int k = 0; k < 3; ++k) {
     f.force[k] = Lanes{};
     for (int l = 0; l < 3; ++l) {
       f.slope[k][l] = kStrainMass[k][l] * EA;
-      f.force[k] += f.slope[k][l] * at.strain[l];
+      f.force[k] += f.slope[k][l] * membrane.strain[l];
     }
   }
   return f;
 }
 
-/// Where some elements of a batch only pull (slack_law.h).
-inline __attribute__((noinline)) StrainForces forces_with_slack(const Membrane& at, const AxialConstants& axial) {
-  StrainForces f = linear_forces(at, axial.EA);
+/// Forces of a batch with tension-only elements (slack_law.h).
+inline __attribute__((noinline)) StrainForces forces_with_slack(const Membrane& membrane, const AxialConstants& axial) {
+  StrainForces f = linear_forces(membrane, axial.EA);
   const Lanes rest = 1.0 - axial.share;
   for (int k = 0; k < 3; ++k) {
-    const SlackLaw left = left_law(at.strain[k]), pulls = pulling_law(at.strain[k] + axial.damping * at.rate[k]);
+    const SlackLaw left = compression_law(membrane.strain[k]),
+                   pulls = tension_only_law(membrane.strain[k] + axial.damping * membrane.rate[k]);
     const Lanes weight = kSlackWeight[k] * axial.EA, pulling = weight * rest, pushed = weight * axial.share;
     const Lanes slope = pulling * pulls.slope;
-    const Lanes own = pushed * left.slope + (1.0 + axial.velocity_share * axial.damping) * slope;
+    const Lanes pushed_slope = pushed * left.slope + (1.0 + axial.velocity_share * axial.damping) * slope;
     f.force[k] = rest > 0.0 ? pushed * left.force + pulling * pulls.force : f.force[k];
     f.by_rate[k] = rest > 0.0 ? axial.damping * slope : Lanes{};
     for (int l = 0; l < 3; ++l) {
-      const Lanes slack = l == k ? own : Lanes{};
+      const Lanes slack = l == k ? pushed_slope : Lanes{};
       f.slope[k][l] = rest > 0.0 ? slack : f.slope[k][l];
     }
   }
   return f;
 }
 
-/// By the strains' own stiffness and by the turning of their tangents under their forces.
-inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const Membrane& at, const StrainForces& f) {
+/// Sets the membrane tangent: material stiffness of the strains and geometric stiffness of their tangents.
+inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const Membrane& membrane,
+                                 const StrainForces& f) {
   constexpr int kTurnBlock = kTurn - 1, kChordBlock = kChord - 1, kBothBlock = kBoth - 1;
   const Lanes(&force)[3] = f.force;
   Lanes stiffness[3][3];
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) stiffness[k][l] = e.inv_h * f.slope[k][l];
   }
-  const Vec lower = 0.5 * at.u[0], chord = kMidChord * at.u[1], both = kMidBoth * at.u[1], upper = 0.5 * at.u[2];
-  // What the strains' tensions, sums over its points times the mass, change by with turn, chord and both.
+  const Vec lower = 0.5 * membrane.u[0], chord = kMidChord * membrane.u[1], both = kMidBoth * membrane.u[1],
+            upper = 0.5 * membrane.u[2];
+  // Change of the strain tensions, sums over the points times the mass, with turn, chord and both.
   const auto by_turn = [&](int k) { return stiffness[k][2] * upper - stiffness[k][0] * lower; };
   const auto by_chord = [&](int k) { return stiffness[k][1] * chord; };
   const auto by_both = [&](int k) {
     return stiffness[k][0] * lower + stiffness[k][1] * both + stiffness[k][2] * upper;
   };
   const auto turning = [&](int k, double share) {
-    const Lanes geometric = share * force[k] * at.inv_norm[k] * e.inv_h;
-    return full(dyad(geometric, -geometric, at.u[k]));
+    const Lanes geometric = share * force[k] * membrane.inv_norm[k] * e.inv_h;
+    return full(dyad(geometric, -geometric, membrane.u[k]));
   };
   const Mat first = turning(0, 0.25), mid = turning(1, 1.0), last = turning(2, 0.25);
   const Mat ends = first + last;
@@ -284,24 +287,28 @@ inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const Me
                       (kMidBoth * kMidBoth) * mid);
 }
 
-/// By the rates of strains whose tangents turn: unsymmetric. `join` adds it.
-inline void set_rate_tangent(BatchTangent& tangent, const Batch& e, const Membrane& at, const StrainForces& f) {
+/// Sets the tangent from the rates of strains whose tangents rotate: unsymmetric. `join` adds it.
+inline void set_rate_tangent(BatchTangent& tangent, const Batch& e, const Membrane& membrane, const StrainForces& f) {
   tangent.has_rates = true;
   for (int k = 0; k < 3; ++k) {
-    tangent.rate_rows[k] = (e.inv_h * f.by_rate[k]) * at.u[k];
-    tangent.rate_columns[k] = at.turning[k];
+    tangent.rate_rows[k] = (e.inv_h * f.by_rate[k]) * membrane.u[k];
+    tangent.rate_columns[k] = membrane.turning[k];
   }
 }
 
-/// By the tension of pressure, which changes with the height of the strains' points, mean -+ chord/2 at the ends and
-/// mean - turn/8 in the middle: unsymmetric.
-inline void set_pressure_tangent(BatchTangent& tangent, const Membrane& at) {
+/// Sets the tangent from the tension of pressure, which varies with the height of the strain points, mean -+ chord/2 at
+/// the ends and mean - turn/8 in the middle: unsymmetric.
+inline void set_pressure_tangent(BatchTangent& tangent, const Membrane& membrane) {
   for (int i = 0; i < 3; ++i) {
     Vec by_height[3];
     for (int k = 0; k < 3; ++k) {
-      const Lanes lower = kStrainMass[k][0] * at.tension_slope[0], mid = kStrainMass[k][1] * at.tension_slope[1],
-                  upper = kStrainMass[k][2] * at.tension_slope[2];
-      by_height[k] = (i == kMean ? lower + mid + upper : i == kTurn ? -0.125 * mid : 0.5 * (upper - lower)) * at.u[k];
+      const Lanes lower = kStrainMass[k][0] * membrane.tension_slope[0],
+                  mid = kStrainMass[k][1] * membrane.tension_slope[1],
+                  upper = kStrainMass[k][2] * membrane.tension_slope[2];
+      by_height[k] = (i == kMean   ? lower + mid + upper
+                      : i == kTurn ? -0.125 * mid
+                                   : 0.5 * (upper - lower)) *
+                     membrane.u[k];
     }
     const Vec rows[3] = {0.5 * (by_height[2] - by_height[0]), kMidChord * by_height[1],
                          0.5 * (by_height[0] + by_height[2]) + kMidBoth * by_height[1]};
@@ -313,20 +320,21 @@ inline void set_pressure_tangent(BatchTangent& tangent, const Membrane& at) {
   }
 }
 
-/// Membrane with the effective tension of pressure, which varies with depth. `tangent` is null unless kTangent.
+/// Adds the membrane with the effective tension from pressure, which varies with depth. `tangent` is null unless
+/// kTangent.
 template <bool kTangent>
-inline void add_membrane(Batch& e, BatchTangent* tangent, const AxialConstants& axial, const Membrane& at) {
+inline void add_membrane(Batch& e, BatchTangent* tangent, const AxialConstants& axial, const Membrane& membrane) {
   const bool slack = axial.slack();
-  StrainForces f = slack ? forces_with_slack(at, axial) : linear_forces(at, axial.EA);
-  add_pressure(f, at);
+  StrainForces f = slack ? forces_with_slack(membrane, axial) : linear_forces(membrane, axial.EA);
+  add_pressure(f, membrane);
   // times h, over h
-  e.by_tangent[0] = e.by_tangent[0] + f.force[0] * at.u[0];
-  e.by_cubic[1] = e.by_cubic[1] + f.force[1] * at.u[1];
-  e.by_tangent[1] = e.by_tangent[1] + f.force[2] * at.u[2];
+  e.by_tangent[0] = e.by_tangent[0] + f.force[0] * membrane.u[0];
+  e.by_cubic[1] = e.by_cubic[1] + f.force[1] * membrane.u[1];
+  e.by_tangent[1] = e.by_tangent[1] + f.force[2] * membrane.u[2];
   if constexpr (kTangent) {
-    set_membrane_tangent(*tangent, e, at, f);
-    if (slack) set_rate_tangent(*tangent, e, at, f);
-    set_pressure_tangent(*tangent, at);
+    set_membrane_tangent(*tangent, e, membrane, f);
+    if (slack) set_rate_tangent(*tangent, e, membrane, f);
+    set_pressure_tangent(*tangent, membrane);
   }
 }
 

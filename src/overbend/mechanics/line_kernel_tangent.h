@@ -1,4 +1,4 @@
-/// The tangent of a batch as a whole, and its way into the blocks of the system. For line_kernel.cpp alone.
+/// Complete tangent of a batch and its assembly into the blocks of the system. For line_kernel.cpp only.
 #pragma once
 
 #include "mechanics/line_kernel_loads.h"
@@ -6,17 +6,17 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// What a quantity with these values at two points as far below as above the middle is worth to pairs of functions: its
-/// sum where both are even or both odd, its difference, upper less lower, where one is.
+/// Contribution of a quantity with values at two points symmetric about the middle to pairs of functions: its sum for
+/// two even or two odd functions, its difference, upper minus lower, for one of each.
 struct Pair {
   Lanes sum, difference;
 };
 
-inline Pair pair_of(const Lanes& lower, const Lanes& upper) {
+inline Pair make_point_pair(const Lanes& lower, const Lanes& upper) {
   return {upper + lower, upper - lower};
 }
 
-/// Bending at all points, by the slope unknowns: the block of components r and c, on and above the diagonal. First
+/// Adds bending at all points for the slope unknowns: the block of components r and c, on and above the diagonal. First
 /// derivatives of turn are odd, those of chord and both even; second derivatives the other way.
 inline void add_bending_tangent(BatchTangent& tangent, int r, int c) {
   Lanes turn_turn{}, turn_chord{}, turn_both{}, chord_chord{}, chord_both{}, both_both{};
@@ -24,11 +24,11 @@ inline void add_bending_tangent(BatchTangent& tangent, int r, int c) {
   for (int pair = 0; pair < kGaussPairs; ++pair) {
     const int upper = kGaussPairs + pair, lower = kGaussPairs - 1 - pair;
     const Shape& s = kGaussShape[pair];
-    const Pair aa = pair_of(tangent.aa[lower].m[r][c], tangent.aa[upper].m[r][c]);
-    const Pair ab = pair_of(tangent.ba[lower].m[c][r], tangent.ba[upper].m[c][r]);
-    const Pair ba = pair_of(tangent.ba[lower].m[r][c], tangent.ba[upper].m[r][c]);
-    const Pair bb = pair_of(tangent.bb[lower].m[r][c], tangent.bb[upper].m[r][c]);
-    // What a row's first and second derivative are multiplied with, in a column.
+    const Pair aa = make_point_pair(tangent.aa[lower].m[r][c], tangent.aa[upper].m[r][c]);
+    const Pair ab = make_point_pair(tangent.ba[lower].m[c][r], tangent.ba[upper].m[c][r]);
+    const Pair ba = make_point_pair(tangent.ba[lower].m[r][c], tangent.ba[upper].m[r][c]);
+    const Pair bb = make_point_pair(tangent.bb[lower].m[r][c], tangent.bb[upper].m[r][c]);
+    // Factors of a row's first and second derivative in a column.
     struct Column {
       Lanes by_c, by_d;
     };
@@ -55,7 +55,7 @@ inline void add_bending_tangent(BatchTangent& tangent, int r, int c) {
   tangent.by_slope[6 + r][6 + c] += both_both;
 }
 
-/// Loads at all points, in components r and c, by mean, turn, chord and both.
+/// Adds loads at all points, in components r and c, by mean, turn, chord and both.
 inline void load_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4][4]) {
   for (auto& row : k) {
     for (Lanes& entry : row) entry = Lanes{};
@@ -64,9 +64,9 @@ inline void load_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4
   for (int pair = 0; pair < kGaussPairs; ++pair) {
     const int upper = kGaussPairs + pair, lower = kGaussPairs - 1 - pair;
     const Shape& s = kGaussShape[pair];
-    const Pair in_r = pair_of(tangent.in_r[lower].m[r][c], tangent.in_r[upper].m[r][c]);
-    const Pair in_a = pair_of(tangent.in_a[lower].m[r][c], tangent.in_a[upper].m[r][c]);
-    // Columns as an even function sees them, and as an odd one does.
+    const Pair in_r = make_point_pair(tangent.in_r[lower].m[r][c], tangent.in_r[upper].m[r][c]);
+    const Pair in_a = make_point_pair(tangent.in_a[lower].m[r][c], tangent.in_a[upper].m[r][c]);
+    // Columns for an even and for an odd function.
     const Lanes even[4] = {in_r.sum, s.n[1] * in_r.sum + s.c[0] * in_a.difference,
                            s.n[2] * in_r.difference + s.c[1] * in_a.sum, s.n[3] * in_r.difference + s.c[2] * in_a.sum};
     const Lanes odd[4] = {in_r.difference, s.n[1] * in_r.difference + s.c[0] * in_a.sum,
@@ -81,10 +81,10 @@ inline void load_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4
   }
 }
 
-/// Slopes dr/d(xi) at the three strains by turn, chord and both.
+/// Slopes dr/d(xi) at the three strain points by turn, chord and both.
 inline constexpr double kStrainSlope[3][3] = {{-0.5, 0.0, 0.5}, {0.0, kMidChord, kMidBoth}, {0.5, 0.0, 0.5}};
 
-/// By the rates of the strains, in components r and c.
+/// Adds the derivatives with the strain rates, in components r and c.
 inline void add_rate_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4][4]) {
   for (int strain = 0; strain < 3; ++strain) {
     const Vec &u = tangent.rate_rows[strain], &v = tangent.rate_columns[strain];
@@ -97,7 +97,7 @@ inline void add_rate_tangent(const BatchTangent& tangent, int r, int c, Lanes (&
   }
 }
 
-/// From mean, turn, chord and both to r1, t1, r2, t2.
+/// Transforms from mean, turn, chord and both to r1, t1, r2, t2.
 inline void to_nodes(const Lanes& h, const Lanes& mean, const Lanes& turn, const Lanes& chord, const Lanes& both,
                      Lanes (&nodes)[4]) {
   nodes[0] = 0.5 * mean - chord;
@@ -106,7 +106,7 @@ inline void to_nodes(const Lanes& h, const Lanes& mean, const Lanes& turn, const
   nodes[3] = h * (both + turn);
 }
 
-/// All together.
+/// Joins all parts of the tangent.
 inline void join(BatchTangent& tangent, const Lanes& h) {
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
@@ -149,8 +149,8 @@ inline void join(BatchTangent& tangent, const Lanes& h) {
   }
 }
 
-/// Puts half a row of the tangent, six columns, into a row of eight of every element's block; `rows` is that of the
-/// first element, and blocks follow one another.
+/// Stores half a row of the tangent, six columns, into a row of eight of every element's block; `rows` is the row of
+/// the first element, and blocks are consecutive.
 inline void put_row(const Lanes (&columns)[kNodeDofs], double* rows, int used) {
   for (int part = 0; part < kRowWidth; part += kWidth) {
     Lanes lanes[kWidth];
@@ -164,13 +164,13 @@ inline void put_row(const Lanes (&columns)[kNodeDofs], double* rows, int used) {
   }
 }
 
-/// What the elements of a batch add to the blocks of their upper nodes: the next batch adds its lower nodes' to the
-/// last.
+/// Contributions of the elements of a batch to the blocks of their upper nodes: the next batch adds the contributions
+/// of its lower nodes to the last one.
 struct UpperBlocks {
   Lanes rows[kNodeDofs][kNodeDofs] = {};
 };
 
-/// Writes the blocks of a batch but the diagonal one after its last element, which is left in `upper`.
+/// Writes the blocks of a batch except the diagonal one after its last element, which is left in `upper`.
 inline void put_tangent(const BatchTangent& tangent, const LineTarget& target, UpperBlocks& upper, int first,
                         int used) {
   for (int i = 0; i < kNodeDofs; ++i) {
@@ -193,7 +193,7 @@ inline void put_tangent(const BatchTangent& tangent, const LineTarget& target, U
   }
 }
 
-/// The diagonal block of the line's last node, above the element in lane `last`.
+/// Writes the diagonal block of the line's last node, above the element in lane `last`.
 inline void put_last_block(const UpperBlocks& upper, const LineTarget& target, int node, int last) {
   for (int i = 0; i < kNodeDofs; ++i) {
     double* row = target.diag + kBlockSize * node + kRowWidth * i;

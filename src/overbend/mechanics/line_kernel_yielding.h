@@ -1,5 +1,5 @@
-/// Sections of a batch whose steel has yielded and in which nothing slides, with their exact derivatives. For
-/// line_kernel.cpp alone. Formulas and sections that slide: mechanics/plastic_bending.h.
+/// Sections of a batch with plastic strain but no current slip, with their exact derivatives. For line_kernel.cpp only.
+/// Formulas and slipping sections: mechanics/plastic_bending.h.
 #pragma once
 
 #include "mechanics/line_kernel_strain.h"
@@ -17,13 +17,13 @@ inline void add_both_dyads(Mat& m, const Vec& u, const Vec& v) {
   }
 }
 
-/// Takes a plastic moment off the elastic one at Gauss point i: the moment M goes with the tangent as its axes do, and
-/// works on the curvature (b - (a.b)/g a)/|a| with g = a.a.
+/// Subtracts a plastic moment from the elastic one at Gauss point i: the moment M rotates with the tangent as its axes
+/// do, and is conjugate to the curvature (b - (a.b)/g a)/|a| with g = a.a.
 template <bool kTangent>
-inline void take_off_moment(Batch& e, BatchTangent* tangent, int i, const PointSlope& at, const Vec& M) {
-  const Vec &a = at.a, &b = at.b;
-  const Lanes ig = at.inv_g, g1 = at.inv_norm, g3 = g1 * ig, m = dot(a, b), beta = dot(M, b);
-  const double w = kGauss[i].weight;  // times h, one h lost to each derivative
+inline void subtract_plastic_moment(Batch& e, BatchTangent* tangent, int i, const PointSlope& slope, const Vec& M) {
+  const Vec &a = slope.a, &b = slope.b;
+  const Lanes ig = slope.inv_g, g1 = slope.inv_norm, g3 = g1 * ig, m = dot(a, b), beta = dot(M, b);
+  const double w = kGauss[i].weight;  // times h, one h cancels in each derivative
   add_strain_force(e, kGauss[i], w * ((beta * g3) * a + (m * g3) * M), (-w * e.inv_h * g1) * M);
   if constexpr (kTangent) {
     const Lanes wa = w * e.inv_h, wm = wa * e.inv_h;
@@ -35,20 +35,20 @@ inline void take_off_moment(Batch& e, BatchTangent* tangent, int i, const PointS
   }
 }
 
-/// At all Gauss points; `counts` are the lengths of the elements, 0 for those that only fill the batch.
+/// Adds the held plastic moments at all Gauss points; `counts` are the lengths of the elements, 0 for padding elements.
 template <bool kTangent>
 inline void add_held_sections(Batch& e, BatchTangent* tangent, const PointSlope (&slopes)[kGaussPoints],
                               const HeldSections& held, const Lanes& counts, int first, int padded) {
   Lanes stored = load_lanes(held.stored);
 #pragma GCC unroll 1
   for (int i = 0; i < kGaussPoints; ++i) {
-    const PointSlope& at = slopes[i];
+    const PointSlope& slope = slopes[i];
     const double* values = held.values + kHeldValues * i * padded + first;
     const auto value = [&](int number) { return load_lanes(values + number * padded); };
     const auto vector = [&](int number) { return Vec{value(number), value(number + 1), value(number + 2)}; };
-    const Vec t = at.inv_norm * at.a, before = vector(kHeldTangent), was = vector(kHeldAxis);
-    const Vec axis = was - (dot(was, t) / (1.0 + dot(before, t))) * (before + t), other = cross(t, axis);
-    const Lanes kx = at.inv_norm * dot(at.b, axis), ky = at.inv_norm * dot(at.b, other);
+    const Vec t = slope.inv_norm * slope.a, before = vector(kHeldTangent), was = vector(kHeldAxis);
+    const Vec axis = was - (dot(was, t) / (1.0 + dot(before, t))) * (before + t), second_axis = cross(t, axis);
+    const Lanes kx = slope.inv_norm * dot(slope.b, axis), ky = slope.inv_norm * dot(slope.b, second_axis);
     const Lanes dx = kx - value(kHeldCenter), dy = ky - value(kHeldCenter + 1);
     const Lanes slack = value(kHeldSlack), within = slack > 0.0 ? slack * slack : -slack * slack;
     const Lanes left = dx * dx + dy * dy > within ? all(1.0) : Lanes{};
@@ -62,7 +62,7 @@ inline void add_held_sections(Batch& e, BatchTangent* tangent, const PointSlope 
     const Lanes mx = held_share * value(kHeldMoment), my = held_share * value(kHeldMoment + 1);
     stored += (kGauss[i].weight * counts) * (held_share * value(kHeldStored) - kx * mx - ky * my);
     if (!any(mx * mx + my * my)) continue;
-    take_off_moment<kTangent>(e, tangent, i, at, mx * axis + my * other);
+    subtract_plastic_moment<kTangent>(e, tangent, i, slope, mx * axis + my * second_axis);
   }
   *reinterpret_cast<Lanes*>(held.stored) = stored;
 }

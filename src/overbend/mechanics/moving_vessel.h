@@ -1,4 +1,4 @@
-/// The told motion of a vessel whose mean place moves ahead.
+/// Prescribed motion of a vessel whose mean position moves ahead.
 #pragma once
 
 #include <span>
@@ -8,21 +8,23 @@
 
 namespace overbend {
 
-/// How far the mean place has moved ahead along the lay route since it was as described. Waves are met where the
-/// vessel then is: the phase of a term turns back by its wave number times the way, its frequency shifts with the
+/// Advance of the mean position along the lay route from the described one. Waves are evaluated at the current position
+/// of the vessel: the phase of a term decreases by its wave number times the advance, and its frequency shifts with the
 /// speed.
 struct MoveAhead {
-  WayPoint at;
-  std::span<const double> wave_numbers;  ///< That way, by the terms of the motion [1/m]; none: of no wave.
+  MoveState at;
+  /// Wave numbers in that direction, by term of the motion [1/m]; empty if the terms do not belong to waves.
+  std::span<const double> wave_numbers;
 };
 
-/// Horizontal unit vector towards the bow of a pose, W: of the drawn one, ahead along the lay route.
+/// Returns the horizontal unit vector towards the bow of a pose, W: for the nominal pose, ahead along the lay route.
 Vec3 level_ahead(const VesselPose& mean);
 
-/// Wave numbers ahead of the terms that RAOs make of a sea [1/m]; none where terms are not those of waves.
+/// Returns the wave numbers ahead of the terms that RAOs make from a sea [1/m]; empty if terms do not belong to waves.
 std::vector<double> wave_numbers_ahead(const VesselMotionModel& motion, const Sea& sea);
 
-/// As vessel_motion without a move. Does not allocate.
+/// Returns the motion at time `t` [s] with the vessel moved ahead; else as vessel_motion without a move. Does not
+/// allocate.
 RigidMotion vessel_motion(const VesselMotionModel& motion, const MoveAhead& move, double t, const BuildUp& b);
 
 }  // namespace overbend

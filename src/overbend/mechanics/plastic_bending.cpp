@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kWide = kDirections;
 
-/// Stiffness of the sliders for a mix of levels.
-std::array<double, kSliders> stiffness_of(const BendingLaw& law, const LevelMix& mix) {
+/// Returns the stiffness of the sliders for a mix of levels.
+std::array<double, kSliders> slider_stiffness(const BendingLaw& law, const LevelMix& mix) {
   const BendingLevel& lower = law.levels[static_cast<std::size_t>(mix.lower)];
   const BendingLevel& upper = law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)];
   std::array<double, kSliders> stiffness{};
@@ -22,7 +22,7 @@ std::array<double, kSliders> stiffness_of(const BendingLaw& law, const LevelMix&
   return stiffness;
 }
 
-/// Sum over the directions of a value times the direction.
+/// Returns the sum over the directions of value times direction.
 Vec2 along_directions(const std::array<double, kWide>& values) {
   const Directions& d = directions();
   double x = 0.0, y = 0.0;
@@ -33,8 +33,8 @@ Vec2 along_directions(const std::array<double, kWide>& values) {
   return {x, y};
 }
 
-/// A number that distinguishes histories: the last one stirred with what came on top (splitmix64, Steele 2014).
-std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
+/// Hash of a slip history: the previous hash mixed with the new curvature (splitmix64, Steele 2014).
+std::uint64_t mix_hash(std::uint64_t stamp, const Vec2& curvature) {
   for (const double part : {curvature.x(), curvature.y()}) {
     std::uint64_t z = stamp + std::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -44,38 +44,38 @@ std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
   return stamp | 1U;
 }
 
-/// Response of the fibres of all directions when the section is bent.
+/// Response of the fibres of all directions to bending of the section.
 struct Fibres {
-  alignas(64) std::array<double, kWide> bend{};    ///< Curvature towards each.
-  alignas(64) std::array<double, kWide> moment{};  ///< Taken off by slips.
-  alignas(64) std::array<double, kWide> slope{};   ///< Of that, by sliders that slide.
+  alignas(64) std::array<double, kWide> bend{};    ///< Curvature in each direction.
+  alignas(64) std::array<double, kWide> moment{};  ///< Moment subtracted by slips.
+  alignas(64) std::array<double, kWide> slope{};   ///< Its derivative, from slipping sliders.
   alignas(64) std::array<double, kWide> energy{};  ///< Half of stiffness times slip squared.
   double loss = 0.0, slack = std::numeric_limits<double>::infinity();
   bool sliding = false;
 
   void bend_slider(double limit, double stiffness, double* slip) {
-    double over_sum = 0.0, most = 0.0;
+    double over_sum = 0.0, max_offset = 0.0;
     for (std::size_t j = 0; j < kWide; ++j) {
       const double e = bend[j] - slip[j];
       const double over = e - std::min(std::max(e, -limit), limit);
       slip[j] += over;
       over_sum += std::abs(over);
-      most = std::max(most, std::abs(e));
+      max_offset = std::max(max_offset, std::abs(e));
       moment[j] += stiffness * slip[j];
       energy[j] += 0.5 * stiffness * slip[j] * slip[j];
       slope[j] += over != 0.0 ? stiffness : 0.0;
     }
     loss += stiffness * limit * over_sum;
     sliding = sliding || over_sum > 0.0;
-    slack = std::min(slack, std::max(0.0, limit - most));
+    slack = std::min(slack, std::max(0.0, limit - max_offset));
   }
 };
 
 }  // namespace
 
-void bring_to_level(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
+void update_held_moment(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
   if (memory.held_mix == mix) return;
-  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
+  const std::array<double, kSliders> stiffness = slider_stiffness(law, mix);
   std::array<double, kWide> sum{}, energy{};
   for (std::size_t i = 0; i < kSliders; ++i) {
     for (std::size_t j = 0; j < kWide; ++j) {
@@ -89,15 +89,15 @@ void bring_to_level(const BendingLaw& law, const LevelMix& mix, BendingMemory& m
   memory.held_mix = mix;
 }
 
-BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature, BendingMemory& memory) {
-  BendingAnswer answer;
+BendingResponse bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature, BendingMemory& memory) {
+  BendingResponse answer;
   if ((curvature - memory.center).squaredNorm() <= memory.slack * std::abs(memory.slack)) {
-    bring_to_level(law, mix, memory);
+    update_held_moment(law, mix, memory);
     answer.plastic_moment = memory.held;
     return answer;
   }
   const Directions& d = directions();
-  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
+  const std::array<double, kSliders> stiffness = slider_stiffness(law, mix);
   Fibres fibres;
   for (std::size_t j = 0; j < kWide; ++j) fibres.bend[j] = curvature.x() * d.x[j] + curvature.y() * d.y[j];
   for (std::size_t i = 0; i < kSliders; ++i) {
@@ -116,19 +116,19 @@ BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curva
       const Vec2 to(d.x[j], d.y[j]);
       answer.plastic_tangent += fibres.slope[j] * to * to.transpose();
     }
-    memory.largest = std::max(memory.largest, curvature.norm());
-    memory.stamp = stirred(memory.stamp, curvature);
+    memory.max_curvature = std::max(memory.max_curvature, curvature.norm());
+    memory.stamp = mix_hash(memory.stamp, curvature);
   }
   return answer;
 }
 
-Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory) {
-  constexpr int kMost = 60;
-  bring_to_level(law, mix, memory);
+Vec2 find_curvature(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory) {
+  constexpr int kMaxIterations = 60;
+  update_held_moment(law, mix, memory);
   Vec2 k = (moment + memory.held) / EI;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     BendingMemory trial = memory;
-    const BendingAnswer answer = bend(law, mix, k, trial);
+    const BendingResponse answer = bend(law, mix, k, trial);
     const Vec2 lack = moment - (EI * k - answer.plastic_moment);
     if (lack.norm() <= 1e-10 * EI * law.limit[0]) break;
     k += (EI * Mat2::Identity() - answer.plastic_tangent).inverse() * lack;
@@ -139,32 +139,32 @@ Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const 
 
 Vec2 residual_curvature(const BendingLaw& law, const LevelMix& mix, double EI, const BendingMemory& memory) {
   BendingMemory freed = memory;
-  return curvature_for(law, mix, EI, Vec2::Zero(), freed);
+  return find_curvature(law, mix, EI, Vec2::Zero(), freed);
 }
 
-void bring_along(BendingMemory& memory, const Vec3& tangent) {
+void transport_axes(BendingMemory& memory, const Vec3& tangent) {
   const double cosine = memory.tangent.dot(tangent);
   memory.axis -= (memory.axis.dot(tangent) / (1.0 + cosine)) * (memory.tangent + tangent);
   memory.tangent = tangent;
 }
 
-BendingMemory fresh_memory(const Vec3& tangent) {
+BendingMemory make_bending_memory(const Vec3& tangent) {
   BendingMemory memory;
-  const Vec3 other = std::abs(tangent.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  const Vec3 helper_axis = std::abs(tangent.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
   memory.tangent = tangent;
-  memory.axis = (other - other.dot(tangent) * tangent).normalized();
+  memory.axis = (helper_axis - helper_axis.dot(tangent) * tangent).normalized();
   return memory;
 }
 
-Vec3 curvature_vector(const CentrelinePoint& at) {
-  const double g = at.a.squaredNorm();
-  return (at.b - (at.a.dot(at.b) / g) * at.a) / std::sqrt(g);
+Vec3 curvature_vector(const CentrelinePoint& centreline) {
+  const double g = centreline.a.squaredNorm();
+  return (centreline.b - (centreline.a.dot(centreline.b) / g) * centreline.a) / std::sqrt(g);
 }
 
 namespace {
 
-/// Takes off an element's tangent what the second derivatives by a and b at one point are for its unknowns. A column
-/// of it is a sum of two products over all rows, which are vectors to the compiler.
+/// Subtracts from an element's tangent the contribution of second derivatives by a and b at one point. Each column is a
+/// sum of two products over all rows, which the compiler vectorises.
 void add_point_hessian(const HermiteValues& shape, double weight, const Mat3& h_aa, const Mat3& h_ba, const Mat3& h_bb,
                        ElementMatrix& stiffness) {
   constexpr int kRows = 12;
@@ -189,9 +189,10 @@ void add_point_hessian(const HermiteValues& shape, double weight, const Mat3& h_
 
 }  // namespace
 
-void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, double weight, const Vec3& plastic_moment,
-                       const Mat3* tangent, ElementVector& force, ElementMatrix* stiffness) {
-  const Vec3 &a = at.a, &b = at.b, &M = plastic_moment;
+void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& centreline, double weight,
+                       const Vec3& plastic_moment, const Mat3* tangent, ElementVector& force,
+                       ElementMatrix* stiffness) {
+  const Vec3 &a = centreline.a, &b = centreline.b, &M = plastic_moment;
   const double g = a.squaredNorm(), m = a.dot(b), beta = M.dot(b);
   const double g1 = 1.0 / std::sqrt(g), g3 = g1 / g, g5 = g3 / g;
   const Vec3 f_a = -(beta * g3) * a - (m * g3) * M;
@@ -202,15 +203,15 @@ void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, do
   if (stiffness == nullptr) {
     return;
   }
-  const Mat3 one = Mat3::Identity();
+  const Mat3 identity = Mat3::Identity();
   const Vec3 k = g1 * (b - (m / g) * a);
   const Mat3 Ma = M * a.transpose(), Mb = M * b.transpose(), Mk = M * k.transpose();
-  Mat3 h_aa = (0.5 / g) * (Mk + Mk.transpose()) - beta * g3 * one + 3.0 * beta * g5 * a * a.transpose() -
+  Mat3 h_aa = (0.5 / g) * (Mk + Mk.transpose()) - beta * g3 * identity + 3.0 * beta * g5 * a * a.transpose() -
               g3 * (Mb + Mb.transpose()) + 3.0 * m * g5 * (Ma + Ma.transpose());
   Mat3 h_ba = -g3 * (Ma + Ma.transpose()), h_bb = Mat3::Zero();
   if (tangent != nullptr) {
     const Mat3 k_a =
-        -g3 * (b * a.transpose() + m * one);  // parts along a vanish: the moment is perpendicular to the pipe
+        -g3 * (b * a.transpose() + m * identity);  // parts along a vanish: the moment is perpendicular to the pipe
     const Mat3 along = *tangent * k_a;
     h_aa += k_a.transpose() * along;
     h_ba += g1 * along;

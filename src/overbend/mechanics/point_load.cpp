@@ -9,7 +9,8 @@
 namespace overbend {
 namespace {
 
-/// Along the bed, positive away from the vessel: of a line that is dragged, else of one that would slide downhill.
+/// Returns the axial friction along the seabed, positive away from the vessel: of a dragged line, else of one that
+/// would slide downhill.
 double axial_friction(const PointLoad& load, const LineEnvironment& env, double submerged_weight, double drag,
                       double rise) {
   if (env.dragged) return drag * load.seabed_normal;

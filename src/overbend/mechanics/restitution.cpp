@@ -7,7 +7,8 @@
 namespace overbend {
 namespace {
 
-/// Time of contact times natural frequency over two: acos(zeta)/sqrt(1 - zeta^2), continued beyond critical damping.
+/// Returns contact time times natural frequency over two: acos(zeta)/sqrt(1 - zeta^2), continued beyond critical
+/// damping.
 double half_contact_time(double zeta) {
   const double below = 1.0 - zeta;
   if (std::abs(below) < 1e-4) {  // both forms are 0/0 at critical damping; the next term of the series is below 1e-13
@@ -27,21 +28,21 @@ double textbook_ratio(double restitution) {
 
 double clipped_ratio(double restitution) {
   double low = 0.0;
-  double high = kLargestDampingRatio;
-  if (restitution <= restitution_of(high)) {
+  double high = kMaxDampingRatio;
+  if (restitution <= compute_restitution(high)) {
     return high;
   }
-  // Restitution falls steadily with damping, so halving cannot miss; 60 halvings leave less than one rounding.
+  // Restitution decreases monotonically with damping: bisection is safe, and 60 halvings reach rounding accuracy.
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (restitution_of(middle) > restitution ? low : high) = middle;
+    (compute_restitution(middle) > restitution ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 }  // namespace
 
-double restitution_of(double damping_ratio) {
+double compute_restitution(double damping_ratio) {
   return std::exp(-2.0 * damping_ratio * half_contact_time(damping_ratio));
 }
 

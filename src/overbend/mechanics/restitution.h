@@ -15,16 +15,16 @@ enum class RestitutionForm {
   textbook,  ///< The contact ends where the penetration passes zero, after half a damped period.
 };
 
-/// Largest damping ratio that `damping_ratio` answers. A perfectly plastic impact would take an infinite one; at this
-/// the mass keeps 0.24 % of its speed, 6e-6 of its energy.
-inline constexpr double kLargestDampingRatio = 10.0;
+/// Upper limit of the damping ratio returned by `damping_ratio`. A perfectly plastic impact would need an infinite one;
+/// at this limit the mass keeps 0.24 % of its speed, 6e-6 of its energy.
+inline constexpr double kMaxDampingRatio = 10.0;
 
-/// Coefficient of restitution of a linear spring-dashpot that never pulls, for any damping ratio >= 0 [-].
-double restitution_of(double damping_ratio);
+/// Returns the coefficient of restitution of a linear spring-dashpot that never pulls, for any damping ratio >= 0 [-].
+double compute_restitution(double damping_ratio);
 
-/// Share of critical damping that gives the coefficient of restitution: `clipped` inverts `restitution_of`, `textbook`
-/// is -ln e / sqrt(pi^2 + ln^2 e). 1 and more needs no damping. In clipped form the answer is at most
-/// kLargestDampingRatio, in textbook form at most 1.
+/// Returns the damping ratio for a coefficient of restitution: `clipped` inverts `compute_restitution`, `textbook` is
+/// -ln e / sqrt(pi^2 + ln^2 e). Restitution of 1 or more needs no damping. The result is at most kMaxDampingRatio in
+/// clipped form and at most 1 in textbook form.
 double damping_ratio(double restitution, RestitutionForm form);
 
 }  // namespace overbend

@@ -58,7 +58,7 @@ void add_membrane(const RodProperties& rod, const ElementVector& q, const RodMot
 
 /// W = EI/2 (p/g - m^2/g^2) with a = r', b = r'', g = a.a, p = b.b, m = a.b.
 void add_bending(const RodProperties& rod, const ElementVector& q, RodForce& result) {
-  const Mat3 one = Mat3::Identity();
+  const Mat3 identity = Mat3::Identity();
   for (int i = 0; i < kGaussPoints; ++i) {
     const HermiteValues n = hermite(kGaussXi[i], rod.length);
     const Eigen::Matrix<double, 3, 12> da = spread(n.first);
@@ -71,10 +71,10 @@ void add_bending(const RodProperties& rod, const ElementVector& q, RodForce& res
     const Mat3 aa = a * a.transpose(), ab = a * b.transpose(), ba = b * a.transpose(), bb = b * b.transpose();
     const Vec3 w_a = -p / g2 * a - m / g2 * b + 2.0 * m * m / g3 * a;
     const Vec3 w_b = b / g - m / g2 * a;
-    const Mat3 w_bb = one / g - aa / g2;
-    const Mat3 w_ba = -2.0 * ba / g2 - ab / g2 - m * one / g2 + 4.0 * m * aa / g3;
-    const Mat3 w_aa = -p * one / g2 + 4.0 * p * aa / g3 - bb / g2 + 4.0 * m * (ba + ab) / g3 + 2.0 * m * m * one / g3 -
-                      12.0 * m * m * aa / g4;
+    const Mat3 w_bb = identity / g - aa / g2;
+    const Mat3 w_ba = -2.0 * ba / g2 - ab / g2 - m * identity / g2 + 4.0 * m * aa / g3;
+    const Mat3 w_aa = -p * identity / g2 + 4.0 * p * aa / g3 - bb / g2 + 4.0 * m * (ba + ab) / g3 +
+                      2.0 * m * m * identity / g3 - 12.0 * m * m * aa / g4;
     result.energy += 0.5 * weight * (p / g - m * m / g2);
     result.force += weight * (da.transpose() * w_a + db.transpose() * w_b);
     result.stiffness += weight * (da.transpose() * w_aa * da + db.transpose() * w_bb * db + db.transpose() * w_ba * da +
@@ -90,8 +90,8 @@ CentrelinePoint centreline(const ElementVector& q, double xi, double length) {
   return {nodes * n.value, nodes * n.first, nodes * n.second};
 }
 
-double curvature(const CentrelinePoint& at) {
-  return at.a.cross(at.b).norm() / at.a.squaredNorm();
+double curvature(const CentrelinePoint& centreline) {
+  return centreline.a.cross(centreline.b).norm() / centreline.a.squaredNorm();
 }
 
 RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion) {

@@ -21,11 +21,12 @@ struct RodProperties {
   double length = 1.0;       ///< Unstressed [m].
   double EA = 0.0;           ///< [N]
   double EI = 0.0;           ///< [N m2]
-  double compression = 1.0;  ///< Share of EA that bears compression, see slack_law.h [-].
-  double damping = 0.0;      ///< Of what bears none: time by which it feels strain ahead [s].
+  double compression = 1.0;  ///< Fraction of EA effective in compression, see slack_law.h [-].
+  double damping = 0.0;      ///< Damping of the tension-only part: extrapolation time of its strain [s].
 };
 
-/// Of a moving element: rates of its unknowns, and how they change with the unknowns by an integrator's formula [1/s].
+/// Motion of an element: rates of its unknowns, and their derivative with the unknowns by an integrator's formula
+/// [1/s].
 struct RodMotion {
   ElementVector v = ElementVector::Zero();
   double velocity_share = 0.0;
@@ -33,7 +34,7 @@ struct RodMotion {
 
 struct RodForce {
   double energy = 0.0;                              ///< Strain energy [J].
-  double loss = 0.0;                                ///< By damping [W].
+  double loss = 0.0;                                ///< Power dissipated by damping [W].
   ElementVector force = ElementVector::Zero();      ///< Derivative of the energy: internal force [N], [N m].
   ElementMatrix stiffness = ElementMatrix::Zero();  ///< Derivative of the force; at rest symmetric.
 };
@@ -55,12 +56,13 @@ inline HermiteValues hermite(double xi, double h) {
 struct CentrelinePoint {
   Vec3 r, a, b;
 };
+/// Returns position, r' and r'' at xi for an element of unstressed `length` [m].
 CentrelinePoint centreline(const ElementVector& q, double xi, double length);
 
 /// Curvature |a x b| / |a|^2 [1/m].
-double curvature(const CentrelinePoint& at);
+double curvature(const CentrelinePoint& centreline);
 
-/// Energy, force and tangent of membrane and bending.
+/// Returns energy, force and tangent of membrane and bending.
 RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion = {});
 
 }  // namespace overbend

@@ -40,9 +40,10 @@ std::array<double, 6> along_powers(const CubicVector& c) {
           3.0 * c.c3.squaredNorm()};
 }
 
-/// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton from `xi`; the function changes sign over the element.
+/// Solves P(r - C) . r' = 0 in [0, 1] by safeguarded Newton iteration from `xi`; the function changes sign over the
+/// element.
 double stationary_xi(const Projection& projection, const ElementVector& q, double h, double xi = 0.5) {
-  constexpr double kClose = 1e-4;  // Newton squares what is left
+  constexpr double kClose = 1e-4;  // Newton iteration squares the remaining error
   const std::array<double, 6> f = along_powers(distance_vector(projection, q, h));
   double low = 0.0, high = 1.0;
   for (int iteration = 0; iteration < 60; ++iteration) {
@@ -63,7 +64,7 @@ double stationary_xi(const Projection& projection, const ElementVector& q, doubl
   return xi;
 }
 
-ElementVector dofs_of(const double* q, int element) {
+ElementVector element_unknowns(const double* q, int element) {
   return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element));
 }
 
@@ -71,14 +72,14 @@ Vec3 place_at(const ElementVector& q, double xi, double h) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 4>>(q.data()) * hermite(xi, h).value;
 }
 
-void find_place(ClosestPoint& at, const double* q, const double* length) {
-  const HermiteValues n = hermite(at.xi, length[at.element]);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q + 6 * at.element);
-  at.place = nodes * n.value;
-  at.tangent = nodes * n.first;
+void find_place(ClosestPoint& closest, const double* q, const double* length) {
+  const HermiteValues n = hermite(closest.xi, length[closest.element]);
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q + 6 * closest.element);
+  closest.place = nodes * n.value;
+  closest.tangent = nodes * n.first;
 }
 
-/// Among the elements over which the distance has a minimum, the one where it is smallest.
+/// Returns the closest of the local minima of the distance over all elements.
 ClosestPoint search(const Projection& projection, const double* q, const double* length, int first, int last) {
   ClosestPoint best;
   double best_distance = 0.0;
@@ -89,7 +90,7 @@ ClosestPoint search(const Projection& projection, const double* q, const double*
   for (int e = first; e < last; ++e) {
     const double after = along(e + 1);
     if (before < 0.0 && after >= 0.0) {
-      const ElementVector dofs = dofs_of(q, e);
+      const ElementVector dofs = element_unknowns(q, e);
       const double xi = stationary_xi(projection, dofs, length[e]);
       const double distance = projection.apply(place_at(dofs, xi, length[e]) - projection.reference).norm();
       if (!best.found || distance < best_distance) {
@@ -105,7 +106,7 @@ ClosestPoint search(const Projection& projection, const double* q, const double*
   return best;
 }
 
-/// From `element` outwards to where the distance stops falling.
+/// Searches outwards from `element` until the distance stops decreasing.
 ClosestPoint search_near(const Projection& projection, const double* q, const double* length, int first, int last,
                          int element, double xi) {
   const auto along = [&](int node) {
@@ -124,31 +125,31 @@ ClosestPoint search_near(const Projection& projection, const double* q, const do
   if (!(before < 0.0 && after >= 0.0)) {
     return search(projection, q, length, first, last);
   }
-  ClosestPoint at;
-  at.found = true;
-  at.element = e;
-  at.xi = stationary_xi(projection, dofs_of(q, e), length[e], e == element ? xi : 0.5);
-  at.reference = projection.reference;
-  return at;
+  ClosestPoint closest;
+  closest.found = true;
+  closest.element = e;
+  closest.xi = stationary_xi(projection, element_unknowns(q, e), length[e], e == element ? xi : 0.5);
+  closest.reference = projection.reference;
+  return closest;
 }
 
-/// Goes over to the end of the roller where the point lies beyond the face.
+/// Switches to the end of the roller if the point lies beyond the face.
 template <class Search>
 ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* length, const Search& find) {
-  ClosestPoint at = find(Projection{roller.center, roller.axis, false});
-  if (!at.found) {
-    return at;
+  ClosestPoint closest = find(Projection{roller.center, roller.axis, false});
+  if (!closest.found) {
+    return closest;
   }
-  at.passing = at.element;
-  find_place(at, q, length);
-  const double eta = (at.place - roller.center).dot(roller.axis);
+  closest.passing = closest.element;
+  find_place(closest, q, length);
+  const double eta = (closest.place - roller.center).dot(roller.axis);
   if (std::abs(eta) <= roller.half_face) {
-    return at;
+    return closest;
   }
   const Vec3 end = roller.center + std::copysign(roller.half_face, eta) * roller.axis;
   ClosestPoint beyond = find(Projection{end, roller.axis, true});
   beyond.beyond_face = true;
-  beyond.passing = at.passing;
+  beyond.passing = closest.passing;
   beyond.off_end = std::abs(eta) - roller.half_face;
   if (beyond.found) find_place(beyond, q, length);
   return beyond;
@@ -171,47 +172,47 @@ ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, con
   });
 }
 
-void meet_rollers(const RolledLine& line, std::span<const RollerLook> looks, std::span<RollerMeeting> meetings,
-                  Isa isa) {
+void find_closest_points(const RolledLine& line, std::span<const RollerSearch> looks,
+                         std::span<RollerClosestPoint> meetings, Isa isa) {
   const int count = static_cast<int>(looks.size());
 #if defined(OVERBEND_X86_KERNELS)
-  if (isa == Isa::avx512) return isa_avx512::meet_rollers(line, looks.data(), count, meetings.data());
-  if (isa == Isa::avx2) return isa_avx2::meet_rollers(line, looks.data(), count, meetings.data());
+  if (isa == Isa::avx512) return isa_avx512::find_closest_points(line, looks.data(), count, meetings.data());
+  if (isa == Isa::avx2) return isa_avx2::find_closest_points(line, looks.data(), count, meetings.data());
 #endif
   (void)isa;
-  isa_baseline::meet_rollers(line, looks.data(), count, meetings.data());
+  isa_baseline::find_closest_points(line, looks.data(), count, meetings.data());
 }
 
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at) {
-  const Projection projection{at.reference, roller.axis, at.beyond_face};
-  const Vec3 e = projection.apply(at.place - at.reference);
-  const Vec3 across = at.beyond_face ? e : Vec3(roller.axis.cross(at.tangent));
-  const double side = at.beyond_face || across.dot(roller.normal) >= 0.0 ? 1.0 : -1.0;
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& closest) {
+  const Projection projection{closest.reference, roller.axis, closest.beyond_face};
+  const Vec3 e = projection.apply(closest.place - closest.reference);
+  const Vec3 across = closest.beyond_face ? e : Vec3(roller.axis.cross(closest.tangent));
+  const double side = closest.beyond_face || across.dot(roller.normal) >= 0.0 ? 1.0 : -1.0;
   RollerDistance d;
   d.direction = side * across.normalized();
   d.value = e.dot(d.direction);
   return d;
 }
 
-RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
+RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& closest,
                                                       const RollerDistance& distance, const ElementVector& q,
                                                       double h) {
-  const Projection projection{at.reference, roller.axis, at.beyond_face};
-  const HermiteValues n = hermite(at.xi, h);
+  const Projection projection{closest.reference, roller.axis, closest.beyond_face};
+  const HermiteValues n = hermite(closest.xi, h);
   RollerDistanceDerivatives d;
   for (int j = 0; j < 4; ++j) {
     d.gradient.segment<3>(3 * j) = n.value(j) * distance.direction;
   }
-  // Where the pipe's axis nearly meets the roller's, the curvature of the distance has no limit and no meaning.
+  // If the pipe's axis nearly meets the roller's, the curvature of the distance is unbounded and meaningless.
   if (std::abs(distance.value) < 0.1 * roller.radius) {
     return d;
   }
-  const CentrelinePoint point = centreline(q, at.xi, h);
-  const Vec3 e = projection.apply(point.r - at.reference);
+  const CentrelinePoint point = centreline(q, closest.xi, h);
+  const Vec3 e = projection.apply(point.r - closest.reference);
   const Vec3 pa = projection.apply(point.a);
   const Mat3 p =
-      at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
-  ElementVector f_xi_q;  // change of the stationarity condition with the unknowns, per metre of s
+      closest.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
+  ElementVector f_xi_q;  // derivative of the stationarity condition with the unknowns, per metre of s
   for (int j = 0; j < 4; ++j) {
     f_xi_q.segment<3>(3 * j) = n.value(j) * pa + n.first(j) * e;
   }

@@ -34,58 +34,60 @@ struct PlacedRoller {
 struct ClosestPoint {
   bool found = false;  ///< False when the pipe does not pass the roller.
   int element = -1;
-  int passing = -1;  ///< Where the line passes the roller's axis: another element at times, beyond the face.
+  int passing = -1;  ///< Element where the line passes the roller's axis; it may differ from `element` beyond the face.
   double xi = 0.0;
-  Vec3 place = Vec3::Zero();      ///< Of the centreline there [m].
-  Vec3 tangent = Vec3::Zero();    ///< Of the centreline there, its derivative by the unstressed length.
+  Vec3 place = Vec3::Zero();      ///< Point of the centreline [m].
+  Vec3 tangent = Vec3::Zero();    ///< Tangent of the centreline, derivative with the unstressed length.
   Vec3 reference = Vec3::Zero();  ///< Point of the axis that distance and projection refer to.
   bool beyond_face = false;
-  double off_end = 0.0;  ///< How far beyond the face, else 0 [m].
+  double off_end = 0.0;  ///< Distance beyond the face, else 0 [m].
 };
 
-/// Whether the pipe has left the box that a roller belongs to over its side: it lies more than its own radius beyond
-/// the end of a bottom roller, or on the wrong side of it, where it came over that end.
-inline bool lies_beside(RollerPosition position, const PlacedRoller& roller, const ClosestPoint& at,
-                        double pipe_radius) {
+/// True if the pipe has left a roller's box sideways: it lies more than its own radius beyond the end of a bottom
+/// roller, or on the wrong side of the roller after passing over that end.
+inline bool has_left_box_sideways(RollerPosition position, const PlacedRoller& roller, const ClosestPoint& closest,
+                                  double pipe_radius) {
   if (position != RollerPosition::bottom) return false;
-  return at.off_end > pipe_radius || (at.found && (at.place - at.reference).dot(roller.normal) < 0.0);
+  return closest.off_end > pipe_radius ||
+         (closest.found && (closest.place - closest.reference).dot(roller.normal) < 0.0);
 }
 
-/// Distance of the pipe's underside above the top of a bottom roller, along the roller's normal: negative where the
-/// pipe lies beside it or under it, far though it may be from its end [m].
-inline double height_over(const PlacedRoller& roller, const ClosestPoint& at, double pipe_radius) {
-  return (at.place - at.reference).dot(roller.normal) - roller.radius - pipe_radius;
+/// Returns the distance of the pipe's underside above the top of a bottom roller, along the roller's normal: negative
+/// if the pipe lies next to it or below it, even far from its end [m].
+inline double height_above_roller(const PlacedRoller& roller, const ClosestPoint& closest, double pipe_radius) {
+  return (closest.place - closest.reference).dot(roller.normal) - roller.radius - pipe_radius;
 }
 
-/// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the
-/// closest point is the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and
-/// each passage is counted once.
+/// Returns the closest point within elements [first, last) of the line; `q` six per node, `length` per element. The
+/// element that contains the closest point is the one over which (r - C).t, projected, passes zero upwards, so that
+/// each roller has one contact and each passage is counted once.
 ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last);
 
-/// The same, begun at the element and xi where the point was before: the element is looked for from there outwards.
+/// Returns the closest point in a search outwards from the element and xi of its previous position.
 ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, const double* length, int first, int last,
                                 int element, double xi);
 
-/// Closest points, distances and velocities for many rollers at once, each in the element of its look alone. `meetings`
-/// has one for every look at least.
-void meet_rollers(const RolledLine& line, std::span<const RollerLook> looks, std::span<RollerMeeting> meetings,
-                  Isa isa);
+/// Finds closest points, distances and velocities for many rollers at once, each only in the element of its look.
+/// `meetings` has at least one item per look.
+void find_closest_points(const RolledLine& line, std::span<const RollerSearch> looks,
+                         std::span<RollerClosestPoint> meetings, Isa isa);
 
 /// Distance of centreline to axis at the closest point.
 struct RollerDistance {
-  double value = 0.0;             ///< Signed: negative on the wrong side [m].
+  double value = 0.0;             ///< Signed distance: negative on the wrong side [m].
   Vec3 direction = Vec3::Zero();  ///< Unit vector in which the roller pushes the pipe.
 };
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at);
+/// Returns the signed distance at a closest point.
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& closest);
 
 /// Gradient and Hessian of the distance in the element's unknowns with the closest point eliminated:
 /// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.
 struct RollerDistanceDerivatives {
   ElementVector gradient = ElementVector::Zero();
   ElementMatrix hessian = ElementMatrix::Zero();
-  ElementVector place = ElementVector::Zero();  ///< How far the closest point goes along the pipe [-], [m].
+  ElementVector place = ElementVector::Zero();  ///< Derivative of the closest point's position along the pipe [-], [m].
 };
-RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
+RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& closest,
                                                       const RollerDistance& distance, const ElementVector& q,
                                                       double length);
 

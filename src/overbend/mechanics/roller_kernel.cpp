@@ -5,22 +5,22 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-constexpr int kDofs = 12;  ///< Of an element: r1, t1, r2, t2.
+constexpr int kDofs = 12;  ///< Unknowns of an element: r1, t1, r2, t2.
 
-/// Lane by lane true (all bits) or false.
-using Truth = decltype(Lanes{} < Lanes{});
+/// Mask of lanes: true (all bits) or false.
+using LaneMask = decltype(Lanes{} < Lanes{});
 
-/// Rollers with the elements that they are looked for in.
+/// Rollers with the elements of their looks.
 struct Batch {
-  const RollerLook* looks[kWidth];
+  const RollerSearch* looks[kWidth];
   int element[kWidth];
   Vec center, axis, normal;
   Lanes half_face, xi, h;
   Vec q[4], v[4];
 };
 
-/// What distance is measured from, see Projection of roller_contact.cpp: `across` is 1 where the part along the axis
-/// does not count, else 0.
+/// Reference of the distance, see Projection of roller_contact.cpp: `across` is 1 if the component along the axis is
+/// removed, else 0.
 struct Projection {
   Vec reference, axis;
   Lanes across;
@@ -29,11 +29,11 @@ struct Projection {
 };
 
 struct Point {
-  Truth found;
+  LaneMask found;
   Lanes xi;
 };
 
-inline bool any(const Truth& truth) {
+inline bool any(const LaneMask& truth) {
   long long found = 0;
   for (int l = 0; l < kWidth; ++l) {
     found |= truth[l];
@@ -45,18 +45,18 @@ inline Lanes magnitude(const Lanes& x) {
   return x < 0.0 ? -x : x;
 }
 
-inline Vec chosen(const Truth& first, const Vec& a, const Vec& b) {
+inline Vec chosen(const LaneMask& first, const Vec& a, const Vec& b) {
   return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 
-/// The values of the elements' nodes, lane by lane.
+/// Gathers the values of the elements' nodes, lane by lane.
 void gather(const double* values, const int (&element)[kWidth], Vec (&out)[4]) {
   Lanes parts[kDofs];
   for (int from = 0; from < kDofs; from += kWidth) {
-    const int start = from + kWidth <= kDofs ? from : kDofs - kWidth;  // the last ends with the element
+    const int start = from + kWidth <= kDofs ? from : kDofs - kWidth;  // the last part ends with the element
     Lanes rows[kWidth];
     for (int l = 0; l < kWidth; ++l) {
-      rows[l] = loose(values + 6 * element[l] + start);
+      rows[l] = unaligned(values + 6 * element[l] + start);
     }
     transpose(rows);
     for (int j = 0; j < kWidth; ++j) {
@@ -74,7 +74,7 @@ void put_vector(Vec& out, int lane, const double* from) {
   out.z[lane] = from[2];
 }
 
-/// The elements of the batch as they are named in it.
+/// Gathers the elements named in the batch.
 void gather_elements(const RolledLine& line, Batch& batch) {
   for (int l = 0; l < kWidth; ++l) {
     batch.h[l] = line.length[batch.element[l]];
@@ -83,10 +83,10 @@ void gather_elements(const RolledLine& line, Batch& batch) {
   gather(line.v, batch.element, batch.v);
 }
 
-/// Rollers `first` and those after it, with the elements that pass them; the last fills up what is left of a register.
-void gather(const RolledLine& line, const RollerLook* looks, int first, int count, Batch& batch) {
+/// Gathers rollers from `first` on, with the elements that pass them; the last one fills the rest of the register.
+void gather(const RolledLine& line, const RollerSearch* looks, int first, int count, Batch& batch) {
   for (int l = 0; l < kWidth; ++l) {
-    const RollerLook& look = looks[first + l < count ? first + l : count - 1];
+    const RollerSearch& look = looks[first + l < count ? first + l : count - 1];
     batch.looks[l] = &look;
     batch.element[l] = look.passing;
     put_vector(batch.center, l, look.center);
@@ -98,8 +98,8 @@ void gather(const RolledLine& line, const RollerLook* looks, int first, int coun
   gather_elements(line, batch);
 }
 
-/// Rollers whose ends the line is to be closest to, with the elements where it was.
-void gather_ends(const RolledLine& line, const Truth& ends, Batch& batch) {
+/// Gathers the roller ends for lanes beyond the face, with the elements of their previous closest points.
+void gather_ends(const RolledLine& line, const LaneMask& ends, Batch& batch) {
   for (int l = 0; l < kWidth; ++l) {
     if (!ends[l]) continue;
     batch.element[l] = batch.looks[l]->element;
@@ -108,33 +108,33 @@ void gather_ends(const RolledLine& line, const Truth& ends, Batch& batch) {
   gather_elements(line, batch);
 }
 
-/// Where P(r - C) . r' = 0: safeguarded Newton, as in roller_contact.cpp.
-Lanes stationary_xi(const Lanes (&f)[6], Lanes xi, Truth open) {
+/// Returns xi with P(r - C) . r' = 0: safeguarded Newton iteration, as in roller_contact.cpp.
+Lanes stationary_xi(const Lanes (&f)[6], Lanes xi, LaneMask open) {
   constexpr double kClose = 1e-4;
   Lanes low{}, high = all(1.0);
   for (int iteration = 0; iteration < 60 && any(open); ++iteration) {
     const Lanes value = f[0] + xi * (f[1] + xi * (f[2] + xi * (f[3] + xi * (f[4] + xi * f[5]))));
     const Lanes slope = f[1] + xi * (2.0 * f[2] + xi * (3.0 * f[3] + xi * (4.0 * f[4] + 5.0 * xi * f[5])));
-    const Truth above = value > 0.0;
+    const LaneMask above = value > 0.0;
     high = above ? xi : high;
     low = above ? low : xi;
     const Lanes by_slope = xi - value / slope;
-    const Truth good = (slope > 0.0) & (by_slope >= low) & (by_slope <= high);
+    const LaneMask good = (slope > 0.0) & (by_slope >= low) & (by_slope <= high);
     const Lanes next = good ? by_slope : 0.5 * (low + high);
-    const Truth close = (good & (magnitude(next - xi) < kClose)) | (high - low < 1e-15);
+    const LaneMask close = (good & (magnitude(next - xi) < kClose)) | (high - low < 1e-15);
     xi = open ? next : xi;
     open &= ~close;
   }
   return xi;
 }
 
-Point closest(const Batch& at, const Projection& projection) {
-  const Vec from1 = projection.apply(at.q[0] - projection.reference);
-  const Vec from2 = projection.apply(at.q[2] - projection.reference);
-  const Truth found = (dot(from1, at.q[1]) < 0.0) & (dot(from2, at.q[3]) >= 0.0);
-  // The distance as powers of xi, and half of what its square changes by.
+Point closest(const Batch& batch, const Projection& projection) {
+  const Vec from1 = projection.apply(batch.q[0] - projection.reference);
+  const Vec from2 = projection.apply(batch.q[2] - projection.reference);
+  const LaneMask found = (dot(from1, batch.q[1]) < 0.0) & (dot(from2, batch.q[3]) >= 0.0);
+  // Distance as powers of xi, and half the derivative of its square.
   const Vec& c0 = from1;
-  const Vec c1 = at.h * projection.apply(at.q[1]), last = at.h * projection.apply(at.q[3]);
+  const Vec c1 = batch.h * projection.apply(batch.q[1]), last = batch.h * projection.apply(batch.q[3]);
   const Vec chord = from2 - from1;
   const Vec c2 = 3.0 * chord - 2.0 * c1 - last, c3 = c1 + last - 2.0 * chord;
   const Lanes f[6] = {dot(c0, c1),
@@ -143,10 +143,10 @@ Point closest(const Batch& at, const Projection& projection) {
                       4.0 * dot(c1, c3) + 2.0 * dot(c2, c2),
                       5.0 * dot(c2, c3),
                       3.0 * dot(c3, c3)};
-  return {found, stationary_xi(f, at.xi, found)};
+  return {found, stationary_xi(f, batch.xi, found)};
 }
 
-/// The element's functions at xi, or their derivatives by the length.
+/// Shape functions of the element at xi, or their derivatives with the unstressed length.
 struct Shape {
   Lanes n[4];
 
@@ -169,36 +169,36 @@ void take_vector(const Vec& from, int lane, double* out) {
   out[2] = from.z[lane];
 }
 
-void meet(const RolledLine& line, Batch& at, RollerMeeting* meetings, int count) {
-  Projection projection{at.center, at.axis, all(1.0)};
-  Point point = closest(at, projection);
-  Shape shape = values_at(point.xi, at.h);
-  Vec place = shape.of(at.q);
-  const Lanes eta = dot(place - at.center, at.axis);
-  const Lanes off_end = magnitude(eta) - at.half_face;
-  const Truth beyond = off_end > 0.0;
-  if (any(beyond & point.found)) {  // over to the end of the roller
-    const Vec end = at.center + (eta < 0.0 ? -at.half_face : at.half_face) * at.axis;
-    projection = {chosen(beyond, end, at.center), at.axis, beyond ? Lanes{} : all(1.0)};
-    gather_ends(line, beyond, at);
-    const Point there = closest(at, projection);
-    point.found &= there.found | ~beyond;
-    point.xi = beyond ? there.xi : point.xi;
-    shape = values_at(point.xi, at.h);
-    place = shape.of(at.q);
+void meet(const RolledLine& line, Batch& batch, RollerClosestPoint* meetings, int count) {
+  Projection projection{batch.center, batch.axis, all(1.0)};
+  Point point = closest(batch, projection);
+  Shape shape = values_at(point.xi, batch.h);
+  Vec place = shape.of(batch.q);
+  const Lanes eta = dot(place - batch.center, batch.axis);
+  const Lanes off_end = magnitude(eta) - batch.half_face;
+  const LaneMask beyond = off_end > 0.0;
+  if (any(beyond & point.found)) {  // continue at the end of the roller
+    const Vec end = batch.center + (eta < 0.0 ? -batch.half_face : batch.half_face) * batch.axis;
+    projection = {chosen(beyond, end, batch.center), batch.axis, beyond ? Lanes{} : all(1.0)};
+    gather_ends(line, beyond, batch);
+    const Point closest_point = closest(batch, projection);
+    point.found &= closest_point.found | ~beyond;
+    point.xi = beyond ? closest_point.xi : point.xi;
+    shape = values_at(point.xi, batch.h);
+    place = shape.of(batch.q);
   }
-  const Vec tangent = slopes_at(point.xi, at.h).of(at.q), velocity = shape.of(at.v);
+  const Vec tangent = slopes_at(point.xi, batch.h).of(batch.q), velocity = shape.of(batch.v);
   const Vec distance = projection.apply(place - projection.reference);
-  const Vec across = chosen(beyond, distance, cross(at.axis, tangent));
-  const Truth on_side = beyond | (dot(across, at.normal) >= 0.0);
+  const Vec across = chosen(beyond, distance, cross(batch.axis, tangent));
+  const LaneMask on_side = beyond | (dot(across, batch.normal) >= 0.0);
   const Vec direction = ((on_side ? all(1.0) : all(-1.0)) / root(dot(across, across))) * across;
   const Lanes value = dot(distance, direction);
   for (int l = 0; l < count; ++l) {
-    RollerMeeting& out = meetings[l];
+    RollerClosestPoint& out = meetings[l];
     out.found = point.found[l] != 0;
     out.beyond_face = beyond[l] != 0;
-    out.element = at.element[l];
-    out.passing = at.looks[l]->passing;
+    out.element = batch.element[l];
+    out.passing = batch.looks[l]->passing;
     out.xi = point.xi[l];
     out.off_end = out.beyond_face ? off_end[l] : 0.0;
     out.distance = value[l];
@@ -215,7 +215,7 @@ void meet(const RolledLine& line, Batch& at, RollerMeeting* meetings, int count)
 
 }  // namespace
 
-void meet_rollers(const RolledLine& line, const RollerLook* looks, int count, RollerMeeting* meetings) {
+void find_closest_points(const RolledLine& line, const RollerSearch* looks, int count, RollerClosestPoint* meetings) {
   for (int first = 0; first < count; first += kWidth) {
     Batch batch;
     gather(line, looks, first, count, batch);

@@ -18,7 +18,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kColumns = 11;  // of the kernel's table
+constexpr std::size_t kColumns = 11;  // columns of the kernel's table
 
 static_assert(sizeof(WaterState) == 8 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),
               "the kernel writes states and reads points as plain doubles");
@@ -31,7 +31,7 @@ std::size_t padded(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-WaveView view_of(const Sea& sea) {
+WaveView make_wave_view(const Sea& sea) {
   const std::size_t rows = padded(sea.components.size());
   const auto column = [&](std::size_t i) { return sea.table.data() + i * rows; };
   return {.count = static_cast<int>(rows),
@@ -81,14 +81,14 @@ WaveComponent travelling(double amplitude, double omega, double towards, double 
   return {amplitude, omega, k, k * std::sin(towards), k * std::cos(towards), phase};
 }
 
-/// Waves are named by where they come from.
+/// Returns the azimuth of travel; waves are specified by the direction they come from.
 double travel_azimuth(const WavesDescription& waves) {
   return waves.from + std::numbers::pi;
 }
 
 void set_regular(Sea& sea, const WavesDescription& waves) {
   if (!(waves.height > 0.0) || !(waves.period > 0.0)) {
-    throw std::invalid_argument("a regular wave needs its height and period");
+    throw std::invalid_argument("a regular wave needs a height and a period");
   }
   const double towards = travel_azimuth(waves);
   if (sea.type == WaveType::airy) {
@@ -100,7 +100,7 @@ void set_regular(Sea& sea, const WavesDescription& waves) {
   sea.components = {{s.elevation[0], s.omega, s.wave_number, s.kx, s.ky, s.phase}};
 }
 
-/// Components of equal energy, one from each slice of the spectrum's energy at a place drawn within it.
+/// Components of equal energy, one from each slice of the spectrum's energy at a random frequency within it.
 void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
   if (waves.components < 1) throw std::invalid_argument("a random sea needs at least one component");
   const WaveSpectrum spectrum(waves);
@@ -113,7 +113,7 @@ void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
     sea.components.push_back(travelling(amplitude, omega, travel_azimuth(waves), phase, sea.depth));
   }
   if (!waves.spreading) return;
-  // Drawn last, so that the spread sea has the frequencies and phases of the long-crested one.
+  // Drawn last, so that the short-crested sea has the frequencies and phases of the long-crested one.
   const std::vector<double> directions = spread_directions(*waves.spreading, count, random);
   for (int i = 0; i < count; ++i) {
     const WaveComponent& c = sea.components[i];
@@ -121,12 +121,13 @@ void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
   }
 }
 
-/// Squared amplitudes times their phasors at a row of lags, added up.
+/// Sums of squared amplitudes times phasors over a row of lags.
 struct LagSums {
   static constexpr int kLags = 512;
   std::array<double, kLags> real{}, imaginary{};
 
-  /// From `lag` on in steps of `step` [s]. Each phasor is turned from one lag to the next: rounding stays below 1e-12.
+  /// Adds lags from `lag` on in steps of `step` [s]. Each phasor is rotated from one lag to the next: rounding stays
+  /// below 1e-12.
   void add(const WaveComponent& c, double lag, double step) {
     const double a2 = c.amplitude * c.amplitude;
     double re = a2 * std::cos(c.omega * lag), im = a2 * std::sin(c.omega * lag);
@@ -150,7 +151,7 @@ void stokes_state(const StokesWave& wave, double t, const BuildUp& build_up, con
   out.pressure_head = build_up.value * k.pressure_head;
 }
 
-WaveSums sums_of(Isa isa) {
+WaveSums wave_sums_for(Isa isa) {
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) return isa_avx512::sum_waves;
   if (isa == Isa::avx2) return isa_avx2::sum_waves;
@@ -159,7 +160,7 @@ WaveSums sums_of(Isa isa) {
   return isa_baseline::sum_waves;
 }
 
-WaveElevation elevation_of(Isa isa) {
+WaveElevation wave_elevation_for(Isa isa) {
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) return isa_avx512::wave_elevation;
   if (isa == Isa::avx2) return isa_avx2::wave_elevation;
@@ -207,9 +208,9 @@ double recurrence(const Sea& sea, double simulated_time) {
     energy += c.amplitude * c.amplitude;
     moment += c.amplitude * c.amplitude * c.omega;
   }
-  // Quarters of a period are fine steps for the envelope, which changes with the groups of waves.
+  // A quarter of a period is a fine step for the envelope, which varies with the wave groups.
   const double step = 0.25 * kTurn * energy / moment;
-  double largest = 0.0;
+  double max_correlation = 0.0;
   const auto last = static_cast<std::int64_t>(simulated_time / step);
   for (std::int64_t first = 120; first <= last; first += LagSums::kLags) {
     check_interruption();
@@ -217,23 +218,23 @@ double recurrence(const Sea& sea, double simulated_time) {
     for (const WaveComponent& c : sea.components) sums.add(c, step * static_cast<double>(first), step);
     const auto count = static_cast<std::size_t>(std::min<std::int64_t>(LagSums::kLags, last - first + 1));
     for (std::size_t i = 0; i < count; ++i) {
-      largest = std::max(largest, std::hypot(sums.real[i], sums.imaginary[i]) / energy);
+      max_correlation = std::max(max_correlation, std::hypot(sums.real[i], sums.imaginary[i]) / energy);
     }
   }
-  return largest;
+  return max_correlation;
 }
 
 void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<const Vec3> points,
                  std::span<WaterState> out) {
-  require(points.size() == out.size(), "there is a state of the water for each point");
+  require(points.size() == out.size(), "there are as many water states as points");
   if (points.empty()) return;
   if (sea.calm()) {
     std::fill(out.begin(), out.end(), WaterState{});
   } else if (sea.type == WaveType::stokes5) {
     for (std::size_t i = 0; i < points.size(); ++i) stokes_state(sea.stokes, t, build_up, points[i], out[i]);
   } else {
-    static const WaveSums kSums = sums_of(best_isa());
-    kSums(view_of(sea), {t, build_up.value, build_up.rate}, points[0].data(), static_cast<int>(points.size()),
+    static const WaveSums kSums = wave_sums_for(best_isa());
+    kSums(make_wave_view(sea), {t, build_up.value, build_up.rate}, points[0].data(), static_cast<int>(points.size()),
           out[0].velocity.data());
   }
 }
@@ -241,8 +242,8 @@ void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<co
 double elevation(const Sea& sea, double t, const BuildUp& build_up, double x, double y) {
   if (sea.calm()) return 0.0;
   if (sea.type == WaveType::stokes5) return build_up.value * elevation(sea.stokes, t, x, y);
-  static const WaveElevation kElevation = elevation_of(best_isa());
-  return build_up.value * kElevation(view_of(sea), t, x, y);
+  static const WaveElevation kElevation = wave_elevation_for(best_isa());
+  return build_up.value * kElevation(make_wave_view(sea), t, x, y);
 }
 
 double spectral_density(const WavesDescription& waves, double omega) {

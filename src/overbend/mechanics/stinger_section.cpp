@@ -9,10 +9,10 @@
 namespace overbend {
 namespace {
 
-/// A strip's height counts as at least this part of its diameter: a level tank does not go under at once.
-constexpr double kLeastHeight = 0.1;
+/// Minimum height of a strip relative to its diameter: a level tank does not submerge instantly.
+constexpr double kMinHeight = 0.1;
 
-/// Of a strip: how much of it is wet, and where the middle of that part lies.
+/// Wetted fraction of a strip, and the middle of that part.
 struct WetPart {
   double share = 0.0;
   Vec3 middle_V = Vec3::Zero();
@@ -20,14 +20,14 @@ struct WetPart {
 
 WetPart wet_part(const TankStrip& strip, double from_z, double to_z, double surface) {
   const double rise = to_z - from_z;
-  const double height = std::max(std::abs(rise), kLeastHeight * strip.diameter);
+  const double height = std::max(std::abs(rise), kMinHeight * strip.diameter);
   const double middle = 0.5 * (from_z + to_z);
   const double share = std::clamp(0.5 + (surface - middle) / height, 0.0, 1.0);
   const Vec3 along = strip.to_V - strip.from_V;
   return {share, 0.5 * (strip.from_V + strip.to_V) - 0.5 * (1.0 - share) * rise / height * along};
 }
 
-/// Hands every force on the section to `take(force, place, velocity of the place)`.
+/// Calls `take(force, place, velocity of the place)` for every force on the section.
 template <class Take>
 void forces_of_water(const SectionBody& body, const RigidMotion& motion, std::span<const WaterState> water,
                      double weight_density, const Take& take) {
@@ -44,40 +44,40 @@ void forces_of_water(const SectionBody& body, const RigidMotion& motion, std::sp
     const double length = wet.share * axis_V.norm();
     const double volume = 0.25 * std::numbers::pi * strip.diameter * strip.diameter * length;
     const Vec3 axis = (R * axis_V).normalized();
-    const PointMotion at = point_motion(motion, wet.middle_V);
+    const PointMotion middle = point_motion(motion, wet.middle_V);
     const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(axis) * axis); };
-    const Vec3 flow = across(w.velocity - at.velocity);
+    const Vec3 flow = across(w.velocity - middle.velocity);
     take(Vec3(density * volume * (w.acceleration + kGravity * Vec3::UnitZ()) +
-              density * volume * strip.added_mass * across(w.acceleration - at.acceleration) +
+              density * volume * strip.added_mass * across(w.acceleration - middle.acceleration) +
               0.5 * density * strip.drag * strip.diameter * length * flow.norm() * flow),
-         at);
+         middle);
   }
   if (body.immersed) {
     const ImmersedBody& part = *body.immersed;
     const WaterState& w = water[body.strips.size()];
     const Vec3 across = R * part.across_V;
-    const PointMotion at = point_motion(motion, part.place_V);
-    const double flow = across.dot(w.velocity - at.velocity);
+    const PointMotion part_point = point_motion(motion, part.place_V);
+    const double flow = across.dot(w.velocity - part_point.velocity);
     take(Vec3(density * part.volume * (w.acceleration + kGravity * Vec3::UnitZ()) +
-              (part.added_mass * across.dot(w.acceleration - at.acceleration) +
+              (part.added_mass * across.dot(w.acceleration - part_point.acceleration) +
                0.5 * density * part.drag_area * std::abs(flow) * flow) *
                   across),
-         at);
+         part_point);
   }
 }
 
-/// A spring as it is now: its pull, along `towards` from the section to the barge.
+/// State of a spring: its tension, along `towards` from the section to the vessel.
 struct SpringPull {
   double stretch = 0.0, tension = 0.0;
   Vec3 towards = Vec3::Zero();
-  PointMotion own, base;
+  PointMotion tip, base;
 };
 
-SpringPull pull_of(const SectionSpring& spring, const RigidMotion& motion, const RigidMotion& barge) {
+SpringPull compute_spring_pull(const SectionSpring& spring, const RigidMotion& motion, const RigidMotion& barge) {
   SpringPull pull;
-  pull.own = point_motion(motion, spring.own_V);
-  pull.base = point_motion(barge, spring.base_V);
-  const Vec3 span = pull.base.place - pull.own.place;
+  pull.tip = point_motion(motion, spring.section_V);
+  pull.base = point_motion(barge, spring.vessel_V);
+  const Vec3 span = pull.base.place - pull.tip.place;
   const double length = span.norm();
   pull.stretch = length - spring.length;
   pull.stretch = spring.wire ? std::max(pull.stretch, 0.0) : pull.stretch;
@@ -125,8 +125,8 @@ void water_at_section(const SectionSea& sea, double time, const SectionBody& bod
   }
 }
 
-Wrench unbalance_of_section(const SectionBody& body, const RigidMotion& motion, const RigidMotion& barge,
-                            std::span<const WaterState> water, double weight_density, const Vec3& about) {
+Wrench section_residual(const SectionBody& body, const RigidMotion& motion, const RigidMotion& barge,
+                        std::span<const WaterState> water, double weight_density, const Vec3& about) {
   Wrench sum;
   const auto subtract = [&](const Vec3& force, const Vec3& place) {
     sum.force -= force;
@@ -137,10 +137,10 @@ Wrench unbalance_of_section(const SectionBody& body, const RigidMotion& motion, 
   sum.moment += inertia * motion.alpha + motion.omega.cross(inertia * motion.omega);
   subtract(-body.mass * (center.acceleration + kGravity * Vec3::UnitZ()), center.place);
   forces_of_water(body, motion, water, weight_density,
-                  [&](const Vec3& force, const PointMotion& at) { subtract(force, at.place); });
+                  [&](const Vec3& force, const PointMotion& point) { subtract(force, point.place); });
   for (const SectionSpring& spring : body.springs) {
-    const SpringPull pull = pull_of(spring, motion, barge);
-    subtract(pull.tension * pull.towards, pull.own.place);
+    const SpringPull pull = compute_spring_pull(spring, motion, barge);
+    subtract(pull.tension * pull.towards, pull.tip.place);
   }
   return sum;
 }
@@ -149,7 +149,7 @@ Wrench springs_on_barge(const SectionBody& body, const RigidMotion& motion, cons
                         const Vec3& about) {
   Wrench sum;
   for (const SectionSpring& spring : body.springs) {
-    const SpringPull pull = pull_of(spring, motion, barge);
+    const SpringPull pull = compute_spring_pull(spring, motion, barge);
     const Vec3 force = -pull.tension * pull.towards;
     sum.force += force;
     sum.moment += (pull.base.place - about).cross(force);
@@ -165,9 +165,9 @@ SectionEnergy section_energy(const SectionBody& body, const RigidMotion& motion,
   sum.kinetic = 0.5 * body.mass * center.velocity.squaredNorm() + 0.5 * omega_V.dot(body.inertia_V * omega_V);
   sum.stored = body.mass * kGravity * center.place.z();
   forces_of_water(body, motion, water, weight_density,
-                  [&](const Vec3& force, const PointMotion& at) { sum.power += force.dot(at.velocity); });
+                  [&](const Vec3& force, const PointMotion& point) { sum.power += force.dot(point.velocity); });
   for (const SectionSpring& spring : body.springs) {
-    const SpringPull pull = pull_of(spring, motion, barge);
+    const SpringPull pull = compute_spring_pull(spring, motion, barge);
     sum.stored += 0.5 * spring.stiffness * pull.stretch * pull.stretch;
     sum.barge_power += pull.tension * pull.towards.dot(pull.base.velocity);
   }

@@ -14,7 +14,7 @@ StrainPoint strain_point(const LineElements& elements, std::size_t e, const Node
   const double stretch = a.norm(), strain = stretch - 1.0, rate = a.dot(v * slope) / stretch;
   const double ahead = strain + elements.damping[e] * rate, rest = 1.0 - elements.compression[e];
   const double force = kSlackWeight[k] * elements.length[e] * elements.EA[e] * rest *
-                       (pulling_law(ahead).force - pulling_law(strain).force);
+                       (tension_only_law(ahead).force - tension_only_law(strain).force);
   return {strain, force, force * rate};
 }
 

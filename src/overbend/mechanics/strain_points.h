@@ -1,5 +1,5 @@
-/// Strains of a line where its internal damping acts: what that takes in a step goes by how far they change, since
-/// rates of vibrations faster than the steps tell nothing of the way between them.
+/// Strains of a line at the points of its internal damping. The dissipation in a step depends on the strain change:
+/// rates of vibrations faster than the steps contain no information on the path between them.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace overbend {
 
 struct StrainPoint {
   double strain = 0.0;
-  double damping = 0.0;  ///< Force by damping, times the length that the point stands for [N m].
-  double power = 0.0;    ///< That damping takes at the instant [W].
+  double damping = 0.0;  ///< Damping force times the length represented by the point [N m].
+  double power = 0.0;    ///< Instantaneous power dissipated by damping [W].
 };
 
-/// Appends the points of the elements that are damped, three each. `q`, `v`: six per node.
+/// Appends the points of the damped elements, three each. `q`, `v`: six per node.
 void add_strain_points(const LineElements& elements, const double* q, const double* v,
                        std::vector<StrainPoint>& points);
 

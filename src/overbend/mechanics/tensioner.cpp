@@ -7,23 +7,25 @@ namespace overbend {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSameTime = 1e-12;  ///< Differences of time that are rounding [s].
-constexpr double kRestored = 0.01;   ///< Share of the range's half within which the wanted tension is restored.
-constexpr double kSamePlace = 1e-6;  ///< From the end of its travel: it is there [m].
+constexpr double kSameTime = 1e-12;  ///< Time differences below this are rounding [s].
+constexpr double kRestored = 0.01;   ///< Fraction of half the range within which the target tension counts as restored.
+/// Distance from the end of the travel within which the machine is at its limit [m].
+constexpr double kSamePlace = 1e-6;
 
 bool moves(const TensionerMachine& m) {
   return m.state == TensionerState::pay_out || m.state == TensionerState::haul_in;
 }
 
-/// Greatest speed w after `h` from which it can still stop at its travel limit, `room` ahead now, braking within its
-/// acceleration and for one more step at least [m/s]: h (v + w) / 2 + max(w^2 / (2 a), h w / 2) = room.
+/// Returns the maximum speed w after `h` from which it can still stop at its travel limit, `room` ahead of its current
+/// position, braking within its acceleration and for at least one more step [m/s]: h (v + w) / 2 + max(w^2 / (2 a), h w
+/// / 2) = room.
 double stoppable_speed(double room, double v, double acceleration, double h) {
   const double left = std::max(room - 0.5 * h * v, 0.0);
   const double slowly = acceleration * (std::sqrt(0.25 * h * h + 2.0 * left / acceleration) - 0.5 * h);
   return std::min(slowly, left / h);
 }
 
-void come_to_rest(TensionerMachine& m, TensionerState state) {
+void stop_machine(TensionerMachine& m, TensionerState state) {
   m.state = state;
   m.drive = TensionerDrive::brake;
   m.timer = 0.0;
@@ -31,7 +33,7 @@ void come_to_rest(TensionerMachine& m, TensionerState state) {
 
 void start_moving(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   if (m.side * travel.length >= law.limit - kSamePlace) {
-    come_to_rest(m, TensionerState::at_limit);
+    stop_machine(m, TensionerState::at_limit);
     return;
   }
   m.state = m.side > 0 ? TensionerState::pay_out : TensionerState::haul_in;
@@ -39,7 +41,7 @@ void start_moving(const TensionerLaw& law, const Travel& travel, TensionerMachin
   m.timer = 0.0;
 }
 
-/// One change of state of a machine at rest, if there is one to make.
+/// Makes one change of state of a machine at rest. Returns true if there was one.
 bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   const bool beyond = excess(law, m, m.tension, travel.speed) >= -law.resolution;
   switch (m.state) {
@@ -58,7 +60,7 @@ bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine
       [[fallthrough]];
     case TensionerState::at_limit:
       if (beyond) {
-        come_to_rest(m, TensionerState::hold);
+        stop_machine(m, TensionerState::hold);
       }
       return beyond;
     case TensionerState::pay_out:
@@ -68,8 +70,8 @@ bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine
   return false;
 }
 
-/// Reverses with the speed, and stops at its travel limit. A speed that would count as restored is not yet a turn.
-Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+/// Reverses with the speed, and stops at the travel limit. A speed that would count as restored is not a reversal.
+Travel update_from_speed(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   if (-m.side * travel.speed > kRestored * law.velocity) {
     m.side = -m.side;
     m.state = m.side > 0 ? TensionerState::pay_out : TensionerState::haul_in;
@@ -77,14 +79,14 @@ Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMach
   const int outward = m.drive == TensionerDrive::fastest ? 1 : m.drive == TensionerDrive::slowest ? -1 : 0;
   if (outward != 0 && law.limit - outward * travel.length <= kSamePlace) {
     m.side = outward;
-    come_to_rest(m, TensionerState::at_limit);
+    stop_machine(m, TensionerState::at_limit);
     return {outward * law.limit, 0.0, 0.0};
   }
   return travel;
 }
 
-/// State and travel of a machine that is led by a command: it stands at the end of its travel.
-Travel follow_command(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+/// Updates state and travel of a commanded machine: it is at rest at the end of its travel.
+Travel update_from_command(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   const int outward = travel.length > 0.0 ? 1 : -1;
   if (law.limit - outward * travel.length <= kSamePlace && outward * *m.commanded > 0.0) {
     m.side = outward;
@@ -96,14 +98,14 @@ Travel follow_command(const TensionerLaw& law, const Travel& travel, TensionerMa
   if (m.returning && m.side == 0) {
     m.commanded.reset();
     m.returning = false;
-    come_to_rest(m, TensionerState::hold);
+    stop_machine(m, TensionerState::hold);
   }
   return travel;
 }
 
 }  // namespace
 
-SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m, const Travel& now, double authority,
+SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m, const Travel& travel, double authority,
                              double h) {
   if (!m.commanded && law.mode == TensionerMode::constant) {
     return {-kNever, kNever};
@@ -111,13 +113,13 @@ SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m,
   if (!m.commanded && !moves(m)) {
     return {0.0, 0.0};
   }
-  const auto greatest = [&](double v, double room) {
+  const auto max_speed = [&](double v, double room) {
     const double change = law.acceleration * h;
     const double speed = std::min(std::max(law.velocity * authority, v - change), v + change);
     return room < kNever ? std::min(speed, stoppable_speed(room, v, law.acceleration, h)) : speed;
   };
-  const double fastest = greatest(now.speed, law.limit - now.length);
-  const double slowest = std::min(-greatest(-now.speed, law.limit + now.length), fastest);
+  const double fastest = max_speed(travel.speed, law.limit - travel.length);
+  const double slowest = std::min(-max_speed(-travel.speed, law.limit + travel.length), fastest);
   if (m.commanded) {
     const double speed = std::clamp(*m.commanded, slowest, fastest);
     return {speed, speed};
@@ -125,19 +127,19 @@ SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m,
   return {slowest, fastest};
 }
 
-Travel driven(const TensionerLaw& law, const Travel& now, double speed, double h) {
-  const double length = now.length + 0.5 * h * (now.speed + speed);
-  return {std::clamp(length, -law.limit, law.limit), speed, (speed - now.speed) / h};
+Travel advance_governed(const TensionerLaw& law, const Travel& travel, double speed, double h) {
+  const double length = travel.length + 0.5 * h * (travel.speed + speed);
+  return {std::clamp(length, -law.limit, law.limit), speed, (speed - travel.speed) / h};
 }
 
-Travel led(const TensionerLaw& law, const Travel& now, double speed, double h) {
-  const double gain = speed - now.speed;
+Travel advance_commanded(const TensionerLaw& law, const Travel& travel, double speed, double h) {
+  const double gain = speed - travel.speed;
   const double ramp = gain == 0.0 ? 0.0 : std::min(std::abs(gain) / law.acceleration, h);
-  const double length = now.length + h * speed - 0.5 * ramp * gain;
+  const double length = travel.length + h * speed - 0.5 * ramp * gain;
   return {std::clamp(length, -law.limit, law.limit), speed, gain / h};
 }
 
-void set_wanted_tension(TensionerLaw& law, double wanted) {
+void set_target_tension(TensionerLaw& law, double wanted) {
   const double shift = wanted - law.wanted;
   law.wanted = wanted;
   law.low += shift;
@@ -152,7 +154,7 @@ void command_speed(TensionerMachine& m, double speed) {
   m.timer = 0.0;
 }
 
-void leave_to_law(const TensionerLaw& law, double speed, TensionerMachine& m) {
+void return_to_law(const TensionerLaw& law, double speed, TensionerMachine& m) {
   if (!m.commanded) return;
   if (law.mode == TensionerMode::locked) {
     m.commanded = 0.0;
@@ -160,7 +162,7 @@ void leave_to_law(const TensionerLaw& law, double speed, TensionerMachine& m) {
     return;
   }
   m.commanded.reset();
-  come_to_rest(m, TensionerState::hold);
+  stop_machine(m, TensionerState::hold);
   if (law.mode == TensionerMode::controlled && speed != 0.0) {
     m.side = speed > 0.0 ? 1 : -1;
     m.state = speed > 0.0 ? TensionerState::pay_out : TensionerState::haul_in;
@@ -173,10 +175,10 @@ double governor_slope(const TensionerLaw& law, double speed) {
     return 0.0;
   }
   const double band = speed > 0.0 ? law.high - law.wanted : law.wanted - law.low;
-  // Where the range ends at the wanted tension, or next to it, tensions could not tell full speed from rest: the
-  // machine would stop at once from any speed, an impact for the pipe.
-  constexpr double kLeastBand = 100.0;  // times the resolution
-  return std::max(band, kLeastBand * law.resolution) / law.velocity;
+  // If the range ends at or near the target tension, tension cannot distinguish full speed from rest: the machine would
+  // stop at once from any speed, an impact for the pipe.
+  constexpr double kMinBand = 100.0;  // multiples of the resolution
+  return std::max(band, kMinBand * law.resolution) / law.velocity;
 }
 
 double governed_tension(const TensionerLaw& law, double speed) {
@@ -193,8 +195,8 @@ TensionerDrive first_drive(const TensionerLaw& law, const TensionerMachine& m) {
   return moves(m) ? m.drive : TensionerDrive::brake;
 }
 
-TensionerDrive fitting_drive(const TensionerLaw& law, const SpeedBounds& bounds, TensionerDrive drive, double speed,
-                             double tension) {
+TensionerDrive matching_drive(const TensionerLaw& law, const SpeedBounds& bounds, TensionerDrive drive, double speed,
+                              double tension) {
   switch (drive) {
     case TensionerDrive::brake:
       return drive;
@@ -222,7 +224,7 @@ double excess(const TensionerLaw& law, const TensionerMachine& m, double tension
   switch (m.state) {
     case TensionerState::hold:
       return std::max(above, below);
-    case TensionerState::delay:  // a little within the range, so that meeting its edge from inside is not coming back
+    case TensionerState::delay:  // slightly within the range, so that reaching its edge from inside is not a return
       return -(m.side > 0 ? above : below) - 2.0 * law.resolution;
     case TensionerState::at_limit:
       return m.side * (law.wanted - tension);
@@ -243,39 +245,39 @@ double time_to_move(const TensionerLaw& law, const TensionerMachine& m) {
 Travel observe(const TensionerLaw& law, double tension, double h, const Travel& travel, TensionerMachine& m) {
   m.tension = tension;
   if (m.commanded) {
-    return follow_command(law, travel, m);
+    return update_from_command(law, travel, m);
   }
   if (law.mode != TensionerMode::controlled) {
     return travel;
   }
-  Travel now = travel;
+  Travel next_travel = travel;
   if (m.state == TensionerState::delay) {
     m.timer += h;
   } else if (moves(m)) {
     m.timer = out_of_range(law, tension) ? 0.0 : m.timer + h;
     if (excess(law, m, tension, travel.speed) >= -law.resolution) {
-      come_to_rest(m, TensionerState::hold);
-      now = {travel.length, 0.0, 0.0};
+      stop_machine(m, TensionerState::hold);
+      next_travel = {travel.length, 0.0, 0.0};
     } else {
-      now = follow_speed(law, travel, m);
+      next_travel = update_from_speed(law, travel, m);
     }
   }
-  constexpr int kMostChanges = 4;  // out of one side of the range and at once out of the other
-  for (int i = 0; i < kMostChanges && !moves(m) && change_once(law, now, m); ++i) {
+  constexpr int kMaxStateChanges = 4;  // leaving the range on one side and at once on the other
+  for (int i = 0; i < kMaxStateChanges && !moves(m) && change_once(law, next_travel, m); ++i) {
   }
-  return now;
+  return next_travel;
 }
 
-double step_to_event(const TensionerLaw& law, const EventTry& before, const EventTry& now, double shortest) {
-  if (now.excess <= law.resolution || now.h <= shortest || !std::isfinite(before.excess)) {
-    return now.h;
+double step_to_event(const TensionerLaw& law, const EventTry& before, const EventTry& current, double min_step) {
+  if (current.excess <= law.resolution || current.h <= min_step || !std::isfinite(before.excess)) {
+    return current.h;
   }
-  const double slope = (now.excess - before.excess) / (now.h - before.h);
-  const double late = slope > 0.0 ? now.excess / slope : now.h;
-  if (before.h > 0.0 && late <= shortest) {
-    return now.h;
+  const double slope = (current.excess - before.excess) / (current.h - before.h);
+  const double late = slope > 0.0 ? current.excess / slope : current.h;
+  if (before.h > 0.0 && late <= min_step) {
+    return current.h;
   }
-  return std::clamp(now.h - late + 0.5 * shortest, std::min(shortest, 0.5 * now.h), 0.95 * now.h);
+  return std::clamp(current.h - late + 0.5 * min_step, std::min(min_step, 0.5 * current.h), 0.95 * current.h);
 }
 
 }  // namespace overbend

@@ -7,7 +7,7 @@
 
 #include "base/require.h"
 #include "mechanics/moving_vessel.h"
-#include "mechanics/sea_range.h"
+#include "mechanics/sea_outside_range.h"
 
 namespace overbend {
 namespace {
@@ -21,7 +21,8 @@ struct Freedoms {
 
 // Terms from the description ------------------------------------------------------------------------------------
 
-/// Response to one component of the sea. `heading_W` is the azimuth of V's x axis, anticlockwise from W's x.
+/// Returns the response to one component of the sea. `heading_W` is the azimuth of V's x axis, anticlockwise from W's
+/// x.
 MotionTerm respond(const RaoTable& raos, const WaveComponent& wave, double heading_W, const Vec3& wave_origin_W) {
   MotionTerm term;
   term.omega = wave.omega;
@@ -32,19 +33,19 @@ MotionTerm respond(const RaoTable& raos, const WaveComponent& wave, double headi
   return term;
 }
 
-void follow_raos(VesselMotionModel& motion, const RaoTable& given, const Sea& sea) {
-  const RaoTable raos = sea.calm() ? given : counted_from_midship(given, sea.depth);
+void add_rao_terms(VesselMotionModel& motion, const RaoTable& table, const Sea& sea) {
+  const RaoTable raos = sea.calm() ? table : with_phases_from_midship(table, sea.depth);
   motion.reference_V = raos.reference_V;
   const Vec3 forward = motion.mean.R_WV.col(0);
   const double heading_W = std::atan2(forward.y(), forward.x());
   const Vec3 wave_origin_W = motion.mean.p_WV + motion.mean.R_WV * raos.wave_origin_V;
   for (const WaveComponent& wave : sea.components) motion.terms.add(respond(raos, wave, heading_W, wave_origin_W));
-  const SeaBeside beside = sea_beside(sea, raos.omegas.front(), raos.omegas.back());
-  motion.below_table = beside.below;
-  motion.above_table = beside.above;
+  const SeaOutsideRange sea_range = sea_outside_range(sea, raos.omegas.front(), raos.omegas.back());
+  motion.below_table = sea_range.below;
+  motion.above_table = sea_range.above;
 }
 
-void follow_harmonic(VesselMotionModel& motion, const VesselDescription& vessel) {
+void add_harmonic_terms(VesselMotionModel& motion, const VesselDescription& vessel) {
   motion.reference_V = vessel.motion_reference_V;
   for (std::size_t k = 0; k < kFreedomNames.size(); ++k) {
     const auto found = vessel.harmonic.find(kFreedomNames[k]);
@@ -58,7 +59,7 @@ void follow_harmonic(VesselMotionModel& motion, const VesselDescription& vessel)
 }
 
 /// Second derivatives of the natural cubic spline through the points of one freedom (Thomas' algorithm).
-void curve_of(const MotionHistory& history, std::size_t freedom, std::vector<Six>& curve) {
+void find_second_derivatives(const MotionHistory& history, std::size_t freedom, std::vector<Six>& curve) {
   const std::vector<double>& t = history.time;
   const std::size_t n = t.size();
   const auto y = [&](std::size_t i) { return history.freedoms[i][freedom]; };
@@ -73,22 +74,22 @@ void curve_of(const MotionHistory& history, std::size_t freedom, std::vector<Six
   for (std::size_t i = n - 1; i-- > 1;) curve[i][freedom] = right[i] - upper[i] * curve[i + 1][freedom];
 }
 
-void follow_history(VesselMotionModel& motion, const VesselDescription& vessel) {
+void set_motion_spline(VesselMotionModel& motion, const VesselDescription& vessel) {
   const MotionHistory& history = *vessel.history;
   require(history.time.size() >= 2 && history.freedoms.size() == history.time.size(),
-          "a recorded motion has two instants at least, with six freedoms each");
+          "a recorded motion needs at least two instants with six freedoms each");
   motion.reference_V = vessel.motion_reference_V;
   motion.spline.time = history.time;
   motion.spline.value = history.freedoms;
   motion.spline.curve.assign(history.time.size(), Six{});
-  for (std::size_t k = 0; k < 6; ++k) curve_of(history, k, motion.spline.curve);
+  for (std::size_t k = 0; k < 6; ++k) find_second_derivatives(history, k, motion.spline.curve);
   motion.first = history.time.front();
   motion.last = history.time.back();
 }
 
 // Evaluation ------------------------------------------------------------------------------------------------------
 
-ResponseSums responses_of(Isa isa) {
+ResponseSums response_sums_for(Isa isa) {
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) return isa_avx512::sum_responses;
   if (isa == Isa::avx2) return isa_avx2::sum_responses;
@@ -98,15 +99,15 @@ ResponseSums responses_of(Isa isa) {
 }
 
 void add_terms(const MotionTerms& terms, const MoveAhead& move, double t, Freedoms& f) {
-  static const ResponseSums kSums = responses_of(best_isa());
-  const ResponseInstant at{t,
-                           move.at.way,
-                           move.at.speed,
-                           move.at.acceleration,
-                           move.wave_numbers.data(),
-                           static_cast<int>(std::min(move.wave_numbers.size(), terms.size()))};
+  static const ResponseSums kSums = response_sums_for(best_isa());
+  const ResponseInstant instant{t,
+                                move.at.distance,
+                                move.at.speed,
+                                move.at.acceleration,
+                                move.wave_numbers.data(),
+                                static_cast<int>(std::min(move.wave_numbers.size(), terms.size()))};
   std::array<double, 18> sums{};
-  kSums(terms.view(), at, sums.data());
+  kSums(terms.view(), instant, sums.data());
   for (std::size_t k = 0; k < 6; ++k) {
     f.value[k] += sums[3 * k];
     f.rate[k] += sums[3 * k + 1];
@@ -138,7 +139,7 @@ Freedoms from_history(const MotionSpline& spline, double t) {
   const double first = spline.time.front(), last = spline.time.back();
   if (t >= last) return at_rest(spline.value.back());
   if (t >= first) return on_spline(spline, t);
-  // The curve is straight at its ends, so that turning it about its first point leaves the acceleration continuous.
+  // The second derivative is zero at the ends, so that point reflection leaves the acceleration continuous.
   const double image = 2.0 * first - t;
   Freedoms f = image < last ? on_spline(spline, image) : at_rest(spline.value.back());
   for (std::size_t k = 0; k < 6; ++k) {
@@ -190,7 +191,7 @@ ResponseView MotionTerms::view() const {
 
 VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
   VesselMotionModel motion = make_body_motion(model.description.vessel, model.mean_pose, sea);
-  motion.ahead_W = level_ahead(model.drawn_pose);
+  motion.ahead_W = level_ahead(model.nominal_pose);
   return motion;
 }
 
@@ -202,22 +203,22 @@ VesselMotionModel make_body_motion(const VesselDescription& vessel, const Vessel
     case VesselMotion::fixed:
       return motion;
     case VesselMotion::harmonic:
-      follow_harmonic(motion, vessel);
+      add_harmonic_terms(motion, vessel);
       return motion;
     case VesselMotion::raos:
       if (!vessel.raos) throw std::invalid_argument("the vessel's RAOs, " + vessel.motion_file + ", could not be read");
-      follow_raos(motion, *vessel.raos, sea);
+      add_rao_terms(motion, *vessel.raos, sea);
       return motion;
     case VesselMotion::history:
       if (!vessel.history) {
         throw std::invalid_argument("the motion history of the vessel, " + vessel.motion_file + ", could not be read");
       }
-      follow_history(motion, vessel);
+      set_motion_spline(motion, vessel);
       return motion;
     case VesselMotion::coupled:
       break;
   }
-  throw std::invalid_argument("a vessel that moves together with the pipe (vessel.motion.coupled) is not available");
+  throw std::invalid_argument("coupled vessel motion (vessel.motion.coupled) is not available here");
 }
 
 Vec3 level_ahead(const VesselPose& mean) {
@@ -227,7 +228,7 @@ Vec3 level_ahead(const VesselPose& mean) {
 
 std::vector<double> wave_numbers_ahead(const VesselMotionModel& motion, const Sea& sea) {
   std::vector<double> numbers;
-  if (motion.terms.size() != sea.components.size()) return numbers;  // terms that are of no wave
+  if (motion.terms.size() != sea.components.size()) return numbers;  // terms that do not belong to waves
   const Vec3& ahead = motion.ahead_W;
   for (const WaveComponent& wave : sea.components) numbers.push_back(wave.kx * ahead.x() + wave.ky * ahead.y());
   return numbers;
@@ -238,12 +239,12 @@ RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const Build
 }
 
 RigidMotion vessel_motion(const VesselMotionModel& motion, const MoveAhead& move, double t, const BuildUp& b) {
-  const WayPoint& ahead = move.at;
+  const MoveState& ahead = move.at;
   Freedoms f = motion.spline.time.empty() ? Freedoms{} : from_history(motion.spline, t);
   add_terms(motion.terms, move, t, f);
   build_up(f, b);
 
-  // R = R_mean Rz(yaw) Ry(pitch) Rx(roll); the axes about which yaw, pitch and roll turn, seen from the mean pose.
+  // R = R_mean Rz(yaw) Ry(pitch) Rx(roll); rotation axes of yaw, pitch and roll, in the frame of the mean pose.
   const Mat3 Rz = Eigen::AngleAxisd(f.value[5], Vec3::UnitZ()).toRotationMatrix();
   const Mat3 Rzy = Rz * Eigen::AngleAxisd(f.value[4], Vec3::UnitY()).toRotationMatrix();
   const Vec3 yaw_rate = f.rate[5] * Vec3::UnitZ();
@@ -264,9 +265,9 @@ RigidMotion vessel_motion(const VesselMotionModel& motion, const MoveAhead& move
   m.pose.p_WV = motion.mean.p_WV + R * (motion.reference_V + translation(f.value)) - r;
   m.velocity = R * translation(f.rate) - m.omega.cross(r);
   m.acceleration = R * translation(f.acceleration) - m.alpha.cross(r) - m.omega.cross(m.omega.cross(r));
-  if (ahead.way != 0.0 || ahead.speed != 0.0 || ahead.acceleration != 0.0) {
+  if (ahead.distance != 0.0 || ahead.speed != 0.0 || ahead.acceleration != 0.0) {
     const Vec3& along = motion.ahead_W;
-    m.pose.p_WV += ahead.way * along;
+    m.pose.p_WV += ahead.distance * along;
     m.velocity += ahead.speed * along;
     m.acceleration += ahead.acceleration * along;
   }

@@ -22,7 +22,7 @@ namespace overbend {
 /// Position and motion of the vessel at an instant, as a rigid body.
 struct RigidMotion {
   VesselPose pose;
-  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< Of V's origin, in W [m/s], [m/s2].
+  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< Motion of V's origin, in W [m/s], [m/s2].
   Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();  ///< Angular velocity and acceleration, in W [rad/s], [rad/s2].
   std::array<double, 6> freedoms{};                 ///< Surge, sway, heave [m], roll, pitch, yaw [rad] from the mean.
 };
@@ -33,7 +33,7 @@ struct MotionTerm {
   std::array<std::complex<double>, 6> amplitude = {};  ///< [m], [rad]
 };
 
-/// Terms, one array per quantity, as the kernel reads them: each is filled up to whole batches of eight.
+/// Terms, one array per quantity, as the kernel reads them: each is padded to whole batches of eight.
 class MotionTerms {
  public:
   std::size_t size() const { return count_; }
@@ -45,7 +45,7 @@ class MotionTerms {
  private:
   std::size_t count_ = 0;
   AlignedDoubles omega_;
-  std::array<AlignedDoubles, 12> parts_;  ///< Real and imaginary parts of the amplitudes, in turn.
+  std::array<AlignedDoubles, 12> parts_;  ///< Real and imaginary parts of the amplitudes, alternating.
 };
 
 /// Natural cubic spline through the points of a recorded motion.
@@ -58,31 +58,32 @@ struct MotionSpline {
 struct VesselMotionModel {
   VesselPose mean;
   Vec3 ahead_W = Vec3::UnitX();     ///< Horizontal unit vector of a move ahead: along the lay route.
-  Vec3 reference_V = Vec3::Zero();  ///< Point that the translations are of [m].
+  Vec3 reference_V = Vec3::Zero();  ///< Reference point of the translations [m].
   MotionTerms terms;
   MotionSpline spline;
-  /// Times covered by the description; there are no data beyond `last` [s].
+  /// Time range of the description; there are no data beyond `last` [s].
   double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
-  /// Share of the sea's variance at frequencies that the RAO table does not reach, below and above.
+  /// Fractions of the sea's variance at frequencies below and above the RAO table.
   double below_table = 0.0, above_table = 0.0;
 
   bool moving() const { return !terms.empty() || !spline.time.empty(); }
 };
 
-/// The motion that a model describes, in a given sea. RAOs act on every component of the sea with its own direction of
-/// travel; in a calm sea they leave the vessel at rest. Throws std::invalid_argument when the description cannot be
-/// followed: the motion's file was not there, or the motion is coupled.
+/// Makes the motion that a model describes, in a given sea. RAOs apply to every component of the sea with its own
+/// direction of travel; in a calm sea they leave the vessel at rest. Throws std::invalid_argument if the description
+/// cannot be evaluated: the motion's file could not be read, or the motion is coupled.
 VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea);
-/// The same of any body about its mean pose, which is where it meets the sea; a move ahead is towards its bow.
+/// Makes the motion of any body about its mean pose, where the sea is evaluated; a move ahead is towards its bow.
 VesselMotionModel make_body_motion(const VesselDescription& body, const VesselPose& mean, const Sea& sea);
 
-/// Motion at time t [s], every freedom times the build-up's factor; the derivatives carry those of the factor.
+/// Returns the motion at time t [s], every freedom times the build-up factor; the derivatives include those of the
+/// factor.
 ///
-/// A recorded motion is continued before its first point by its reflection in that point, so that it sets in with
-/// continuous acceleration, and holds its last value after the end. Does not allocate.
+/// A recorded motion is continued before its first point by point reflection, so that it starts with continuous
+/// acceleration, and holds its last value after the end. Does not allocate.
 RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const BuildUp& b);
 
-/// A point fixed in the vessel: place, velocity, acceleration in W.
+/// A point fixed in the vessel: position, velocity, acceleration in W.
 struct PointMotion {
   Vec3 place, velocity, acceleration;
 };

@@ -1,6 +1,6 @@
-/// Sine, cosine and exponential of a register of doubles. For wave_kernel.cpp alone.
+/// Sine, cosine and exponential of a register of doubles. For wave_kernel.cpp only.
 ///
-/// Arguments are reduced to a small interval in which the Taylor series is good to the last digit or two.
+/// Arguments are reduced to a small interval in which the Taylor series is accurate to the last digit or two.
 #pragma once
 
 #include "base/simd.h"
@@ -9,10 +9,10 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 
 using Bits = long long __attribute__((vector_size(8 * OVERBEND_ISA_WIDTH), may_alias));
 
-/// Added and taken away, rounds to the nearest integer, which is then in the low bits.
+/// Adding and subtracting it rounds to the nearest integer, which is then in the low bits.
 inline constexpr double kRounder = 0x1.8p52;
 
-/// For |x| below 1e6: pi/2 is taken off in two parts, of which the first has 33 bits.
+/// Valid for |x| below 1e6: pi/2 is subtracted in two parts, the first with 33 bits.
 inline void sine_cosine(const Lanes& x, Lanes& sine, Lanes& cosine) {
   const Lanes shifted = x * 0x1.45f306dc9c883p-1 + kRounder;
   const Lanes turns = shifted - kRounder;
@@ -41,12 +41,12 @@ inline void sine_cosine(const Lanes& x, Lanes& sine, Lanes& cosine) {
   cosine = (Lanes)(((c_bits & ~swap) | (s_bits & swap)) ^ (((quarter + 1) & 2) << 62));
 }
 
-/// exp(x), as waves decay downwards, and exp(-x).
+/// exp(x), the decay of waves with depth, and exp(-x).
 struct Exponentials {
   Lanes down, up;
 };
 
-/// For x from -700 to 700. Both are sums of the even and the odd part of the series.
+/// Valid for x from -700 to 700. Both are sums of the even and the odd part of the series.
 inline Exponentials exponentials(const Lanes& x) {
   const Lanes shifted = x * 0x1.71547652b82fep+0 + kRounder;
   const Lanes doublings = shifted - kRounder;

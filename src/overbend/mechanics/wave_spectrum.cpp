@@ -8,8 +8,8 @@
 namespace overbend {
 namespace {
 
-// Range of the components of a wind sea in peak frequencies: all but 0.2 % of a Pierson-Moskowitz spectrum lies in it,
-// and more of a peaked one. The step puts a node on the peak, where JONSWAP's width jumps.
+// Frequency range of the components of a wind sea in peak frequencies: it contains all but 0.2 % of a Pierson-Moskowitz
+// spectrum, and more of a peaked one. The step puts a node on the peak, where JONSWAP's width jumps.
 constexpr double kLowest = 0.4, kHighest = 5.0, kStep = 0.001;
 
 }  // namespace
@@ -43,7 +43,7 @@ double WaveSpectrum::shape(double x) const {
 }
 
 void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
-  if (!(waves.hs > 0.0) || !(waves.tp > 0.0)) throw std::invalid_argument("a wind sea needs its height and period");
+  if (!(waves.hs > 0.0) || !(waves.tp > 0.0)) throw std::invalid_argument("a wind sea needs hs and tp");
   peak_ = 2.0 * std::numbers::pi / waves.tp;
   variance_ = waves.hs * waves.hs / 16.0;
   const int cells = static_cast<int>(std::lround((kHighest - kLowest) / kStep));
@@ -52,7 +52,7 @@ void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
   energy_.push_back(0.0);
   for (int i = 0; i < cells; ++i) {
     const double x = kLowest + kStep * i;
-    // Just above its left end, so that the cell that begins at the peak has the width of that side.
+    // Evaluated just above the left end, so that the cell that begins at the peak has the width of that side.
     sum += kStep / 6.0 * (shape(x + 1e-12) + 4.0 * shape(x + 0.5 * kStep) + shape(x + kStep - 1e-12));
     omega_.push_back((x + kStep) * peak_);
     energy_.push_back(sum);
@@ -73,13 +73,13 @@ void WaveSpectrum::set_table(const std::vector<SpectrumPoint>& points) {
     const double width = (points[i].omega - points[i - 1].omega) / parts;
     for (int part = 1; part <= parts; ++part) {
       const double omega = part == parts ? points[i].omega : points[i - 1].omega + width * part;
-      // By the density at the middle of the part: exact where it is linear.
+      // Density at the middle of the part: exact where it is linear.
       variance_ += (omega - omega_.back()) * density(0.5 * (omega + omega_.back()));
       omega_.push_back(omega);
       energy_.push_back(variance_);
     }
   }
-  if (!(variance_ > 0.0)) throw std::invalid_argument("the spectrum holds no energy");
+  if (!(variance_ > 0.0)) throw std::invalid_argument("the spectrum has zero energy");
   for (double& energy : energy_) energy /= variance_;
 }
 

@@ -1,4 +1,4 @@
-/// Wave spectra of one variable: density, and where in frequency their energy lies.
+/// One-dimensional wave spectra: density, and distribution of energy over frequency.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,21 @@ namespace overbend {
 
 /// One-sided spectral density of the surface elevation, S(omega) [m2 s], and its integral.
 ///
-/// JONSWAP and Pierson-Moskowitz are scaled so that the density integrates over all frequencies to Hs^2/16 exactly,
-/// whatever gamma. A user's spectrum is linear between its points and zero outside.
+/// JONSWAP and Pierson-Moskowitz are scaled so that the density integrates over all frequencies to Hs^2/16 exactly, for
+/// any gamma. A user's spectrum is linear between its points and zero outside.
 class WaveSpectrum {
  public:
-  /// Throws std::invalid_argument for a wave without spectrum, or a user's spectrum of fewer than two points or no
+  /// Throws std::invalid_argument for a wave without spectrum, or a user's spectrum of fewer than two points or zero
   /// energy.
   explicit WaveSpectrum(const WavesDescription& waves);
 
+  /// Returns S(omega) [m2 s].
   double density(double omega) const;
   /// Variance of the elevation over all frequencies [m2].
   double variance() const { return variance_; }
-  /// Share of the variance that lies between the lowest and highest frequency used for components.
+  /// Fraction of the variance between the lowest and highest frequency used for components.
   double share_inside() const { return share_inside_; }
-  /// Frequency [rad/s] below which the part `share`, 0 to 1, of the energy inside lies.
+  /// Returns the frequency [rad/s] below which the fraction `share`, 0 to 1, of the energy inside lies.
   double quantile(double share) const;
 
  private:

@@ -13,7 +13,7 @@ constexpr int kCells = 4096;
 }  // namespace
 
 std::vector<double> spread_directions(double s, int count, Random& random) {
-  // sqrt(2/(s + 1)) is the circular standard deviation; beyond twelve of it nothing is left.
+  // sqrt(2/(s + 1)) is the circular standard deviation; nothing is left beyond twelve of it.
   const double widest = std::min(std::numbers::pi, 12.0 * std::sqrt(2.0 / (s + 1.0)));
   const double width = 2.0 * widest / kCells;
   std::vector<double> share(kCells + 1, 0.0);

@@ -7,8 +7,9 @@
 
 namespace overbend {
 
-/// `count` angles [rad] off the mean direction, -pi to pi, distributed as cos^2s(angle/2) [longuethiggins1963]. One
-/// angle is drawn from each of `count` slices of equal probability, and the slices are dealt out in random order.
+/// Returns `count` angles [rad] from the mean direction, -pi to pi, distributed as cos^2s(angle/2)
+/// [longuethiggins1963]. One angle is drawn from each of `count` slices of equal probability, and the slices are
+/// shuffled.
 std::vector<double> spread_directions(double s, int count, Random& random);
 
 }  // namespace overbend

@@ -6,7 +6,8 @@
 namespace overbend {
 namespace {
 
-constexpr int kRampRows = 4;  ///< Pieces of a ramp: the cubic through them misses its rate by less than a thousandth.
+/// Number of pieces of a ramp: the cubic through them matches its rate within a thousandth.
+constexpr int kRampRows = 4;
 
 void add_row(LengthTable& table, double time, double length, double rate) {
   table.times.push_back(time);
@@ -14,7 +15,7 @@ void add_row(LengthTable& table, double time, double length, double rate) {
   table.rates.push_back(rate);
 }
 
-/// Way and rate of a ramp up to rate 1 within `ramp`, at a share of it: the rate is smooth at both ends.
+/// Length and rate of a ramp up to rate 1 within `ramp`, at a fraction of it: the rate is smooth at both ends.
 PaidOut on_ramp(double share, double ramp) {
   const double x2 = share * share;
   return {ramp * x2 * share * (1.0 - 0.5 * share), x2 * (3.0 - 2.0 * share)};
@@ -56,17 +57,17 @@ double add_move(LengthTable& table, double start, double change, double speed, d
   const double began = table.empty() ? start : std::max(start, table.times.back());
   if (change == 0.0 || speed <= 0.0) return began;
   const double sign = change > 0.0 ? 1.0 : -1.0, way = std::abs(change);
-  const double even = std::max(way / speed - ramp, 0.0);  // time at full speed: both ramps together go speed * ramp
+  const double even = std::max(way / speed - ramp, 0.0);  // time at full speed: both ramps together cover speed * ramp
   const double full = sign * way / (even + ramp);
   if (table.empty() || began > table.times.back()) add_row(table, began, from, 0.0);
   for (int i = 1; i <= kRampRows; ++i) {
-    const PaidOut at = on_ramp(static_cast<double>(i) / kRampRows, ramp);
-    add_row(table, began + ramp * i / kRampRows, from + full * at.length, full * at.rate);
+    const PaidOut ramp_point = on_ramp(static_cast<double>(i) / kRampRows, ramp);
+    add_row(table, began + ramp * i / kRampRows, from + full * ramp_point.length, full * ramp_point.rate);
   }
   const double done = began + even + 2.0 * ramp;
   for (int i = even > 0.0 ? kRampRows : kRampRows - 1; i >= 0; --i) {
-    const PaidOut at = on_ramp(static_cast<double>(i) / kRampRows, ramp);
-    add_row(table, done - ramp * i / kRampRows, from + change - full * at.length, full * at.rate);
+    const PaidOut ramp_point = on_ramp(static_cast<double>(i) / kRampRows, ramp);
+    add_row(table, done - ramp * i / kRampRows, from + change - full * ramp_point.length, full * ramp_point.rate);
   }
   return done;
 }

@@ -1,5 +1,5 @@
-/// What a winch does with the unstressed length of its line: programs of length in time, and the law by which tension
-/// decides where a program does not. Tables are made by the keys of a winch or by the plan of an operation.
+/// Law of a winch for the unstressed length of its line: prescribed length in time, and tension control where there is
+/// no program. Tables are made from the keys of a winch or the plan of an operation.
 #pragma once
 
 #include <limits>
@@ -9,39 +9,40 @@
 
 namespace overbend {
 
-/// Unstressed length of a line beyond its fairlead, and its rate: paying out counts positive.
+/// Unstressed length of a line beyond its fairlead, and its rate, positive when paying out.
 struct PaidOut {
   double length = 0.0;  ///< [m]
   double rate = 0.0;    ///< [m/s]
 };
 
-/// A length in time: cubic between its rows (Hermite), C1, at rest before the first and after the last. Of the lengths
-/// changes alone count: a winch begins with the line as it is.
+/// Length in time: cubic between its rows (Hermite), C1, at rest before the first and after the last. Only changes of
+/// length matter: a winch starts with the length of its line.
 struct LengthTable {
   std::vector<double> times;    ///< Rising [s].
   std::vector<double> lengths;  ///< [m]
   std::vector<double> rates;    ///< [m/s]; zero at both ends.
 
   bool empty() const { return times.empty(); }
+  /// Returns length and rate at `time` [s].
   PaidOut at(double time) const;
 };
 
-/// The table through these rows without overshoot, at rest at both ends (Fritsch and Carlson 1980).
+/// Returns the table through these rows without overshoot, at rest at both ends (Fritsch and Carlson 1980).
 LengthTable smooth_table(std::vector<double> times, std::vector<double> lengths);
 
-/// Adds a change of length to the end of a table: from `start` [s], not before the table's end, up to `speed` [m/s]
-/// within `ramp` [s], with a rate that begins and ends without a kink, and down again. A change too small to reach the
-/// speed is made within two ramps. Returns when it is done [s].
+/// Appends a change of length to a table: from `start` [s], not before the table's end, accelerating to `speed` [m/s]
+/// within `ramp` [s] with a rate that begins and ends smoothly, and decelerating likewise. A change too small to reach
+/// the speed is made within two ramps. Returns its end [s].
 double add_move(LengthTable& table, double start, double change, double speed, double ramp);
 
-/// A winch at the end of a line. Without program and tension it holds the length.
+/// A winch at a line end. Without program and tension it holds the length.
 struct WinchLaw {
   LengthTable program;
-  /// It stops hauling in at this tension [N], and its brake renders at the other: pays out as fast as holds it there.
+  /// Tension at which hauling in stalls, and at which the brake renders: pay-out then keeps the tension there [N].
   double stall = std::numeric_limits<double>::infinity();
   double brake = std::numeric_limits<double>::infinity();
-  /// Controlled where the winch keeps a tension: then there is no program. Its velocity, acceleration and limit hold
-  /// for speeds that somebody outside asks for as well.
+  /// Settings of a constant-tension winch: then there is no program. Its velocity, acceleration and limit also apply to
+  /// speeds commanded by an external controller.
   TensionerLaw tension;
 };
 

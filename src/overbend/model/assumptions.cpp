@@ -5,10 +5,10 @@
 
 #include "base/constants.h"
 #include "base/shown_unit.h"
-#include "model/description/operation_words.h"
+#include "model/description/operation_names.h"
 #include "model/dynamic_assumptions.h"
 #include "model/lay_stage.h"
-#include "model/material_words.h"
+#include "model/material_description.h"
 #include "model/model.h"
 #include "model/mooring_assumptions.h"
 #include "model/pipe_attachments.h"
@@ -21,7 +21,7 @@ double degrees(double radians) {
   return radians * kToDegrees;
 }
 
-/// How many times as stiff the coated pipe of sections is: "1.3", "1.3 (segment 'thick': 1.2)".
+/// Ratios of coated-pipe to bare-pipe stiffness by section, as in "1.3" or "1.3 (segment 'thick': 1.2)".
 std::string coated_stiffnesses(const PipeDescription& pipe) {
   const auto of = [](const SectionDescription& section) {
     return section.joint ? section.joint->coated_stiffness : 1.0;
@@ -63,7 +63,7 @@ void assume_pipe(Assumptions& list, const Model& model) {
            shown_digits(model.water_weight_density, "N/m3", 4))});
 }
 
-const char* bed_words(const Model& model) {
+const char* seabed_sentence(const Model& model) {
   const SeabedDescription& bed = model.description.environment.seabed;
   if (!bed.profile.empty()) {
     return "; the seabed is the monotone piecewise cubic through the points of its profile, level beyond its ends and "
@@ -96,7 +96,7 @@ void assume_vessel(Assumptions& list, const Model& model) {
   list.push_back(
       {AssumptionRank::setting,
        fmt::format("Water depth {} applies at {}{}.", shown(model.description.environment.water_depth, "m", 2),
-                   model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model))});
+                   model.description.has_pipe ? "the stern shoe" : "the vessel", seabed_sentence(model))});
 }
 
 void assume_motion(Assumptions& list, const Model& model) {
@@ -110,30 +110,31 @@ void assume_motion(Assumptions& list, const Model& model) {
   list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
 }
 
-std::string part_words(double stiffness) {
+std::string stiffness_label(double stiffness) {
   return stiffness > 0.0 ? shown_digits(stiffness, contact_stiffness_unit(), 3) : std::string("rigid");
 }
 
-/// One sentence for every stiffness that the program chose.
+/// Adds one sentence for each contact stiffness that the program chose.
 void assume_contact_stiffness(Assumptions& list, const Model& model) {
-  std::vector<double> told;
+  std::vector<double> reported;
   bool penalty = false;
   for (const Roller& roller : model.supports.rollers) {
     penalty = penalty || roller.stiffness == 0.0;
-    if (model.section_over(roller).kind == SectionKind::structure) continue;  // it met the pipe's
-    if (roller.own_stiffness || roller.stiffness == 0.0 ||
-        std::find(told.begin(), told.end(), roller.stiffness) != told.end()) {
+    // the contact stiffness is that of the pipe
+    if (model.section_over(roller).kind == SectionKind::structure) continue;
+    if (roller.is_stiffness_given || roller.stiffness == 0.0 ||
+        std::find(reported.begin(), reported.end(), roller.stiffness) != reported.end()) {
       continue;
     }
-    told.push_back(roller.stiffness);
+    reported.push_back(roller.stiffness);
     const ContactStiffness parts = model.contact_parts(roller);
     list.push_back({AssumptionRank::governing,
                     fmt::format("Contact of '{}' with a roller of {} face and no given stiffness: {}, from pipe shell "
                                 "{} (Morley's equation, load on a line across the pipe), coating {} and roller "
                                 "structure {} in series. Impact forces are roughly proportional to its cube root.",
                                 model.section_over(roller).name, shown_digits(roller.face, "m", 3),
-                                shown_digits(parts.total(), contact_stiffness_unit(), 3), part_words(parts.shell),
-                                part_words(parts.coating), part_words(parts.structure))});
+                                shown_digits(parts.total(), contact_stiffness_unit(), 3), stiffness_label(parts.shell),
+                                stiffness_label(parts.coating), stiffness_label(parts.structure))});
   }
   if (penalty) {
     list.push_back({AssumptionRank::other,
@@ -148,25 +149,23 @@ void assume_structures(Assumptions& list, const Model& model) {
     list.push_back(
         {AssumptionRank::other,
          fmt::format(
-             "'{}' is a stretch of the line with an even stiffness, weight and diameter and linear steel; its own "
-             "stresses are not checked. Rollers stand as they do for the pipe, with the contact stiffness of the pipe.",
+             "'{}' is a length of the line with uniform stiffness, weight and diameter and linear steel; its own "
+             "stresses are not checked. Rollers keep the positions and the contact stiffness that belong to the pipe.",
              section.name)});
   }
 }
 
 void assume_attachments(Assumptions& list, const Description& description) {
   const std::vector<PipeAttachment> attached = pipe_attachments(description);
-  if (std::ranges::any_of(attached, [](const PipeAttachment& one) { return one.point != nullptr; })) {
-    list.push_back(
-        {AssumptionRank::other,
-         "Clumps and buoys act at points of the pipe's axis; the share of a buoy that is out of the water is "
-         "that of a sphere about the axis. They pass rollers as if they were not there."});
+  if (std::ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.point != nullptr; })) {
+    list.push_back({AssumptionRank::other,
+                    "Clumps and buoys act at points of the pipe's axis; the out-of-water fraction of a buoy is that of "
+                    "a sphere about the axis. They pass the rollers without contact."});
   }
-  if (std::ranges::any_of(attached, [](const PipeAttachment& one) { return one.line != nullptr; })) {
-    list.push_back(
-        {AssumptionRank::other,
-         "Lines on the pipe are hinged to its axis and bear no compression: straight wires, or with weight elastic "
-         "catenaries; water does not drag on them, and they do not touch the bed."});
+  if (std::ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.line != nullptr; })) {
+    list.push_back({AssumptionRank::other,
+                    "Lines on the pipe are hinged to its axis and carry no compression: straight wires, or elastic "
+                    "catenaries if they have weight; they have no drag and no contact with the seabed."});
   }
 }
 
@@ -178,7 +177,7 @@ void assume_gap_springs(Assumptions& list, const Model& model) {
   if (std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(), is_side)) {
     list.push_back(
         {AssumptionRank::other,
-         "To either side a gap spring acts laterally once the pipe has moved by the clearance of the side rollers."});
+         "On either side a gap spring acts laterally once the pipe has moved by the clearance of the side rollers."});
   }
   assume_contact_stiffness(list, model);
 }
@@ -205,7 +204,7 @@ void assume_supports(Assumptions& list, const Model& model) {
                     "over them during laying and friction has no permanent direction."});
   } else {
     list.push_back({AssumptionRank::other, fmt::format("Rollers are rigid cylinders of finite length; in statics full "
-                                                       "friction acts along the pipe, against its way as it is {}.",
+                                                       "friction acts along the pipe, opposing its motion as it is {}.",
                                                        friction == RollerFriction::lay ? "paid out" : "hauled in")});
   }
   assume_contact_stiffness(list, model);
@@ -246,18 +245,18 @@ void assume_seabed(Assumptions& list, const Model& model) {
   if (model.seabed.friction_lateral > 0.0) {
     list.push_back({AssumptionRank::other,
                     "Lateral friction resists displacement from the lay route: elastic with the stiffness of the "
-                    "seabed, up to the coefficient times the normal force."});
+                    "seabed, up to the friction coefficient times the normal force."});
     list.push_back(
         {AssumptionRank::other,
-         model.description.statics.laying == Laying::steady
-             ? "Steady laying: the pipe on the seabed lies beside the lay route by as much as it first touches the "
-               "seabed there, and stays; a current's side load goes to the supports."
-             : "The pipe was laid straight on the lay route first and pulled aside by the side load afterwards."});
+         model.description.statics.laying == SeabedLayHistory::steady
+             ? "Steady laying: the pipe on the seabed lies parallel to the lay route, offset by the lateral offset of "
+               "its touchdown point, and stays there; the side load of a current is carried by the supports."
+             : "The pipe was first laid straight on the lay route and then pulled sideways by the side load."});
   }
   list.push_back({AssumptionRank::other,
                   model.description.route.given()
-                      ? "The lay route bends in plan as given; the barge heads along its beginning, and the pipe was "
-                        "laid along it under the bottom tension of this state."
+                      ? "The lay route bends in plan as given; the barge is aligned with its first part, and the pipe "
+                        "was laid along it under the bottom tension of this state."
                       : "The lay route is the vertical plane through the tensioner along the vessel's axis."});
 }
 
@@ -276,10 +275,10 @@ void assume_tensioner(Assumptions& list, const Model& model) {
   }
 }
 
-/// The stage of an operation that the model is at, and what its cable is.
+/// Adds the operation stage of the model and the properties of its cable.
 void assume_stage(Assumptions& list, const Description& d) {
   if (!d.stage) return;
-  list.push_back({AssumptionRank::other, "The model is at " + stage_words(*d.stage, d.operation.type) + "."});
+  list.push_back({AssumptionRank::other, "The model is at " + stage_label(*d.stage, d.operation.type) + "."});
   if (!cable_at_top(d) && !cable_at_far_end(d)) return;
   list.push_back({AssumptionRank::other,
                   "The cable has no bending stiffness and is hinged to the head; the head's weight is spread evenly "

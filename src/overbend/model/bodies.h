@@ -1,4 +1,4 @@
-/// The bodies that ends of lines are on, by their names: the vessel, then those of the model in their order.
+/// Bodies to which ends of lines are attached, by name: the vessel, then those of the model in file order.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace overbend {
 
-/// 0 for the vessel, from 1 on for the others. The name is one of them.
+/// Returns the index of the body with this name: 0 for the vessel, from 1 for the others. The name must exist.
 std::size_t body_index(const Description& description, const std::string& name);
 
-/// Where a body lies as described.
+/// Returns the pose of a body as described, world frame W.
 VesselPose body_pose(const BodyDescription& body);
 
-/// Mean poses of all bodies, the vessel first.
+/// Returns the mean poses of all bodies, the vessel first, W.
 std::vector<VesselPose> body_poses(const Model& model);
 
 }  // namespace overbend

@@ -25,14 +25,14 @@ void assume_time(Assumptions& list, const DynamicSettings& settings) {
   list.push_back({AssumptionRank::other, "The current is that of the static analysis at all times."});
 }
 
-std::string seed_words(const WavesDescription& waves, const DynamicSettings& settings) {
+std::string seed_label(const WavesDescription& waves, const DynamicSettings& settings) {
   if (settings.seeds.size() > 1) {
     return fmt::format("seeds {}", fmt::join(settings.seeds, ", "));
   }
   return fmt::format("seed {}", settings.seeds.empty() ? waves.seed : settings.seeds.front());
 }
 
-std::string spectrum_words(const WavesDescription& waves) {
+std::string spectrum_label(const WavesDescription& waves) {
   switch (waves.type) {
     case WaveType::jonswap: {
       const double gamma = waves.gamma.value_or(jonswap_gamma(waves.hs, waves.tp));
@@ -43,16 +43,16 @@ std::string spectrum_words(const WavesDescription& waves) {
       return "a Pierson-Moskowitz spectrum";
     default:
       return "a user-defined spectrum from a file" +
-             (waves.spectrum.empty() ? std::string() : ", with " + sea_statistics_words(waves.spectrum));
+             (waves.spectrum.empty() ? std::string() : ", with " + sea_statistics_label(waves.spectrum));
   }
 }
 
 void assume_sea(Assumptions& list, const WavesDescription& waves, const DynamicSettings& settings) {
-  list.push_back({AssumptionRank::setting, fmt::format("The sea has {}.", spectrum_words(waves))});
+  list.push_back({AssumptionRank::setting, fmt::format("The sea has {}.", spectrum_label(waves))});
   list.push_back(
       {AssumptionRank::setting,
        fmt::format("It is the sum of {} linear waves with random frequencies and phases, {}{}.", waves.components,
-                   seed_words(waves, settings),
+                   seed_label(waves, settings),
                    waves.spreading ? fmt::format(", with directional spreading cos^2s of half the angle, s = {:.4g}",
                                                  *waves.spreading)
                                    : ", all in one direction")});
@@ -83,19 +83,17 @@ void assume_waves(Assumptions& list, const Model& model, const DynamicSettings& 
 
 void assume_vessel_motion(Assumptions& list, const VesselDescription& vessel) {
   static const std::map<VesselMotion, Assumption> kSaid{
-      {VesselMotion::fixed, {AssumptionRank::governing, "The vessel does not move."}},
+      {VesselMotion::fixed, {AssumptionRank::governing, "The vessel is fixed."}},
       {VesselMotion::harmonic,
-       {AssumptionRank::setting, "The vessel moves harmonically as given, independently of the waves."}},
-      {VesselMotion::history, {AssumptionRank::setting, "The vessel moves as recorded, independently of the waves."}},
+       {AssumptionRank::setting, "The vessel moves harmonically as given, independent of the waves."}},
+      {VesselMotion::history, {AssumptionRank::setting, "The vessel moves as recorded, independent of the waves."}},
   };
   const auto said = kSaid.find(vessel.motion);
   if (said != kSaid.end()) list.push_back(said->second);
   if (vessel.history && vessel.history->passages > 0) {
-    list.push_back(
-        {AssumptionRank::other,
-         fmt::format(
-             "The recorded angles pass from one end of the circle to the other {} times; they are made continuous.",
-             vessel.history->passages)});
+    list.push_back({AssumptionRank::other,
+                    fmt::format("The recorded angles wrap around the full circle {} times; they are made continuous.",
+                                vessel.history->passages)});
   }
 }
 
@@ -134,21 +132,22 @@ void assume_rollers(Assumptions& list, const Model& model, const DynamicSettings
       list.push_back(
           {AssumptionRank::other,
            fmt::format("The tangential stiffness of a roller, if not given, is {:.3g} of the normal stiffness.",
-                       kTangentialShare)});
+                       kTangentialStiffnessRatio)});
     }
-    list.push_back({AssumptionRank::other, model.description.statics.roller_friction == RollerFriction::none
-                                               ? "Roller friction acts in the dynamic analysis, but not in the static "
-                                                 "initial state: it is mobilised by the motion only."
-                                               : "Roller friction acts in the dynamic analysis. It begins as statics "
-                                                 "have it, full along the pipe, and follows the motion from there."});
+    list.push_back(
+        {AssumptionRank::other, model.description.statics.roller_friction == RollerFriction::none
+                                    ? "Roller friction acts in the dynamic analysis, but not in the static "
+                                      "initial state: it is mobilised by the motion only."
+                                    : "Roller friction acts in the dynamic analysis. Its initial state is that of "
+                                      "statics, full along the pipe, and it follows the motion from there."});
   }
   if (settings.impacts == ImpactTreatment::captured) {
     list.push_back(
         {AssumptionRank::governing,
          "Impacts are captured, not resolved: steps stay long, rebounds are damped out, and the peak force is that of "
-         "the participating mass on an undamped roller plus what the roller bears after the step. Stresses, and the "
+         "the participating mass on an undamped roller plus the static roller force after the step. Stresses, and the "
          "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
-         "peaks. For screening: 'overbend compare --of impacts' tells the difference."});
+         "peaks. For screening; 'overbend compare --of impacts' shows the difference."});
   }
   list.push_back({AssumptionRank::setting,
                   fmt::format("Impacts weaker than {} are neither {} nor recorded.",
@@ -159,38 +158,39 @@ void assume_rollers(Assumptions& list, const Model& model, const DynamicSettings
                   "coatings, pressure, tension and bending."});
 }
 
-std::string machine_words(const TensionerDescription& t) {
-  std::string words = fmt::format(
+std::string tensioner_sentence(const TensionerDescription& t) {
+  std::string text = fmt::format(
       "The tensioner waits {:.4g} s when the tension has left its range of {} to {}, then moves at up to {} until the "
       "set tension is restored",
       t.delay, shown_digits_number(t.range_low.value_or(0.0), shown_unit("N"), 4),
       shown_digits(t.range_high.value_or(0.0), "N", 4), shown_digits(t.velocity, "m/s", 4));
-  words += t.acceleration
-               ? fmt::format("; it accelerates and brakes at {}", shown_digits(*t.acceleration, "m/s2", 4))
-               : std::string("; no acceleration is given: it reaches that speed in 0.5 s and brakes likewise");
-  words += t.travel ? fmt::format("; its travel is limited to {} either way.", shown_digits(*t.travel, "m", 4))
-                    : std::string("; its travel is not limited.");
-  return words;
+  text += t.acceleration
+              ? fmt::format("; it accelerates and brakes at {}", shown_digits(*t.acceleration, "m/s2", 4))
+              : std::string("; no acceleration is given: it reaches that speed in 0.5 s and brakes likewise");
+  text += t.travel ? fmt::format("; its travel is limited to {} either way.", shown_digits(*t.travel, "m", 4))
+                   : std::string("; its travel is not limited.");
+  return text;
 }
 
-/// Whether steps follow the vibrations along the pipe that make a machine act, see docs/theory/dynamics.md.
+/// Returns true if the steps resolve the axial vibrations of the pipe that trigger the tensioner, see
+/// docs/theory/dynamics.md.
 bool follows_axial_vibrations(const DynamicSettings& settings) {
-  constexpr double kShort = 0.02;  // s
-  return settings.step.value_or(settings.max_step.value_or(1.0)) <= kShort;
+  constexpr double kMaxResolvingStep = 0.02;  // s
+  return settings.step.value_or(settings.max_step.value_or(1.0)) <= kMaxResolvingStep;
 }
 
 void assume_held_top(Assumptions& list, const TensionerDescription& tensioner, const DynamicSettings& settings) {
   switch (tensioner.mode) {
     case TensionerMode::controlled:
-      list.push_back({AssumptionRank::setting, machine_words(tensioner)});
+      list.push_back({AssumptionRank::setting, tensioner_sentence(tensioner)});
       list.push_back(
           {AssumptionRank::other,
            "During the build-up the speed limit of the tensioner is reduced by the same factor as the waves."});
       if (!follows_axial_vibrations(settings)) {
         list.push_back(
             {AssumptionRank::other,
-             "The time integration damps vibrations along the pipe that its steps do not follow, and they make a "
-             "machine act more often: in the BGL-1 example in a regular wave, steps of at most 20 ms "
+             "The time integration damps axial vibrations of the pipe that its steps do not resolve; such vibrations "
+             "make a tensioner act more often. In the BGL-1 example in a regular wave, steps of at most 20 ms "
              "(analysis.dynamic.max_step) raise the largest tension by 2 % and its standard deviation by 3 to 8 %."});
       }
       break;
@@ -209,7 +209,7 @@ void assume_held_top(Assumptions& list, const TensionerDescription& tensioner, c
                   "tensioner are neglected."});
 }
 
-/// Each section has its own law.
+/// Each section has its own material law.
 void assume_steel(Assumptions& list, const Model& model) {
   const auto yields = [](const Section& section) { return section.bending.has_value(); };
   const bool any = std::any_of(model.sections.begin(), model.sections.end(), yields);
@@ -229,7 +229,7 @@ void assume_steel(Assumptions& list, const Model& model) {
 }
 
 void assume_laid_pipe(Assumptions& list, const Model& model) {
-  constexpr double kLongestLaid = 3000.0;  // [m], kLongestTail of dynamics/laid_tail.h
+  constexpr double kMaxLaidLength = 3000.0;  // [m], equal to kMaxTailLength of dynamics/laid_tail.h
   if (model.description.pipe.length) return;
   if (model.seabed.surface.shape() != nullptr) {
     list.push_back({AssumptionRank::other, "On an uneven seabed the laid pipe is held at the end of the static line."});
@@ -240,7 +240,7 @@ void assume_laid_pipe(Assumptions& list, const Model& model) {
        model.seabed.friction_axial > 0.0
            ? fmt::format("The laid pipe is extended behind the static line by the length over which axial friction "
                          "balances the tension at the tensioner, {} at most.",
-                         shown_digits(kLongestLaid, route_length(), 4))
+                         shown_digits(kMaxLaidLength, route_length(), 4))
            : "The seabed has no axial friction: the laid pipe is held at the end of the static line, and changes of "
              "tension depend on that length (give environment.seabed.friction to have it determined)."});
 }
@@ -255,13 +255,14 @@ void assume_turning_stinger(Assumptions& list, const SupportsDescription& suppor
     return;
   }
   list.push_back({AssumptionRank::other,
-                  "The stinger turns on its hinges in time. Its tanks are strips with buoyancy up to the surface at "
-                  "the instant and Morison's forces across them; the current on them is brought in with the waves. "
-                  "Ballast water does not move in its tank; slamming, and the waves that tanks make, are left out."});
+                  "The stinger rotates about its hinges during the dynamic analysis. Its tanks are strips with "
+                  "buoyancy up to the instantaneous surface and Morison forces normal to their axis; the current on "
+                  "them is ramped up with the waves. Ballast water does not move in its tank; slamming, and the waves "
+                  "radiated by the tanks, are neglected."});
   if (stops) {
-    list.push_back(
-        {AssumptionRank::other,
-         "Stops of the stinger are springs with 5 % of critical damping: it rebounds with some 85 % of its speed."});
+    list.push_back({AssumptionRank::other,
+                    "The stinger's stops are springs with 5 % of critical damping: it rebounds with about 85 % of its "
+                    "impact speed."});
   }
 }
 

@@ -8,26 +8,26 @@
 namespace overbend {
 namespace {
 
-/// To the barge's port of a horizontal direction away from it.
-Vec3 port_of(double tx, double ty) {
+/// Returns the unit vector to port of a horizontal direction that points away from the barge.
+Vec3 port_direction(double tx, double ty) {
   return {ty, -tx, 0.0};
 }
 
-/// From the beginning of a piece, `along` metres on.
+/// Returns the piece as seen from a point `along` metres after its beginning.
 RoutePiece moved(const RoutePiece& piece, double along) {
-  const Vec3 port = port_of(piece.tx, piece.ty);
+  const Vec3 port = port_direction(piece.tx, piece.ty);
   const double turn = piece.curvature * along;
-  // sin(turn)/curvature and (1 - cos(turn))/curvature, good at small angles too
+  // sin(turn)/curvature and (1 - cos(turn))/curvature, accurate at small angles too
   const double half = std::sin(0.5 * turn);
   const double ahead = turn == 0.0 ? along : std::sin(turn) / piece.curvature;
   const double aside = turn == 0.0 ? 0.0 : 2.0 * half * half / piece.curvature;
-  RoutePiece at = piece;
-  at.s += along;
-  at.x += ahead * piece.tx + aside * port.x();
-  at.y += ahead * piece.ty + aside * port.y();
-  at.tx = std::cos(turn) * piece.tx + std::sin(turn) * port.x();
-  at.ty = std::cos(turn) * piece.ty + std::sin(turn) * port.y();
-  return at;
+  RoutePiece moved_piece = piece;
+  moved_piece.s += along;
+  moved_piece.x += ahead * piece.tx + aside * port.x();
+  moved_piece.y += ahead * piece.ty + aside * port.y();
+  moved_piece.tx = std::cos(turn) * piece.tx + std::sin(turn) * port.x();
+  moved_piece.ty = std::cos(turn) * piece.ty + std::sin(turn) * port.y();
+  return moved_piece;
 }
 
 const RoutePiece& piece_at(const std::vector<RoutePiece>& pieces, double s) {
@@ -36,7 +36,7 @@ const RoutePiece& piece_at(const std::vector<RoutePiece>& pieces, double s) {
   return pieces[i];
 }
 
-const RoutePiece& piece_beside(const std::vector<RoutePiece>& pieces, const Vec3& p) {
+const RoutePiece& find_nearest_piece(const std::vector<RoutePiece>& pieces, const Vec3& p) {
   std::size_t i = 0;
   while (i + 1 < pieces.size() &&
          (p.x() - pieces[i + 1].x) * pieces[i + 1].tx + (p.y() - pieces[i + 1].y) * pieces[i + 1].ty >= 0.0) {
@@ -71,15 +71,15 @@ LayRoute::LayRoute(const Vec3& start_W, const Vec3& astern_W, double lead, const
 Vec3 LayRoute::place(double s) const {
   if (!pieces_) return start_W_ + s * astern_W_;
   const RoutePiece& piece = piece_at(*pieces_, s);
-  const RoutePiece at = moved(piece, s - piece.s);
-  return Vec3(at.x, at.y, start_W_.z()) + shift_ * port_of(at.tx, at.ty);
+  const RoutePiece local_piece = moved(piece, s - piece.s);
+  return Vec3(local_piece.x, local_piece.y, start_W_.z()) + shift_ * port_direction(local_piece.tx, local_piece.ty);
 }
 
 Vec3 LayRoute::direction(double s) const {
   if (!pieces_) return astern_W_;
   const RoutePiece& piece = piece_at(*pieces_, s);
-  const RoutePiece at = moved(piece, s - piece.s);
-  return {at.tx, at.ty, 0.0};
+  const RoutePiece local_piece = moved(piece, s - piece.s);
+  return {local_piece.tx, local_piece.ty, 0.0};
 }
 
 Vec3 LayRoute::port(double s) const {
@@ -93,12 +93,12 @@ double LayRoute::curvature(double s) const {
 
 double LayRoute::distance(const Vec3& p_W) const {
   if (!pieces_) return (p_W - start_W_).dot(astern_W_);
-  const RoutePiece& piece = piece_beside(*pieces_, p_W);
-  const Vec3 t(piece.tx, piece.ty, 0.0), port = port_of(piece.tx, piece.ty);
+  const RoutePiece& piece = find_nearest_piece(*pieces_, p_W);
+  const Vec3 t(piece.tx, piece.ty, 0.0), port = port_direction(piece.tx, piece.ty);
   const Vec3 from(p_W.x() - piece.x, p_W.y() - piece.y, 0.0);
   const double ahead = from.dot(t);
   if (piece.curvature == 0.0) return piece.s + ahead;
-  // seen from the centre of the arc
+  // outwards from the centre of the arc
   const double radius = 1.0 / std::abs(piece.curvature);
   const double side = std::copysign(1.0, piece.curvature);
   return piece.s + radius * std::atan2(ahead, radius - side * from.dot(port));
@@ -106,15 +106,15 @@ double LayRoute::distance(const Vec3& p_W) const {
 
 double LayRoute::offset(const Vec3& p_W) const {
   if (!pieces_) return port_W_.dot(p_W) - port_offset_;
-  const RoutePiece& piece = piece_beside(*pieces_, p_W);
-  const Vec3 port = port_of(piece.tx, piece.ty);
+  const RoutePiece& piece = find_nearest_piece(*pieces_, p_W);
+  const Vec3 port = port_direction(piece.tx, piece.ty);
   const Vec3 from(p_W.x() - piece.x, p_W.y() - piece.y, 0.0);
   if (piece.curvature == 0.0) return from.dot(port) - shift_;
   const double side = std::copysign(1.0, piece.curvature), radius = 1.0 / std::abs(piece.curvature);
   return side * (radius - (from - port / piece.curvature).norm()) - shift_;
 }
 
-LayRoute LayRoute::beside(double to_port) const {
+LayRoute LayRoute::parallel_route(double to_port) const {
   LayRoute route = *this;
   route.shift_ += to_port;
   if (!pieces_) {
@@ -124,7 +124,7 @@ LayRoute LayRoute::beside(double to_port) const {
   return route;
 }
 
-double LayRoute::sharpest_behind(double s) const {
+double LayRoute::max_curvature_beyond(double s) const {
   double sharpest = 0.0;
   for (std::size_t i = 0; pieces_ && i < pieces_->size(); ++i) {
     const bool behind = i + 1 == pieces_->size() || (*pieces_)[i + 1].s > s;
@@ -137,44 +137,46 @@ std::vector<RouteLeg> route_legs(const RouteDescription& route, double corner_ra
   if (!route.legs.empty() || route.points.empty()) return route.legs;
   std::vector<RouteLeg> legs;
   RoutePoint from{0.0, 0.0};
-  double taken = 0.0;  // of the line to the next point, by the corner before it [m]
+  double taken = 0.0;  // length of the line to the next point used by the previous corner [m]
   const std::size_t count = route.points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const RoutePoint& at = route.points[i];
-    const double length = std::hypot(at.x - from.x, at.y - from.y);
+    const RoutePoint& point = route.points[i];
+    const double length = std::hypot(point.x - from.x, point.y - from.y);
     if (i + 1 == count) {
       legs.push_back({length - taken, 0.0, 0.0});
       break;
     }
-    const double now = std::atan2(at.y - from.y, at.x - from.x);
-    const double next = std::atan2(route.points[i + 1].y - at.y, route.points[i + 1].x - at.x);
-    const double turn = std::remainder(next - now, 2.0 * std::numbers::pi);
+    const double direction = std::atan2(point.y - from.y, point.x - from.x);
+    const double next = std::atan2(route.points[i + 1].y - point.y, route.points[i + 1].x - point.x);
+    const double turn = std::remainder(next - direction, 2.0 * std::numbers::pi);
     const double cut = corner_radius * std::tan(0.5 * std::abs(turn));
     legs.push_back({length - taken - cut, 0.0, 0.0});
     if (turn != 0.0) legs.push_back({0.0, corner_radius, turn});
     taken = cut;
-    from = at;
+    from = point;
   }
   return legs;
 }
 
 namespace {
 
-/// Largest radius whose arcs fit between the points, each taking at most half of a line.
-double largest_that_fits(const std::vector<RoutePoint>& points) {
-  double largest = std::numeric_limits<double>::infinity();
+/// Returns the maximum radius whose arcs fit between the points, each using at most half of a line.
+double compute_max_corner_radius(const std::vector<RoutePoint>& points) {
+  double max_radius = std::numeric_limits<double>::infinity();
   RoutePoint from{0.0, 0.0};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const RoutePoint &at = points[i], &to = points[i + 1];
-    const double before = std::hypot(at.x - from.x, at.y - from.y), after = std::hypot(to.x - at.x, to.y - at.y);
-    const double turn = std::remainder(std::atan2(to.y - at.y, to.x - at.x) - std::atan2(at.y - from.y, at.x - from.x),
-                                       2.0 * std::numbers::pi);
+    const RoutePoint &point = points[i], &to = points[i + 1];
+    const double before = std::hypot(point.x - from.x, point.y - from.y),
+                 after = std::hypot(to.x - point.x, to.y - point.y);
+    const double turn =
+        std::remainder(std::atan2(to.y - point.y, to.x - point.x) - std::atan2(point.y - from.y, point.x - from.x),
+                       2.0 * std::numbers::pi);
     if (turn != 0.0) {
-      largest = std::min(largest, 0.5 * std::min(before, after) / std::tan(0.5 * std::abs(turn)));
+      max_radius = std::min(max_radius, 0.5 * std::min(before, after) / std::tan(0.5 * std::abs(turn)));
     }
-    from = at;
+    from = point;
   }
-  return largest;
+  return max_radius;
 }
 
 }  // namespace
@@ -184,18 +186,19 @@ double default_corner_radius(const Model& model) {
   const double hold = model.seabed.friction_lateral * pipe.weight_submerged;
   const double depth = model.description.environment.water_depth;
   const double height = model.description.vessel.stern_shoe_z + model.description.tensioner.z;
-  const double hanging = pipe.weight_submerged * depth + pipe.weight_in_air * std::max(0.0, height);
-  const double pull = model.description.tensioner.tension.value_or(2.0 * hanging) - hanging;
-  constexpr double kLeast = 100.0;  // times the diameter: what no friction or tension asks more of
-  const double least = kLeast * pipe.outer_diameter;
-  const double held = hold > 0.0 ? std::max(kRouteReserve * pull / hold, least) : least;
-  return std::min(held, largest_that_fits(model.description.route.points));
+  const double suspended_weight = pipe.weight_submerged * depth + pipe.weight_in_air * std::max(0.0, height);
+  const double pull = model.description.tensioner.tension.value_or(2.0 * suspended_weight) - suspended_weight;
+  // times the diameter: minimum radius, governs where friction and tension require less
+  constexpr double kMinRadiusOverDiameter = 100.0;
+  const double min_radius = kMinRadiusOverDiameter * pipe.outer_diameter;
+  const double held = hold > 0.0 ? std::max(kRouteReserve * pull / hold, min_radius) : min_radius;
+  return std::min(held, compute_max_corner_radius(model.description.route.points));
 }
 
 LayRoute lay_route(const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  const Vec3 start = point_from_ramp(model, model.drawn_pose, Vec3(tensioner.x, 0.0, tensioner.z));
-  const Vec3 astern = astern_direction(model.drawn_pose);
+  const Vec3 start = point_from_ramp(model, model.nominal_pose, Vec3(tensioner.x, 0.0, tensioner.z));
+  const Vec3 astern = astern_direction(model.nominal_pose);
   const RouteDescription& route = model.description.route;
   if (!route.given()) return {start, astern};
   const double radius = route.corner_radius > 0.0 ? route.corner_radius : default_corner_radius(model);

@@ -1,5 +1,5 @@
-/// The line on which the pipe is laid, in plan: place, direction and curvature as functions of the distance s along it
-/// behind the tensioner. Straight lines and arcs, one after the other without a kink.
+/// Lay route in plan: position, direction and curvature as functions of the distance s along it behind the tensioner. A
+/// sequence of straight lines and arcs without kinks.
 #pragma once
 
 #include <memory>
@@ -18,27 +18,27 @@ class LayRoute {
   /// Straight for `lead` [m], then leg by leg, then straight on. An arc must turn by less than 180 degrees.
   LayRoute(const Vec3& start_W, const Vec3& astern_W, double lead, const std::vector<RouteLeg>& legs);
 
-  /// At the height of the start [m].
+  /// Position at the height of the start [m].
   Vec3 place(double s) const;
   /// Horizontal unit vector away from the barge.
   Vec3 direction(double s) const;
   /// Horizontal unit vector across the route, to the barge's port.
   Vec3 port(double s) const;
-  /// Of the route in plan, positive where it turns to port with s [1/m].
+  /// Curvature of the route in plan, positive where it turns to port with s [1/m].
   double curvature(double s) const;
-  /// s of the point of the route that is nearest in plan [m].
+  /// Returns s of the point of the route that is nearest in plan [m].
   double distance(const Vec3& p_W) const;
-  /// Distance in plan from there, to port [m].
+  /// Returns the distance in plan from the route, to port [m].
   double offset(const Vec3& p_W) const;
 
   bool straight() const { return !pieces_; }
-  /// The line beside this one, `to_port` metres away everywhere, with the same s.
-  LayRoute beside(double to_port) const;
-  /// How far it lies from the route it was made from, to port [m].
+  /// Returns the parallel route at a constant distance `to_port` [m], with the same s.
+  LayRoute parallel_route(double to_port) const;
+  /// Distance from the original route, to port [m].
   double shift() const { return shift_; }
-  /// Largest curvature of the route behind s, 0 where it is straight [1/m].
-  double sharpest_behind(double s) const;
-  /// What kernels take: the pieces of a route that is not straight, which whoever points to them must keep.
+  /// Max. curvature of the route beyond s, 0 if straight [1/m].
+  double max_curvature_beyond(double s) const;
+  /// Pieces of a curved route, for kernels; null if straight. The caller keeps the pointer as long as it uses the data.
   const std::shared_ptr<const std::vector<RoutePiece>>& pieces() const { return pieces_; }
   /// port . point of a straight route, for kernels, which compute `offset` themselves [m].
   double port_offset() const { return port_offset_; }
@@ -46,22 +46,22 @@ class LayRoute {
  private:
   Vec3 start_W_, astern_W_, port_W_;
   double port_offset_ = 0.0, shift_ = 0.0;
-  std::shared_ptr<const std::vector<RoutePiece>> pieces_;  ///< Of a route that is not straight.
+  std::shared_ptr<const std::vector<RoutePiece>> pieces_;  ///< Null for a straight route.
 };
 
-/// The route of the barge as described: from the pipe's axis at the tensioner, straight astern to the stern shoe and
-/// from there as the legs or points say. A barge that its moorings let drift does not take it along.
+/// Returns the route of the barge as described: from the pipe's axis at the tensioner, straight astern to the stern
+/// shoe and from there along the legs or points. The route stays in place if the barge drifts on its moorings.
 LayRoute lay_route(const Model& model);
 
-/// Legs of a route: those described, or the straight lines between its points with an arc at each corner.
+/// Returns the legs of a route: those given, or straight lines between its points with an arc at each corner.
 std::vector<RouteLeg> route_legs(const RouteDescription& route, double corner_radius);
 
-/// Radius with which corners of a route through points are rounded where the description gives none: kRouteReserve
-/// times the least that friction holds under the bottom tension of a cable without bending stiffness, T - integral of w
-/// over the depth; less where the points lie too close for that [m].
+/// Returns the default radius for the corners of a route through points [m]: kRouteReserve times the minimum that
+/// friction holds under the bottom tension of a cable without bending stiffness, T - integral of w over the depth; less
+/// if the points are too close for that.
 double default_corner_radius(const Model& model);
 
-/// Radius of the route over the least that friction holds, from which a curve counts as held with a margin.
+/// Ratio of a route radius to the minimum that friction holds, from which a curve counts as held with a margin [-].
 inline constexpr double kRouteReserve = 1.5;
 
 }  // namespace overbend

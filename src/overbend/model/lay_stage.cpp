@@ -11,8 +11,8 @@
 namespace overbend {
 namespace {
 
-/// Which member of a stage says how far the line has gone.
-std::optional<double> LayStageDescription::*progress_of(OperationType type) {
+/// Returns the member of a stage that measures the progress of the operation.
+std::optional<double> LayStageDescription::*find_progress_member(OperationType type) {
   switch (type) {
     case OperationType::start_up:
     case OperationType::shore_pull:
@@ -29,12 +29,12 @@ std::optional<double> LayStageDescription::*progress_of(OperationType type) {
   }
 }
 
-/// Of a series of values at even distances, at `share` of the way.
+/// Returns a linear interpolation of evenly spaced values at the fraction `share` of the range.
 double along_series(const std::vector<double>& values, double share) {
-  const double at = share * static_cast<double>(values.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(at), values.size() - 1);
+  const double position = share * static_cast<double>(values.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(position), values.size() - 1);
   const std::size_t next = std::min(i + 1, values.size() - 1);
-  return values[i] + (at - static_cast<double>(i)) * (values[next] - values[i]);
+  return values[i] + (position - static_cast<double>(i)) * (values[next] - values[i]);
 }
 
 std::vector<LayStageDescription> generated(const StageProgram& program, OperationType type) {
@@ -42,7 +42,7 @@ std::vector<LayStageDescription> generated(const StageProgram& program, Operatio
   for (int i = 0; i <= program.steps; ++i) {
     const double share = static_cast<double>(i) / program.steps;
     LayStageDescription& stage = stages.emplace_back();
-    stage.*progress_of(type) = program.from + share * (program.to - program.from);
+    stage.*find_progress_member(type) = program.from + share * (program.to - program.from);
     if (program.tension == StageTension::hold && !program.values.empty()) {
       stage.tension = along_series(program.values, share);
     }
@@ -51,14 +51,14 @@ std::vector<LayStageDescription> generated(const StageProgram& program, Operatio
   return stages;
 }
 
-/// A winch does not follow the tensioner's range: in time its brake holds.
-void held_by_brake(TensionerDescription& tensioner) {
+/// A winch does not use the range of the tensioner: in dynamics its brake holds.
+void set_brake_mode(TensionerDescription& tensioner) {
   tensioner.mode = TensionerMode::locked;
   tensioner.range_low.reset();
   tensioner.range_high.reset();
 }
 
-/// The range of a tensioner that is set to another tension has to hold that.
+/// Returns true if the tensioner's range does not contain its set tension.
 bool outside_range(const TensionerDescription& tensioner) {
   const double tension = tensioner.tension.value_or(0.0);
   return tensioner.range_low && tensioner.range_high &&
@@ -75,8 +75,8 @@ void fill_tank(SupportsDescription& supports, const std::string& name, const Lay
   }
 }
 
-/// A lift whose last stage is that of the name: those before it lead there.
-Description up_to(Description d, const std::string& name) {
+/// Returns the lift with the stages up to the named one, since each stage continues from those before.
+Description keep_stages_up_to(Description d, const std::string& name) {
   std::vector<LayStageDescription>& stages = d.operation.lay.stages;
   const std::vector<LayStageDescription> named = lay_stages(d);
   const auto last = std::ranges::find(named, name, &LayStageDescription::name);
@@ -92,7 +92,7 @@ std::vector<LayStageDescription> lay_stages(const Description& description) {
       lay.program ? generated(*lay.program, description.operation.type) : lay.stages;
   if (description.operation.type == OperationType::recovery) std::reverse(stages.begin(), stages.end());
   const bool sought = lay.program && lay.program->tension == StageTension::seek;
-  const bool follows = lay.anchor && lay.anchor->distance;  // from where the anchor lies
+  const bool follows = lay.anchor && lay.anchor->distance;  // true if the tension follows from the anchor position
   for (std::size_t i = 0; i < stages.size(); ++i) {
     LayStageDescription& stage = stages[i];
     if (stage.name.empty()) stage.name = fmt::format("stage {}", i + 1);
@@ -101,15 +101,15 @@ std::vector<LayStageDescription> lay_stages(const Description& description) {
   return stages;
 }
 
-Description at_stage(const Description& description, const LayStageDescription& stage) {
+Description make_stage_description(const Description& description, const LayStageDescription& stage) {
   Description d = description;
   const LayOperationDescription& lay = d.operation.lay;
   d.stage = stage;
-  if (d.operation.type == OperationType::lift) return up_to(std::move(d), stage.name);
+  if (d.operation.type == OperationType::lift) return keep_stages_up_to(std::move(d), stage.name);
   if (stage.tension) d.tensioner.tension = stage.tension;
   if (cable_at_top(d)) {
     d.tensioner.guide = Guide::pinned;
-    held_by_brake(d.tensioner);
+    set_brake_mode(d.tensioner);
     if (lay.winch) {
       d.tensioner.x = lay.winch->x;
       d.tensioner.z = lay.winch->z;
@@ -121,7 +121,7 @@ Description at_stage(const Description& description, const LayStageDescription& 
     }
   }
   if (stage.tank_weight || stage.tank_ballast) fill_tank(d.supports, lay.tank, stage);
-  if (outside_range(d.tensioner)) held_by_brake(d.tensioner);
+  if (outside_range(d.tensioner)) set_brake_mode(d.tensioner);
   if (is_dragged(d)) {
     d.pipe.length.reset();
     d.statics.roller_friction = dragging_direction(d) > 0.0 ? RollerFriction::lay : RollerFriction::haul;
@@ -138,19 +138,19 @@ bool cable_at_top(const Description& description) {
   return description.stage && description.stage->cable_out && description.operation.lay.cable;
 }
 
-double pipe_begins(const Description& description) {
+double pipe_start_distance(const Description& description) {
   if (!cable_at_top(description)) return 0.0;
   return *description.stage->cable_out + description.operation.lay.head->length;
 }
 
-double pipe_ends(const Description& description) {
+double pipe_end_distance(const Description& description) {
   return cable_at_far_end(description) ? *description.stage->pipe_out : kInfinity;
 }
 
-double pipe_gone(const Description& description) {
+double pipe_shift(const Description& description) {
   if (!cable_at_far_end(description)) {
     const double ahead = description.stage ? description.stage->ahead.value_or(0.0) : 0.0;
-    return pipe_begins(description) + ahead;
+    return pipe_start_distance(description) + ahead;
   }
   const double out = *description.stage->pipe_out;
   double last = out;

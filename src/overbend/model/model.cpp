@@ -8,7 +8,7 @@
 #include "base/constants.h"
 #include "base/require.h"
 #include "model/lay_stage.h"
-#include "model/site/bed_shape.h"
+#include "model/site/seabed_shape.h"
 #include "model/structures.h"
 
 namespace overbend {
@@ -23,16 +23,16 @@ Vec3 turn_S_to_V(const Vec3& d_S) {
   return {-d_S.x(), -d_S.y(), d_S.z()};
 }
 
-/// Depths of an area, `moved` further in the vessel's frame, which goes ahead of it.
+/// Returns the depths in axes that are moved by `moved` in the vessel's frame, for a vessel that moves ahead.
 Bathymetry moved_depths(Bathymetry depths, const Vec3& moved) {
   for (double& east : depths.east) east += moved.x();
   for (double& north : depths.north) north += moved.y();
   return depths;
 }
 
-/// `ahead`: how far a vessel that moves ahead has left the place where its bed is described [m].
-BedSurface resolve_surface(const EnvironmentDescription& environment, const Vec3& stern_shoe_W, const Vec3& astern_W,
-                           double ahead) {
+/// `ahead`: distance of the vessel ahead of the position for which its seabed is described [m].
+SeabedSurface resolve_surface(const EnvironmentDescription& environment, const Vec3& stern_shoe_W, const Vec3& astern_W,
+                              double ahead) {
   const SeabedDescription& bed = environment.seabed;
   const Vec3 moved = ahead * astern_W, origin = stern_shoe_W + moved;
   if (!bed.profile.empty()) {
@@ -46,7 +46,7 @@ BedSurface resolve_surface(const EnvironmentDescription& environment, const Vec3
 
 CurrentProfile resolve_current(const std::vector<CurrentPoint>& table) {
   CurrentProfile profile;
-  for (auto row = table.rbegin(); row != table.rend(); ++row) {  // the file runs downwards, the profile upwards
+  for (auto row = table.rbegin(); row != table.rend(); ++row) {  // the file is ordered downwards, the profile upwards
     const Vec3 v = row->speed * azimuth_direction(row->towards);
     profile.z.push_back(-row->depth);
     profile.vx.push_back(v.x());
@@ -60,8 +60,8 @@ void add_section(Model& model, Section section, const SectionDescription& descri
   model.described.push_back(described);
 }
 
-/// Puts a stretch of the section made last behind `from`, and `from` behind it; what of it is inboard of the tensioner
-/// or beyond `end` is left out.
+/// Appends a span of the last section after `from` and advances `from` to its end; parts inboard of the tensioner or
+/// beyond `end` are omitted.
 void add_span(Model& model, double& from, double length, double end = kInfinity) {
   const double begin = std::max(from, 0.0), to = std::min(from + length, end);
   if (to > begin) model.spans.push_back({begin, to, static_cast<int>(model.sections.size()) - 1});
@@ -81,8 +81,8 @@ void add_head(Model& model, double& from) {
   add_span(model, from, head.length);
 }
 
-/// Sections and where they lie: a cable and the head before the pipe's segments or behind all of it, as the stage of
-/// the operation has them.
+/// Sections and their spans: cable and head before the pipe's segments or after the whole pipe, according to the
+/// operation stage.
 void resolve_sections(Model& model) {
   const Description& d = model.description;
   add_section(model, derive_section("pipe", d.pipe.section, model.water_weight_density), d.pipe.section);
@@ -91,19 +91,19 @@ void resolve_sections(Model& model) {
     add_cable(model, from, *d.stage->cable_out);
     add_head(model, from);
   }
-  from = pipe_gone(d);
+  from = pipe_shift(d);
   for (const SegmentDescription& segment : d.pipe.segments) {
     add_section(model, derive_section(segment.name, segment.section, model.water_weight_density), segment.section);
-    add_span(model, from, segment.length, pipe_ends(d));
+    add_span(model, from, segment.length, pipe_end_distance(d));
   }
   if (cable_at_far_end(d)) {
-    from = pipe_ends(d);
+    from = pipe_end_distance(d);
     add_head(model, from);
     add_cable(model, from, is_dragged(d) ? kInfinity : *d.operation.lay.cable->length);
   }
 }
 
-/// Length from the tensioner over which field joints are modelled separately: the supports and three pipe joints
+/// Length from the tensioner over which field joints are modelled individually: the supports and three pipe joints
 /// beyond.
 double jointed_length(const Description& d, double joint) {
   double reach = 0.0;
@@ -111,15 +111,15 @@ double jointed_length(const Description& d, double joint) {
   return reach > 0.0 ? 1.1 * reach + 3.0 * joint : 0.0;
 }
 
-/// Length from the tensioner to the middle of the first field joint, which goes with the pipe [m]. Below a cable no
-/// joint comes before it; elsewhere those that come out of the tensioner do.
+/// Length from the tensioner to the middle of the first field joint, which moves with the pipe [m]. Below a cable no
+/// joint precedes it; otherwise joints that leave the tensioner do.
 double first_joint(const Description& d, const JointDescription& joint) {
-  const double first = joint.first.value_or(0.5 * joint.length), gone = pipe_gone(d);
+  const double first = joint.first.value_or(0.5 * joint.length), gone = pipe_shift(d);
   if (gone == 0.0 || cable_at_top(d)) return first + gone;
   return first + gone - joint.length * std::floor((first + gone) / joint.length);
 }
 
-/// Joints of a section whose coated pipe is stiffer between them; null where it is not.
+/// Returns the joint pattern of a section whose coated pipe is stiffer between the joints; null for others.
 const JointDescription* stiff_between_joints(const Model& model, int section) {
   const auto i = static_cast<std::size_t>(section);
   const std::optional<JointDescription>& joint = model.described[i].joint;
@@ -127,7 +127,7 @@ const JointDescription* stiff_between_joints(const Model& model, int section) {
   return &*joint;
 }
 
-/// The whole line in pieces of one section each, from the tensioner.
+/// Returns the whole line in pieces of one section each, from the tensioner.
 std::vector<SectionSpan> whole_line(const std::vector<SectionSpan>& spans) {
   std::vector<SectionSpan> pieces;
   double from = 0.0;
@@ -140,7 +140,7 @@ std::vector<SectionSpan> whole_line(const std::vector<SectionSpan>& spans) {
   return pieces;
 }
 
-/// The section of coated pipe between the field joints of a section.
+/// Adds the section of coated pipe between the field joints of a section; returns its index.
 int add_coated(Model& model, int section, double stiffness) {
   Section coated = model.sections[static_cast<std::size_t>(section)];
   coated.name = section == 0 ? "coated pipe between field joints" : coated.name + " between field joints";
@@ -150,8 +150,8 @@ int add_coated(Model& model, int section, double stiffness) {
   return static_cast<int>(model.sections.size()) - 1;
 }
 
-/// A piece of the line whose pipe is stiffer between its field joints, up to `end`.
-void put_joints(Model& model, const SectionSpan& piece, int coated, const JointDescription& joint, double end) {
+/// Splits a piece of the line, up to `end`, at its field joints into coated pipe and joints.
+void split_at_joints(Model& model, const SectionSpan& piece, int coated, const JointDescription& joint, double end) {
   const auto put = [&](double from, double to, int section) {
     if (to > from && section != 0) model.spans.push_back({from, to, section});
   };
@@ -166,7 +166,7 @@ void put_joints(Model& model, const SectionSpan& piece, int coated, const JointD
   put(from, piece.to, piece.section);
 }
 
-/// Stiffer pipe between the field joints, of the main section and of segments.
+/// Stiffer pipe between field joints, for the main section and segments.
 void resolve_joints(Model& model) {
   const std::vector<SectionSpan> pieces = whole_line(model.spans);
   std::map<int, int> coated;
@@ -178,20 +178,21 @@ void resolve_joints(Model& model) {
       if (piece.section != 0) model.spans.push_back(piece);
       continue;
     }
-    const JointDescription joint = *stiff;  // sections are added
+    const JointDescription joint = *stiff;  // copy: the vector of sections grows below
     if (!coated.contains(piece.section)) {
       coated[piece.section] = add_coated(model, piece.section, joint.coated_stiffness);
     }
-    put_joints(model, piece, coated[piece.section], joint, end);
+    split_at_joints(model, piece, coated[piece.section], joint, end);
   }
   if (const JointDescription* const stiff = stiff_between_joints(model, 0); stiff != nullptr && !coated.contains(0)) {
-    coated[0] = add_coated(model, 0, stiff->coated_stiffness);  // a run feeds it in, wherever segments lie
+    // the pipe that feeds in during a run has it, regardless of segments
+    coated[0] = add_coated(model, 0, stiff->coated_stiffness);
   }
-  model.coated = coated.contains(0) ? coated[0] : 0;  // structures will be sections behind it
+  model.coated = coated.contains(0) ? coated[0] : 0;  // index before structures are appended
 }
 
-/// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension, or the one
-/// found, less the weight below the tensioner. Water pressure acts from outside.
+/// Loads on the wall from the tensioner to the seabed for the suspended pipe: the target tension, or the one found,
+/// less the weight below the tensioner. Water pressure acts from outside.
 std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, double top_z) {
   const double depth = model.description.environment.water_depth;
   const TensionerDescription& tensioner = model.description.tensioner;
@@ -199,13 +200,13 @@ std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, 
   std::vector<LevelLoads> levels;
   for (const double z : {-depth, -0.5 * depth, 0.0, std::max(top_z, 1.0)}) {
     const double above = std::max(top_z, 0.0) - std::max(z, 0.0);
-    const double hanging = section.weight_in_air * above - section.weight_submerged * std::min(z, 0.0);
+    const double suspended_weight = section.weight_in_air * above - section.weight_submerged * std::min(z, 0.0);
     const double outside = -model.water_weight_density * std::min(z, 0.0);
     const double inside = section.internal_pressure - section.contents_weight_density * z;
     const double bore = section.steel_diameter - 2.0 * section.wall_thickness;
     LevelLoads level{z, {}};
     level.wall.wall_tension =
-        std::max(tension - hanging, 0.0) - outside * section.pressure_area + inside * section.internal_area;
+        std::max(tension - suspended_weight, 0.0) - outside * section.pressure_area + inside * section.internal_area;
     level.wall.hoop_stress = (inside * bore - outside * section.steel_diameter) / (2.0 * section.wall_thickness);
     levels.push_back(level);
   }
@@ -216,16 +217,16 @@ void resolve_bending(Model& model) {
   const double top_z = model.description.vessel.stern_shoe_z + model.description.tensioner.z;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
     if (model.sections[i].kind == SectionKind::cable) continue;
-    const SteelDescription& steel = model.description_of(i).steel;
+    const SteelDescription& steel = model.find_section_description(i).steel;
     model.sections[i].bending = bending_law(steel, wall_levels(model, model.sections[i], top_z));
   }
 }
 
-/// Rollers of one kind under one section have one stiffness: found once.
+/// Rollers of one type under the same section have equal stiffness, computed once.
 void resolve_contact_stiffness(Model& model) {
   std::map<std::tuple<int, double, double>, double> found;
   for (Roller& roller : model.supports.rollers) {
-    if (roller.own_stiffness || roller.default_stiffness == RollerStiffness::penalty) continue;
+    if (roller.is_stiffness_given || roller.default_stiffness == RollerStiffness::penalty) continue;
     const SupportRow& row = model.supports.rows[static_cast<std::size_t>(roller.row)];
     const std::tuple key(model.section_at(row.from_top), roller.face, roller.structure_stiffness);
     const auto [entry, fresh] = found.try_emplace(key, 0.0);
@@ -283,10 +284,11 @@ const Section& Model::pipe_over(const Roller& roller) const {
 ContactStiffness Model::contact_parts(const Roller& roller) const {
   const SupportRow& row = supports.rows[static_cast<std::size_t>(roller.row)];
   const std::size_t section = static_cast<std::size_t>(section_at(row.from_top));
-  return contact_stiffness(pipe_over(roller), description_of(section), roller.face, roller.structure_stiffness);
+  return contact_stiffness(pipe_over(roller), find_section_description(section), roller.face,
+                           roller.structure_stiffness);
 }
 
-const SectionDescription& Model::description_of(std::size_t section) const {
+const SectionDescription& Model::find_section_description(std::size_t section) const {
   require(section < sections.size(), "a section is one of the model's");
   return described[section];
 }
@@ -309,28 +311,28 @@ Model build_model(const Description& description) {
       return (section.kind == SectionKind::cable ? model.pipe_section() : section).outer_radius();
     });
     resolve_contact_stiffness(model);
-    add_structures(model);  // rollers stand for the pipe, whatever passes them
+    add_structures(model);  // rollers keep the pipe's stiffness when a structure passes
   }
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
-  model.drawn_pose = model.mean_pose;
+  model.nominal_pose = model.mean_pose;
   const SeabedDescription& bed = description.environment.seabed;
-  model.seabed = {resolve_surface(description.environment, point_from_ramp(model, model.drawn_pose, Vec3::Zero()),
-                                  astern_direction(model.drawn_pose),
+  model.seabed = {resolve_surface(description.environment, point_from_ramp(model, model.nominal_pose, Vec3::Zero()),
+                                  astern_direction(model.nominal_pose),
                                   description.stage ? description.stage->ahead.value_or(0.0) : 0.0),
                   bed.stiffness, bed.friction_axial, bed.friction_lateral};
   model.current = resolve_current(description.environment.current);
   return model;
 }
 
-bool bend_under(Model& model, double tension) {
-  constexpr double kSame = 1e-3;  // of the tension: worth 1e-6 of the plastic moment
+bool update_moment_curvature(Model& model, double tension) {
+  constexpr double kTensionTolerance = 1e-3;  // relative change of tension; changes the plastic moment by 1e-6
   TensionerDescription& tensioner = model.description.tensioner;
   const auto by_wall = [](const SectionDescription& section) {
     const MaterialLaw law = section.steel.material.law;
     return law == MaterialLaw::ramberg_osgood || law == MaterialLaw::bilinear || law == MaterialLaw::stress_strain;
   };
   if (tensioner.tension || std::ranges::none_of(model.described, by_wall)) return false;
-  if (std::abs(tension - tensioner.found) <= kSame * std::abs(tension)) return false;
+  if (std::abs(tension - tensioner.found) <= kTensionTolerance * std::abs(tension)) return false;
   tensioner.found = tension;
   const Model again = build_model(model.description);
   for (std::size_t i = 0; i < model.sections.size(); ++i) model.sections[i].bending = again.sections[i].bending;

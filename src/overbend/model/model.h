@@ -1,6 +1,5 @@
-/// The model: everything the analyses need, in SI and resolved frames. Built once, const from then on, free to share.
-///
-/// World frame W: x east, y north, z up, z = 0 mean water level, origin under midship in the vessel's mean position.
+/// Model: all data of the analyses, in SI and resolved frames. Built once, const from then on, free to share.  World
+/// frame W: x east, y north, z up, z = 0 mean water level, origin under midship in the vessel's mean position.
 #pragma once
 
 #include <string>
@@ -11,7 +10,7 @@
 #include "model/description/description.h"
 #include "model/pipe/contact_stiffness.h"
 #include "model/pipe/section.h"
-#include "model/site/bed_surface.h"
+#include "model/site/seabed_surface.h"
 #include "model/vessel/supports.h"
 
 namespace overbend {
@@ -23,25 +22,25 @@ struct VesselPose {
 };
 
 struct Seabed {
-  BedSurface surface;
+  SeabedSurface surface;
   double stiffness = 0.0;  ///< [N/m2]
   double friction_axial = 0.0, friction_lateral = 0.0;
 };
 
-/// Current as a vector over z, linear in between, constant beyond the ends of the table. Rows by rising z.
+/// Current as a vector over z, linear between rows, constant beyond the ends of the table. Rows by increasing z.
 struct CurrentProfile {
   std::vector<double> z;
   std::vector<double> vx, vy;  ///< World components [m/s].
 };
 
-/// Limits between the main section and segments: distances from the tensioner.
+/// Span of the line with one section.
 struct SectionSpan {
   double from = 0.0, to = 0.0;  ///< Unstressed length from the tensioner [m].
   int section = 0;
 };
 
 struct Model {
-  Model();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  Model();  // Defined in one source file to limit code size.
   Model(const Model&);
   Model(Model&&) noexcept;
   Model& operator=(const Model&);
@@ -49,53 +48,54 @@ struct Model {
   ~Model();
 
   Description description;
-  /// [0] the line's own, then the segments', then the coated pipe between joints, then
-  /// what is built in. None without a pipe, as supports.
+  /// [0] main section, then segments, coated pipe between joints and in-line structures. Without a pipe empty, as are
+  /// the supports.
   std::vector<Section> sections;
-  std::vector<SectionDescription> described;  ///< What each of them was made from; of a cable, the pipe's.
-  std::vector<SectionSpan> spans;             ///< By distance from the tensioner; the rest has section 0.
-  int coated = 0;  ///< Section of the coated pipe between field joints; 0 where these are not told apart.
+  /// Description from which each section was made; for a cable that of the pipe.
+  std::vector<SectionDescription> described;
+  std::vector<SectionSpan> spans;  ///< By distance from the tensioner; section 0 elsewhere.
+  int coated = 0;  ///< Section of the coated pipe between field joints; 0 if these are not modelled separately.
   Supports supports;
-  VesselPose mean_pose;   ///< Where the vessel lies.
-  VesselPose drawn_pose;  ///< As described: the lay route runs astern from there.
+  VesselPose mean_pose;     ///< Position and attitude of the vessel in the analysis.
+  VesselPose nominal_pose;  ///< Nominal pose as described; the lay route runs astern from it.
   Seabed seabed;
   CurrentProfile current;
   double water_weight_density = 0.0;  ///< [N/m3]
   double water_density = 0.0;         ///< [kg/m3]
 
   int section_at(double distance_from_top) const;
-  /// The pipe that lies over a roller as it is laid.
+  /// Returns the pipe section over a roller in the laid configuration.
   const Section& section_over(const Roller& roller) const;
-  /// Of the pipe where no segment says otherwise.
+  /// Main section of the pipe, used outside the segments.
   const Section& pipe_section() const { return sections.front(); }
-  /// The same, but for a cable, which comes and goes over rollers that are made for the pipe.
+  /// As section_over(), but skips a cable: rollers are sized for the pipe.
   const Section& pipe_over(const Roller& roller) const;
-  /// Stiffness of the contact with a roller that gives none, by its parts.
+  /// Returns the parts of the contact stiffness of a roller without a given stiffness.
   ContactStiffness contact_parts(const Roller& roller) const;
-  /// What a section was made from: coated pipe between field joints comes from the line's own.
-  const SectionDescription& description_of(std::size_t section) const;
-  /// Of the section `distance_from_top` from the tensioner [m].
+  /// Returns the description of a section; for coated pipe between field joints that of the main section.
+  const SectionDescription& find_section_description(std::size_t section) const;
+  /// Returns the kind of the section at `distance_from_top` from the tensioner [m].
   SectionKind kind_at(double distance_from_top) const;
 };
 
-/// Resolves frames and derives properties. The description has been validated by the reader.
+/// Resolves frames and computes derived properties. The reader has validated the description.
 Model build_model(const Description& description);
 
-/// Where no tension is wanted and the moments of the steel hang on it: makes them anew for the tension found at the
-/// tensioner [N]. Whether it is another than the one that they were made for.
-bool bend_under(Model& model, double tension);
+/// Updates the moment-curvature laws for the tension found at the tensioner [N], if no tension is given and the laws
+/// depend on it. Returns true if the tension differs from the one used before.
+bool update_moment_curvature(Model& model, double tension);
 
-/// Turns a point or a direction of the ramp/stinger frame S into W.
+/// Transforms a point or a direction from the ramp/stinger frame S to W.
 Vec3 point_from_ramp(const Model& model, const VesselPose& pose, const Vec3& p_S);
 Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S);
 
-/// Axes of the vessel for a heading (azimuth), trim (bow up) and heel (starboard down) [rad].
+/// Returns the axes of the vessel for a heading (azimuth), trim (bow up) and heel (starboard down) [rad].
 Mat3 vessel_axes(double heading, double trim, double heel);
 
 /// Horizontal unit vector pointing astern.
 Vec3 astern_direction(const VesselPose& pose);
 
-/// What had to be assumed: sentences for the report.
+/// Returns the assumptions of the model as sentences for the report.
 Assumptions assumptions(const Model& model);
 
 }  // namespace overbend

@@ -11,7 +11,7 @@ namespace overbend {
 namespace {
 
 bool recorded_motion_moves(const VesselDescription& vessel) {
-  if (!vessel.history) return true;  // an error, elsewhere
+  if (!vessel.history) return true;  // reported as an error by the reader
   const auto& rows = vessel.history->freedoms;
   return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row != rows.front(); });
 }
@@ -19,7 +19,7 @@ bool recorded_motion_moves(const VesselDescription& vessel) {
 bool vessel_moves(const VesselDescription& vessel) {
   switch (vessel.motion) {
     case VesselMotion::fixed:
-    case VesselMotion::raos:  // by waves alone
+    case VesselMotion::raos:  // RAOs cause motion only in waves
       return false;
     case VesselMotion::harmonic:
       return std::any_of(vessel.harmonic.begin(), vessel.harmonic.end(),
@@ -32,8 +32,8 @@ bool vessel_moves(const VesselDescription& vessel) {
   return true;
 }
 
-/// Whether anything but waves and the vessel changes in time.
-bool gear_moves(const Description& d) {
+/// Returns true if anything other than waves and the vessel changes with time.
+bool has_moving_equipment(const Description& d) {
   const auto moving_end = [](const FreeLineDescription& line) {
     return !line.first.amplitude.isZero(0.0) || !line.second.amplitude.isZero(0.0);
   };
@@ -43,7 +43,7 @@ bool gear_moves(const Description& d) {
   return !d.moorings->winches.empty() || std::any_of(d.moorings->lines.begin(), d.moorings->lines.end(), fails);
 }
 
-/// Lines that are to be pulled with more than breaks them: a slip in a tension or in a diameter.
+/// Warns of lines whose tension exceeds the breaking load: an input error in tension or diameter.
 void warn_of_breaking_lines(Findings& findings, const MooringsDescription& moorings) {
   for (const MooringLineDescription& line : moorings.lines) {
     for (const LineSegmentDescription& segment : line.segments) {
@@ -71,17 +71,17 @@ Findings model_findings(const Model& model) {
     append(findings, limit_findings(limits));
   }
   if (d.moorings) warn_of_breaking_lines(findings, *d.moorings);
-  if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !gear_moves(d)) {
+  if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !has_moving_equipment(d)) {
     findings.push_back({FindingCode::nothing_moves,
                         "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel "
                         "does not move (vessel.motion)"});
   }
   if (d.dynamics && d.has_pipe && d.tensioner.mode_assumed) {
-    findings.push_back(
-        Finding{FindingCode::tensioner_mode_assumed,
-                "tensioner.mode is not given: in the dynamic analysis the tensioner keeps the set tension, an ideal "
-                "machine without limits of speed and travel; give its range and velocity, or mode: constant or locked"}
-            .on("tensioner"));
+    findings.push_back(Finding{
+        FindingCode::tensioner_mode_assumed,
+        "tensioner.mode is not given: in the dynamic analysis the tensioner keeps the set tension, an ideal machine "
+        "without limits of speed and travel; give its range and velocity, or set mode to constant or locked"}
+                           .on("tensioner"));
   }
   return findings;
 }

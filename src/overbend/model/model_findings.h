@@ -1,4 +1,4 @@
-/// What in a model calls for a second look, whatever is calculated with it.
+/// Findings on a model, independent of the analysis.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace overbend {
 
-/// Warnings of reading, RAOs that disagree with the water in long waves, a dynamic analysis in which nothing moves:
+/// Returns warnings of the reader, RAOs that disagree with long-wave limits, and dynamic analyses without any motion:
 /// plain sentences, the first part of the warnings of all results.
 Findings model_findings(const Model& model);
 

@@ -1,4 +1,4 @@
-/// Assumptions of floating hulls, moorings and lines: sentences for the report.
+/// Assumptions on floating hulls, moorings and free lines: sentences for the report.
 #pragma once
 
 #include "base/assumption.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Appends what had to be assumed of hull, mooring lines and lines by themselves; nothing where there are none.
+/// Appends the assumptions on hull, mooring lines and free lines; nothing if there are none.
 void assume_floating(Assumptions& list, const Model& model);
 
 }  // namespace overbend

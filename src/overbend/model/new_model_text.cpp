@@ -13,7 +13,7 @@ double coated_radius(const NewModel& model) {
   return 0.5 * model.diameter + model.coating + model.concrete;
 }
 
-/// Underside of the pipe on the circle of ramp and stinger, frame S [m].
+/// Returns the height of the underside of the pipe on the circle of ramp and stinger, frame S [m].
 double underside(const NewModel& model, double x) {
   const double along = x - model.circle_start, radius = model.stinger_radius;
   return model.tensioner_height - coated_radius(model) - radius + std::sqrt(radius * radius - along * along);
@@ -38,12 +38,11 @@ environment:
 )",
                      fmt::arg("title", model.title),
                      fmt::arg("note", model.note.empty() ? "" : "# Note: " + model.note + "\n"),
-                     fmt::arg("depth", as_said(model.said.depth, model.depth, "m", "m")));
+                     fmt::arg("depth", text_or_value(model.said.depth, model.depth, "m", "m")));
 }
 
 std::string pipe_text(const NewModel& model) {
-  std::string text =
-      fmt::format(R"(
+  std::string text = fmt::format(R"(
 pipe:
   steel:
     outside_diameter: {}
@@ -53,18 +52,19 @@ pipe:
     yield_stress: {}
     weight_density: 77 kN/m^3
 )",
-                  as_said(model.said.pipe, model.diameter, "m", "mm"), as_said(model.said.wall, model.wall, "m", "mm"),
-                  as_said(model.said.yield, model.yield, "N/m^2", "MPa"));
+                                 text_or_value(model.said.pipe, model.diameter, "m", "mm"),
+                                 text_or_value(model.said.wall, model.wall, "m", "mm"),
+                                 text_or_value(model.said.yield, model.yield, "N/m^2", "MPa"));
   if (model.coating > 0.0 || model.concrete > 0.0) {
     text += "  coatings:                            # from the steel outwards\n";
   }
   if (model.coating > 0.0) {
     text += fmt::format("    - {{name: corrosion coating, thickness: {}, weight_density: 9.32 kN/m^3}}\n",
-                        as_said(model.said.coating, model.coating, "m", "mm"));
+                        text_or_value(model.said.coating, model.coating, "m", "mm"));
   }
   if (model.concrete > 0.0) {
     text += fmt::format("    - {{name: concrete, thickness: {}, weight_density: 22 kN/m^3}}\n",
-                        as_said(model.said.concrete, model.concrete, "m", "mm"));
+                        text_or_value(model.said.concrete, model.concrete, "m", "mm"));
     text += "  joint: {length: 12.2 m, field_joint: 0.7 m, infill_weight_density: 10.065 kN/m^3}\n";
   }
   return text + fmt::format("  # submerged weight {:.4g} kN/m\n", model.submerged_weight / 1e3);
@@ -88,7 +88,7 @@ vessel:
 }
 
 std::string tension_text(const NewModel& model) {
-  return as_said(model.said.tension, model.tension, "N", "kN");
+  return text_or_value(model.said.tension, model.tension, "N", "kN");
 }
 
 std::string tower_text(const NewModel& model) {
@@ -107,7 +107,7 @@ std::string boxes_text(const NewModel& model, const char* name, double first, do
   const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
   std::string text = fmt::format(
       "  {}:                              # boxes on a circle of {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
-      as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
+      text_or_value(model.said.stinger_radius, model.stinger_radius, "m", "m"));
   for (int i = 0; i < count; ++i) {
     const double x = count > 1 ? first + i * spacing : last;
     text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,

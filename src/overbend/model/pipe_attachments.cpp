@@ -13,7 +13,8 @@ bool is_on_pipe(const Description& description, const LineEndDescription& end) {
 std::vector<PipeAttachment> pipe_attachments(const Description& description) {
   std::vector<PipeAttachment> all;
   if (!description.has_pipe) return all;
-  const double gone = pipe_gone(description), begins = pipe_begins(description), ends = pipe_ends(description);
+  const double gone = pipe_shift(description), begins = pipe_start_distance(description),
+               ends = pipe_end_distance(description);
   const auto add = [&](double arc_length, const LinePointDescription* point, const FreeLineDescription* line) {
     const double from_top = arc_length + gone;
     if (from_top > begins && from_top < ends) all.push_back({from_top, point, line});

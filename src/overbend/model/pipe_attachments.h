@@ -1,4 +1,4 @@
-/// What is fixed to the pipe that is laid: clumps and buoys, and the lines beside it.
+/// Attachments of the laid pipe: clumps, buoys and free lines.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,18 @@
 
 namespace overbend {
 
-/// One of them, where it is on the line; points into the description.
+/// Attachment in the line; points into the description.
 struct PipeAttachment {
   double from_top = 0.0;                        ///< Unstressed length from the top of the line [m].
-  const LinePointDescription* point = nullptr;  ///< A clump or buoy; else
-  const FreeLineDescription* line = nullptr;    ///< a line, by one of its ends.
+  const LinePointDescription* point = nullptr;  ///< Clump or buoy; otherwise
+  const FreeLineDescription* line = nullptr;    ///< a line, attached by one of its ends.
 };
 
-/// All that are in the line, from the top down. They go with the pipe at a stage of an operation: what is not out yet,
-/// or would be where head and cable are, is left out.
+/// Returns all attachments in the line, from the top down. They move with the pipe at an operation stage: those not yet
+/// paid out, or at the position of head or cable, are omitted.
 std::vector<PipeAttachment> pipe_attachments(const Description& description);
 
-/// Whether this end of a line is on the pipe that is laid.
+/// Returns true if this line end is on the laid pipe.
 bool is_on_pipe(const Description& description, const LineEndDescription& end);
 
 }  // namespace overbend

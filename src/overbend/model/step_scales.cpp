@@ -8,10 +8,11 @@
 namespace overbend {
 namespace {
 
-constexpr double kStepsInPeriod = 50.0;      ///< (w h)^2/12 of a swing is 0.13 %.
-constexpr double kErrorsInDiameter = 250.0;  ///< Of pipe.
-constexpr double kErrorsInLength = 4e5;      ///< Of a line by itself: 1 mm in 400 m.
-constexpr double kImpactsInSag = 40.0;       ///< In the weight of the length over which a pipe bends.
+constexpr double kStepsInPeriod = 50.0;       ///< (w h)^2/12 of an oscillation is 0.13 %.
+constexpr double kDiameterOverError = 250.0;  ///< Pipe diameter divided by the position error.
+constexpr double kLengthOverError = 4e5;      ///< Length of a free line divided by the position error: 1 mm in 400 m.
+/// Weight of the length over which a pipe bends, divided by the impact force.
+constexpr double kSagWeightOverImpact = 40.0;
 
 double mean_period(const std::vector<SpectrumPoint>& spectrum) {
   double energy = 0.0, moment = 0.0;
@@ -29,10 +30,10 @@ double wave_period(const WavesDescription& waves) {
   return waves.tp > 0.0 ? waves.tp : waves.period;
 }
 
-/// Of whatever moves by a period that is told [s].
-double shortest_period(const Description& d) {
+/// Min. period of all prescribed motions and waves [s].
+double compute_min_period(const Description& d) {
   double period = std::numeric_limits<double>::infinity();
-  const auto take = [&](double one) { period = one > 0.0 ? std::min(period, one) : period; };
+  const auto take = [&](double value) { period = value > 0.0 ? std::min(period, value) : period; };
   take(wave_period(d.environment.waves));
   for (const auto& [freedom, motion] : d.vessel.harmonic) take(motion.period);
   for (const FreeLineDescription& line : d.lines) {
@@ -48,18 +49,18 @@ double shortest_period(const Description& d) {
 StepScales step_scales(const Model& model) {
   const Description& d = model.description;
   StepScales scales;
-  scales.time = std::min(scales.time, shortest_period(d) / kStepsInPeriod);
+  scales.time = std::min(scales.time, compute_min_period(d) / kStepsInPeriod);
   for (const FreeLineDescription& line : d.lines) {
     const bool wire = is_weightless(line) && !has_pipe_section(line);  // without mass it follows its ends
     if (!wire && unstressed_length(line) > 0.0) {
-      scales.length = std::min(scales.length, unstressed_length(line) / kErrorsInLength);
+      scales.length = std::min(scales.length, unstressed_length(line) / kLengthOverError);
     }
   }
   if (d.has_pipe && !model.sections.empty()) {
     const Section& pipe = model.pipe_section();
-    scales.length = std::min(scales.length, pipe.outer_diameter / kErrorsInDiameter);
+    scales.length = std::min(scales.length, pipe.outer_diameter / kDiameterOverError);
     const double sag = std::cbrt(pipe.EI / pipe.weight_in_air);
-    scales.force = std::min(scales.force, pipe.weight_in_air * sag / kImpactsInSag);
+    scales.force = std::min(scales.force, pipe.weight_in_air * sag / kSagWeightOverImpact);
   }
   return scales;
 }

@@ -1,5 +1,5 @@
-/// What a run in time holds its steps against where the model file does not say: sizes of the problem itself, so that
-/// a model of another scale is followed as closely.
+/// Default tolerances of the time integration, from the scales of the model, for settings that the model file leaves
+/// out.
 #pragma once
 
 #include "model/model.h"
@@ -7,12 +7,13 @@
 namespace overbend {
 
 struct StepScales {
-  double time = 0.125;   ///< Longest step [s]; shorter ones are shares of it.
-  double length = 1e-3;  ///< Of the error of a step [m].
-  double force = 1e3;    ///< Below which an impact is none [N].
+  double time = 0.125;   ///< Max. step [s]; shorter steps are fractions of it.
+  double length = 1e-3;  ///< Position error of a step [m].
+  double force = 1e3;    ///< Impacts below this force are ignored [N].
 };
 
-/// Never above these: large structures in long waves are followed as ships in usual ones.
+/// Returns the scales of a model; never more than the defaults above, so that large structures in long waves are
+/// integrated like ships in typical seas.
 StepScales step_scales(const Model& model);
 
 }  // namespace overbend

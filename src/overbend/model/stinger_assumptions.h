@@ -1,4 +1,4 @@
-/// Assumptions of a stinger on hinges: sentences for the report.
+/// Assumptions on a hinged stinger: sentences for the report.
 #pragma once
 
 #include "base/assumption.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Appends what had to be assumed of the stinger; nothing where it is fixed.
+/// Appends the assumptions on the stinger; nothing if it is fixed.
 void assume_stinger(Assumptions& list, const Model& model);
 
 }  // namespace overbend

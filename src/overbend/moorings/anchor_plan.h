@@ -1,45 +1,47 @@
-/// Which anchor has to be moved before which joint, while a vessel goes along its route.
+/// Schedule of anchor moves while a vessel advances along its route: anchor and joint of each move.
 #pragma once
 
-#include "moorings/spread.h"
+#include "moorings/mooring_spread.h"
 
 namespace overbend {
 
-/// What is useful of a line, and the horizontal pull it is to have there.
-struct UsefulLine {
+/// Useful range of a line and the horizontal force wanted at its fairlead.
+struct LineUsefulRange {
   UsefulRange range;
   double pull = 0.0;  ///< [N]
 };
 
-/// A vessel that goes ahead joint by joint from where it is drawn, its heading kept.
+/// Vessel that advances joint by joint from its nominal position at constant heading.
 struct AnchorRoute {
-  Vec3 step_W = Vec3::Zero();  ///< Of one joint [m].
+  Vec3 step_W = Vec3::Zero();  ///< Displacement per joint [m].
   int joints = 0;
 };
 
-/// An anchor that is moved with the vessel before a joint.
-struct AnchorShift {
+/// Anchor moved by the vessel before a joint.
+struct AnchorMove {
   int joint = 0;  ///< Counted from 1.
   std::size_t line = 0;
   Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();  ///< [m]
-  double length = 0.0;                              ///< Of the line at its new place, unstressed [m].
-  const char* reason = "";                          ///< Bound of its useful range that it would pass.
+  double length = 0.0;                              ///< Unstressed length of the line with its anchor at the new
+                                                    ///< position [m].
+  const char* reason = "";                          ///< Bound of the useful range that the line would exceed.
 };
 
-/// Why a line is of no use with its anchor there and its fairlead at a place: one of its bounds in words; nullptr where
-/// it is of use. `length` receives its unstressed length for the pull [m].
-const char* useless(const MooringSpread& spread, const MooredLine& line, const UsefulLine& useful, double drawn_azimuth,
-                    const Vec3& fairlead_W, double& length);
+/// Returns the bound that a line exceeds with its anchor at its position and its fairlead at `fairlead_W`, as a label;
+/// nullptr if the line is within its useful range. `drawn_azimuth`: nominal azimuth of the line [rad]. `length`
+/// receives the unstressed length for the wanted force [m].
+const char* find_exceeded_bound(const MooringSpread& spread, const MooredLine& line, const LineUsefulRange& useful,
+                                double drawn_azimuth, const Vec3& fairlead_W, double& length);
 
-/// One anchor at a time, as late as its line's useful range and those of the others allow: of lines that would leave
-/// their ranges together the first goes earlier. A new place is so far ahead along the route of the drawn one, in whole
-/// joints, that the line has just come into its useful range. `useful`: in the order of the lines; a line without range
-/// is never moved.
+/// Moves one anchor at a time, as late as the useful range of its line and those of the other lines allow; where
+/// several lines would leave their ranges together, the first is moved earlier. A new position lies a whole number of
+/// joints ahead of the nominal one along the route, so that the line has just entered its useful range. `useful`: in
+/// the order of the lines; a line without a range is never moved.
 struct AnchorSchedule {
-  std::vector<AnchorShift> shifts;
-  MooringFault fault;
+  std::vector<AnchorMove> shifts;
+  MooringError error;
 };
-AnchorSchedule plan_anchors(const MooringSpread& spread, const Mat3& drawn, const std::vector<UsefulLine>& useful,
+AnchorSchedule plan_anchors(const MooringSpread& spread, const Mat3& drawn, const std::vector<LineUsefulRange>& useful,
                             const AnchorRoute& route);
 
 }  // namespace overbend

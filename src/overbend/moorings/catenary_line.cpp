@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// Closer than this to a segment's end, a point stands on it [m].
+/// A point closer than this to the end of a segment is at that end [m].
 constexpr double kSamePlace = 1e-6;
 
 CatenaryPoint catenary_point(const LinePointDescription& from, std::size_t behind, double gravity) {
@@ -49,18 +49,18 @@ CatenaryLine catenary_line(const std::vector<LineSegmentDescription>& segments,
   auto point = sorted.begin();
   for (const LineSegmentDescription& segment : segments) {
     const double to = from + segment.length.value_or(0.0);
-    double at = from;
+    double position = from;
     for (; point != sorted.end() && point->at <= to + kSamePlace; ++point) {
       const double place = std::min(point->at, to);
-      if (place > at + kSamePlace) {
-        line.pieces.push_back(catenary_piece(segment.type, place - at, bed_friction));
-        at = place;
+      if (place > position + kSamePlace) {
+        line.pieces.push_back(catenary_piece(segment.type, place - position, bed_friction));
+        position = place;
       }
       require(!line.pieces.empty(), "a point is behind the fairlead");
       line.points.push_back(catenary_point(*point, line.pieces.size() - 1, gravity));
     }
-    if (to > at + kSamePlace || !segment.length) {
-      line.pieces.push_back(catenary_piece(segment.type, to - at, bed_friction));
+    if (to > position + kSamePlace || !segment.length) {
+      line.pieces.push_back(catenary_piece(segment.type, to - position, bed_friction));
     }
     from = to;
     if (&segment == &segments.front()) line.first_segment_rest = to - line.pieces.front().length;

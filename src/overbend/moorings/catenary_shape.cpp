@@ -5,20 +5,20 @@
 namespace overbend {
 namespace {
 
-/// Goes along one hanging span and notes `count` even parts of every stretch.
-class SpanWalk {
+/// Advances along one suspended span and records points that divide every stretch into `count` equal parts.
+class SpanSampler {
  public:
-  SpanWalk(const CatenaryLine& line, const CatenarySite& site, const CatenarySpan& span, int count,
-           std::vector<Eigen::Vector2d>& points)
+  SpanSampler(const CatenaryLine& line, const CatenarySite& site, const CatenarySpan& span, int count,
+              std::vector<Eigen::Vector2d>& points)
       : line_(line), site_(site), span_(span), count_(count), points_(points), at_(span.start) {}
 
   void run() {
     note();
-    const double whole = std::max(span_length(), 1e-9);
+    const double total = std::max(span_length(), 1e-9);
     for (std::size_t i = span_.from.piece; i <= std::min(span_.to.piece, line_.pieces.size() - 1); ++i) {
       const double from = i == span_.from.piece ? span_.from.into.v : 0.0;
       const double to = i == span_.to.piece ? span_.to.into.v : line_.pieces[i].length;
-      go(line_.pieces[i], to - from, whole);
+      advance_in_piece(line_.pieces[i], to - from, total);
       if (i < span_.to.piece) pass(i);
     }
   }
@@ -31,13 +31,13 @@ class SpanWalk {
     }
     return sum;
   }
-  void go(const CatenaryPiece& piece, double length, double whole) {
-    const int parts = std::max(1, static_cast<int>(count_ * length / whole));
+  void advance_in_piece(const CatenaryPiece& piece, double length, double total) {
+    const int parts = std::max(1, static_cast<int>(count_ * length / total));
     for (int k = 0; k < parts; ++k) {
       double left = length / parts;
       while (left > 0.0) {
         const CatenaryStretch stretch = next_stretch(at_, Dual(left), piece);
-        hang(at_, stretch.length, stretch.weight, piece.EA);
+        advance_catenary(at_, stretch.length, stretch.weight, piece.EA);
         left -= stretch.length.v;
         if (!stretch.to_surface) break;
         at_.z = 0.0;
@@ -67,9 +67,9 @@ class SpanWalk {
 std::vector<Eigen::Vector2d> catenary_shape(const CatenaryLine& line, const CatenarySolution& solution, int count) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < solution.trace.span_count; ++i) {
-    SpanWalk(line, solution.trace.site, solution.trace.spans[i], count, points).run();
+    SpanSampler(line, solution.trace.site, solution.trace.spans[i], count, points).run();
   }
-  if (solution.trace.lies_to_end) points.emplace_back(solution.trace.end.x.v, solution.trace.end.z.v);
+  if (solution.trace.ends_on_bed) points.emplace_back(solution.trace.end.x.v, solution.trace.end.z.v);
   return points;
 }
 

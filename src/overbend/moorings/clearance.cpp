@@ -5,7 +5,7 @@
 
 namespace overbend {
 
-double distance_of_stretches(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+double segment_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const Vec3 a = a1 - a0, b = b1 - b0, from = a0 - b0;
   const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b), af = a.dot(from), bf = b.dot(from);
   double s = 0.0, t = 0.0;
@@ -17,17 +17,17 @@ double distance_of_stretches(const Vec3& a0, const Vec3& a1, const Vec3& b0, con
   return (from + s * a - t * b).norm();
 }
 
-double distance_between(const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < std::max<std::size_t>(one.size(), 2) - 1 && !one.empty(); ++i) {
-    for (std::size_t k = 0; k < std::max<std::size_t>(other.size(), 2) - 1 && !other.empty(); ++k) {
-      const Vec3 &a = one[i], &b = other[k];
-      const Vec3& a1 = i + 1 < one.size() ? one[i + 1] : a;
-      const Vec3& b1 = k + 1 < other.size() ? other[k + 1] : b;
-      least = std::min(least, distance_of_stretches(a, a1, b, b1));
+double polyline_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
+  double min_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::max<std::size_t>(first.size(), 2) - 1 && !first.empty(); ++i) {
+    for (std::size_t k = 0; k < std::max<std::size_t>(second.size(), 2) - 1 && !second.empty(); ++k) {
+      const Vec3 &a = first[i], &b = second[k];
+      const Vec3& a1 = i + 1 < first.size() ? first[i + 1] : a;
+      const Vec3& b1 = k + 1 < second.size() ? second[k + 1] : b;
+      min_distance = std::min(min_distance, segment_distance(a, a1, b, b1));
     }
   }
-  return least;
+  return min_distance;
 }
 
 }  // namespace overbend

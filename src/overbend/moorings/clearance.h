@@ -1,4 +1,4 @@
-/// Distance between lines and objects.
+/// Distances between lines and objects.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace overbend {
 
-/// Least distance between two polylines of one point or more each [m].
-double distance_between(const std::vector<Vec3>& one, const std::vector<Vec3>& other);
+/// Minimum distance between two polylines of one or more points [m].
+double polyline_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second);
 
-/// Least distance between the straight stretches a0 to a1 and b0 to b1 (Ericson, Real-Time Collision Detection, 2005,
-/// section 5.1.9) [m].
-double distance_of_stretches(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
+/// Minimum distance between the segments a0-a1 and b0-b1 (Ericson, Real-Time Collision Detection, 2005, section 5.1.9)
+/// [m].
+double segment_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
 
 }  // namespace overbend

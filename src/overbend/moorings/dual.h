@@ -1,5 +1,5 @@
-/// A number with its derivatives in four unknowns of a hanging line: forward differentiation of what is computed with
-/// it (Griewank & Walther, Evaluating Derivatives, 2008, chapter 3).
+/// Number with its derivatives with respect to four unknowns of a suspended line: forward differentiation (Griewank &
+/// Walther, Evaluating Derivatives, 2008, chapter 3).
 #pragma once
 
 #include <Eigen/Core>
@@ -7,11 +7,11 @@
 
 namespace overbend {
 
-/// The unknowns that numbers of a hanging line depend on.
+/// Unknowns of a suspended line.
 enum class CatenaryUnknown {
   pull,    ///< Horizontal tension at the fairlead [N].
-  start,   ///< Where the span begins: accumulated weight at which the line has the direction of the bed [N].
-  height,  ///< Of the fairlead [m].
+  start,   ///< Start of the span: accumulated weight at which the line is parallel to the bed [N].
+  height,  ///< Height of the fairlead [m].
   first,   ///< Unstressed length of the first piece [m].
 };
 
@@ -50,8 +50,8 @@ inline Dual log1p(const Dual& a) {
   return {std::log1p(a.v), a.d / (1.0 + a.v)};
 }
 
-/// `a` with one unknown taken out by the condition that `zero` is zero: its value after the last step of Newton, its
-/// derivatives while the condition holds.
+/// Eliminates one unknown from `a` by the condition `zero` = 0: value after a last Newton step, derivatives along the
+/// condition.
 inline Dual eliminate(const Dual& a, const Dual& zero, CatenaryUnknown unknown) {
   const double ratio = a[unknown] / zero[unknown];
   return {a.v - ratio * zero.v, a.d - ratio * zero.d};

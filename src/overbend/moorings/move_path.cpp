@@ -8,23 +8,24 @@
 namespace overbend {
 namespace {
 
-/// Between rows of a table in time; a profile's kinks are rows too [s].
+/// Interval of table rows; the kinks of a profile are rows as well [s].
 constexpr double kRowStep = 1.0;
 
-/// Slope at a row of even spacing: central; at the ends of a parabola.
-double slope_at(const LengthsByWay& by, std::size_t line, std::size_t row) {
-  const std::size_t last = by.way.size() - 1;
+/// Derivative at an equally spaced row: central difference; at the ends that of a parabola.
+double slope_at(const LengthsByDistance& by, std::size_t line, std::size_t row) {
+  const std::size_t last = by.distances.size() - 1;
   const auto length = [&](std::size_t i) { return by.lengths[i][line]; };
-  if (last == 1) return (length(1) - length(0)) / (by.way[1] - by.way[0]);
-  if (row == 0) return (4.0 * length(1) - 3.0 * length(0) - length(2)) / (by.way[2] - by.way[0]);
+  if (last == 1) return (length(1) - length(0)) / (by.distances[1] - by.distances[0]);
+  if (row == 0) return (4.0 * length(1) - 3.0 * length(0) - length(2)) / (by.distances[2] - by.distances[0]);
   if (row == last) {
-    return (3.0 * length(last) - 4.0 * length(last - 1) + length(last - 2)) / (by.way[last] - by.way[last - 2]);
+    return (3.0 * length(last) - 4.0 * length(last - 1) + length(last - 2)) /
+           (by.distances[last] - by.distances[last - 2]);
   }
-  return (length(row + 1) - length(row - 1)) / (by.way[row + 1] - by.way[row - 1]);
+  return (length(row + 1) - length(row - 1)) / (by.distances[row + 1] - by.distances[row - 1]);
 }
 
-/// Instants of one move after its beginning: even, and where the acceleration jumps.
-std::vector<double> instants_of(const MoveProfile& profile) {
+/// Times of one move after its start: equally spaced, and at jumps of the acceleration.
+std::vector<double> move_times(const MoveProfile& profile) {
   const double duration = profile.duration();
   std::vector<double> times;
   const int rows = std::max(2, static_cast<int>(std::ceil(duration / kRowStep)));
@@ -45,16 +46,16 @@ std::vector<double> instants_of(const MoveProfile& profile) {
 
 }  // namespace
 
-void LengthsByWay::add(double at, const MooringSpread& spread) {
-  way.push_back(at);
-  std::vector<double>& here = lengths.emplace_back();
-  for (const MooredLine& line : spread.lines) here.push_back(line.line.first_segment());
+void LengthsByDistance::add(double distance, const MooringSpread& spread) {
+  distances.push_back(distance);
+  std::vector<double>& row = lengths.emplace_back();
+  for (const MooredLine& line : spread.lines) row.push_back(line.line.first_segment());
 }
 
-LengthsByWay::Length LengthsByWay::at(std::size_t line, double at_way) const {
-  require(way.size() >= 2, "a way has two places");
-  const double step = way[1] - way[0], place = (at_way - way.front()) / step;
-  const double last = static_cast<double>(way.size() - 2);
+LengthsByDistance::Length LengthsByDistance::at(std::size_t line, double at_way) const {
+  require(distances.size() >= 2, "a path has at least two positions");
+  const double step = distances[1] - distances[0], place = (at_way - distances.front()) / step;
+  const double last = static_cast<double>(distances.size() - 2);
   const std::size_t i = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last));
   const double x = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
   const double from = lengths[i][line], rise = lengths[i + 1][line] - from;
@@ -63,30 +64,30 @@ LengthsByWay::Length LengthsByWay::at(std::size_t line, double at_way) const {
   return {from + x * (first + x * (square + x * cube)), (first + x * (2.0 * square + 3.0 * x * cube)) / step};
 }
 
-HullOffset offset_ahead(const HullOffset& from, double way) {
-  HullOffset there = from;
-  there[0] += way;
-  return there;
+HullOffset offset_ahead(const HullOffset& from, double distance) {
+  HullOffset offset = from;
+  offset[0] += distance;
+  return offset;
 }
 
-std::vector<double> places_of(const MoveProfile& profile) {
+std::vector<double> move_positions(const MoveProfile& profile) {
   std::vector<double> places;
-  const int count = profile.moves * kPlacesOfMove;
-  for (int i = 0; i <= count; ++i) places.push_back(profile.distance * i / kPlacesOfMove);
+  const int count = profile.moves * kPositionsPerMove;
+  for (int i = 0; i <= count; ++i) places.push_back(profile.distance * i / kPositionsPerMove);
   return places;
 }
 
-std::vector<LengthTable> winch_tables(const LengthsByWay& lengths, const MoveProfile& profile) {
-  const std::vector<double> instants = instants_of(profile);
+std::vector<LengthTable> winch_tables(const LengthsByDistance& lengths, const MoveProfile& profile) {
+  const std::vector<double> instants = move_times(profile);
   std::vector<LengthTable> tables(lengths.lengths.front().size());
   for (std::size_t line = 0; line < tables.size(); ++line) {
     LengthTable& table = tables[line];
     const auto add = [&](double time) {
-      const WayPoint at = profile.at(time);
-      const LengthsByWay::Length here = lengths.at(line, at.way);
+      const MoveState point = profile.at(time);
+      const LengthsByDistance::Length length = lengths.at(line, point.distance);
       table.times.push_back(time);
-      table.lengths.push_back(here.length);
-      table.rates.push_back(here.slope * at.speed);
+      table.lengths.push_back(length.length);
+      table.rates.push_back(length.slope * point.speed);
     };
     for (int move = 0; move < profile.moves; ++move) {
       const double begin = profile.start + move * (profile.duration() + profile.wait);

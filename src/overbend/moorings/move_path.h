@@ -1,5 +1,5 @@
-/// The way of a hull that is pulled ahead by its winches: its places, the lengths that hold it there, and the lengths
-/// in time that take it there.
+/// Path of a hull that is pulled ahead by its winches: positions, line lengths that hold it there, and line lengths
+/// over time.
 #pragma once
 
 #include "mechanics/move_profile.h"
@@ -8,35 +8,38 @@
 
 namespace overbend {
 
-/// Places of one move besides its beginning: between them lengths are cubic.
-inline constexpr int kPlacesOfMove = 24;
+/// Number of positions per move after its start; lengths are cubic between them.
+inline constexpr int kPositionsPerMove = 24;
 
-/// First segments of all lines by the way of the hull. Between its places cubic, C1.
-struct LengthsByWay {
-  std::vector<double> way;                   ///< Rising or falling [m].
-  std::vector<std::vector<double>> lengths;  ///< Place by place, in the order of the lines [m].
+/// First-segment lengths of all lines as a function of the distance travelled. Cubic between positions, C1.
+struct LengthsByDistance {
+  std::vector<double> distances;             ///< Distance travelled; increasing or decreasing [m].
+  std::vector<std::vector<double>> lengths;  ///< Per position, in the order of the lines [m].
 
-  void add(double at, const MooringSpread& spread);
-  /// Of one line: its length at a way within the table, and how it changes with the way.
+  /// Appends the present first-segment lengths of a spread at a distance travelled [m].
+  void add(double distance, const MooringSpread& spread);
+  /// Length of one line at a distance within the table, and its derivative.
   struct Length {
     double length = 0.0, slope = 0.0;  ///< [m, -]
   };
+  /// Interpolates the length of a line at a distance travelled [m].
   Length at(std::size_t line, double at_way) const;
 };
 
-/// A pull-ahead: the way in time and the lengths that belong to it.
+/// Pull-ahead: distance over time and the corresponding lengths.
 struct WinchPlan {
   MoveProfile profile;
-  LengthsByWay lengths;
+  LengthsByDistance lengths;
 };
 
-/// Where the hull is after `way` ahead along the lay route, its heading as drawn, whichever way it heads at `from` [m].
-HullOffset offset_ahead(const HullOffset& from, double way);
+/// Offset of the hull at `distance` ahead of `from` along the lay route, with the nominal heading at any heading of
+/// `from` [m].
+HullOffset offset_ahead(const HullOffset& from, double distance);
 
-/// Places of all moves: the first, then kPlacesOfMove for each [m].
-std::vector<double> places_of(const MoveProfile& profile);
+/// Distances of the positions of all moves: the first, then kPositionsPerMove per move [m].
+std::vector<double> move_positions(const MoveProfile& profile);
 
-/// Lengths in time of every line: those of the place that the profile has the hull at, with rates that belong to them.
-std::vector<LengthTable> winch_tables(const LengthsByWay& lengths, const MoveProfile& profile);
+/// Length of every line over time: lengths at the hull's distance in the profile, with consistent rates.
+std::vector<LengthTable> winch_tables(const LengthsByDistance& lengths, const MoveProfile& profile);
 
 }  // namespace overbend

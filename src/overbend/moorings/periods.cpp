@@ -11,7 +11,7 @@
 namespace overbend {
 namespace {
 
-constexpr int kRounds = 20;  ///< Of the added mass and its frequency; they settle in four.
+constexpr int kRounds = 20;  ///< Iterations of the added mass and its frequency; they converge in four.
 
 Mat6 rigid_mass(const CoupledHullDescription& hull) {
   Vec6 diagonal;
@@ -25,16 +25,16 @@ struct Mode {
   Vec6 shape = Vec6::Zero();
 };
 
-Mode mode_of(const SymmetricModes& modes, Eigen::Index i) {
+Mode make_mode(const SymmetricModes& modes, Eigen::Index i) {
   return {modes.values[i], modes.vectors.col(i)};
 }
 
-const char* name_of(const Mode& mode, const Mat6& mass) {
+const char* dominant_motion_name(const Mode& mode, const Mat6& mass) {
   static constexpr std::array<const char*, 6> kModes = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const Vec6 energy = mode.shape.cwiseProduct(mass * mode.shape);
-  Eigen::Index most = 0;
-  energy.maxCoeff(&most);
-  return kModes[static_cast<std::size_t>(most)];
+  Eigen::Index max_index = 0;
+  energy.maxCoeff(&max_index);
+  return kModes[static_cast<std::size_t>(max_index)];
 }
 
 }  // namespace
@@ -46,18 +46,18 @@ std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, c
     const Mat6 added = added_mass_at(*hull.data, omega);
     return rigid_mass(hull) + 0.5 * (added + added.transpose());
   };
-  const double least = 1e-8 * even.diagonal().head<3>().cwiseAbs().maxCoeff() / std::max(hull.mass, 1.0);
+  const double min_square = 1e-8 * even.diagonal().head<3>().cwiseAbs().maxCoeff() / std::max(hull.mass, 1.0);
   std::vector<NaturalPeriod> periods;
   const SymmetricModes first = symmetric_modes(even, mass_at(0.0));
   for (Eigen::Index i = 0; i < 6; ++i) {
-    Mode mode = mode_of(first, i);
+    Mode mode = make_mode(first, i);
     Mat6 mass = mass_at(0.0);
-    for (int round = 0; round < kRounds && mode.square > least; ++round) {
+    for (int round = 0; round < kRounds && mode.square > min_square; ++round) {
       mass = mass_at(std::sqrt(mode.square));
-      mode = mode_of(symmetric_modes(even, mass), i);  // by size each has a frequency of its own
+      mode = make_mode(symmetric_modes(even, mass), i);  // sorted by size, as each mode has its own frequency
     }
-    if (mode.square > least) {
-      periods.push_back({name_of(mode, mass), 2.0 * std::numbers::pi / std::sqrt(mode.square)});
+    if (mode.square > min_square) {
+      periods.push_back({dominant_motion_name(mode, mass), 2.0 * std::numbers::pi / std::sqrt(mode.square)});
     }
   }
   std::stable_sort(periods.begin(), periods.end(), [](const auto& a, const auto& b) { return a.period > b.period; });

@@ -9,13 +9,13 @@
 namespace overbend {
 
 struct NaturalPeriod {
-  std::string mode;     ///< The motion that holds most of its kinetic energy: surge, sway, ...
+  std::string mode;     ///< Motion that contains most of the kinetic energy: surge, sway, ...
   double period = 0.0;  ///< Undamped [s].
 };
 
-/// Undamped modes by falling period, with the added mass at each mode's own frequency (linear between the file's; the
-/// first below them). `stiffness` of lines and water about the centre of gravity [N/m, N, N m]; modes without stiffness
-/// are left out.
+/// Returns undamped modes by decreasing period, with the added mass at each mode's own frequency (interpolated linearly
+/// between the frequencies of the file; constant below the first). `stiffness`: lines and hydrostatics about the centre
+/// of gravity [N/m, N, N m]. Modes without stiffness are omitted.
 std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, const Mat6& stiffness);
 
 }  // namespace overbend

@@ -8,23 +8,23 @@
 namespace overbend {
 namespace {
 
-constexpr double kFurthest = 3.0;  ///< b below the lowest level, over the range of the levels.
-constexpr double kLeastPower = 0.5, kLargestPower = 5.0;
-constexpr int kGrid = 8;  ///< Starting points each way.
+constexpr double kMaxOffset = 3.0;  ///< Maximum distance of b below the lowest level, over the range of the levels.
+constexpr double kMinPower = 0.5, kMaxPower = 5.0;
+constexpr int kGrid = 8;  ///< Number of starting points in each direction.
 constexpr double kFinest = 1e-3;
-constexpr double kNear = 1.0 / 16.0;  ///< First step from a tail that is close.
+constexpr double kNear = 1.0 / 16.0;  ///< First step from an approximate tail.
 
-/// Levels from 0 to 1, logarithms of the rates and their weights.
+/// Levels scaled to 0 to 1, logarithms of the rates and their weights.
 struct Points {
   std::vector<double> x, y, w;
 };
 
-/// The best line for given b and c, with what it leaves.
+/// Best line for given b and c, with its residual.
 struct Line {
   double log_q = 0.0, a = 0.0, rest = std::numeric_limits<double>::infinity();
 };
 
-Points points_of(std::span<const AcerLevel> levels) {
+Points make_points(std::span<const AcerLevel> levels) {
   Points points;
   const double from = levels.front().level, range = levels.back().level - from;
   double sum = 0.0;
@@ -63,19 +63,18 @@ struct Shape {
 };
 
 Shape within(Shape shape) {
-  return {std::clamp(shape.b, -kFurthest, 0.0),
-          std::clamp(shape.log_c, std::log(kLeastPower), std::log(kLargestPower))};
+  return {std::clamp(shape.b, -kMaxOffset, 0.0), std::clamp(shape.log_c, std::log(kMinPower), std::log(kMaxPower))};
 }
 
-/// Compass search: the rest is smooth but has long flat valleys, along which b and c take each other's place.
+/// Compass search: the residual is smooth but has long flat valleys, along which b and c are nearly interchangeable.
 Shape search_from(const Points& points, Shape start, double step) {
-  constexpr double kWays[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+  constexpr double kSearchDirections[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
   Shape best = within(start);
   double rest = line_for(points, best.b, std::exp(best.log_c)).rest;
   while (step > kFinest) {
     bool better = false;
-    for (const auto& way : kWays) {
-      const Shape trial = within({best.b + way[0] * step * kFurthest, best.log_c + way[1] * step});
+    for (const auto& direction : kSearchDirections) {
+      const Shape trial = within({best.b + direction[0] * step * kMaxOffset, best.log_c + direction[1] * step});
       const double left = line_for(points, trial.b, std::exp(trial.log_c)).rest;
       if (left < rest) {
         rest = left;
@@ -89,12 +88,12 @@ Shape search_from(const Points& points, Shape start, double step) {
 }
 
 Shape search(const Points& points) {
-  const double low = std::log(kLeastPower), high = std::log(kLargestPower);
+  const double low = std::log(kMinPower), high = std::log(kMaxPower);
   Shape best;
   double rest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kGrid; ++i) {
     for (int j = 0; j <= kGrid; ++j) {
-      const Shape trial{-kFurthest * i / kGrid, low + (high - low) * j / kGrid};
+      const Shape trial{-kMaxOffset * i / kGrid, low + (high - low) * j / kGrid};
       const double left = line_for(points, trial.b, std::exp(trial.log_c)).rest;
       if (left < rest) {
         rest = left;
@@ -117,7 +116,7 @@ double AcerTail::level(double rate) const {
 
 std::optional<AcerTail> fit_acer_tail(std::span<const AcerLevel> levels, const AcerTail* near) {
   if (levels.size() < 2 || !(levels.back().level > levels.front().level)) return std::nullopt;
-  const Points points = points_of(levels);
+  const Points points = make_points(levels);
   const double from = levels.front().level, range = levels.back().level - from;
   const Shape best =
       near == nullptr ? search(points) : search_from(points, {(near->b - from) / range, std::log(near->c)}, kNear);

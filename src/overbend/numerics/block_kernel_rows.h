@@ -1,5 +1,5 @@
-/// Rows of a node's block in registers, and their elimination. For the kernels alone: everything here is compiled once
-/// per instruction set.
+/// Rows of a node's block in registers, and their elimination. For kernels only: all code is compiled once per
+/// instruction set.
 #pragma once
 
 #include "numerics/block_tridiagonal_kernel.h"
@@ -22,7 +22,7 @@ inline double magnitude(double x) {
 static_assert(kRowWidth == kLanes, "a row of a block is one batch of lanes");
 inline constexpr int kParts = kLanes / kWidth;
 
-/// A row of eight in as many registers as it takes.
+/// Row of eight values in the registers it needs.
 struct Row {
   Lanes part[kParts];
 
@@ -40,26 +40,26 @@ struct Row {
   }
 };
 
-/// A pivot this small against the block's largest entry means that rounding is all that is left of it.
+/// Relative pivot threshold: a pivot this small against the block's max_entry entry is rounding noise.
 inline constexpr double kPivotFloor = 1e-14;
 
-/// Rows are exchanged where a pivot is smaller than this fraction of the entries below it, or of its initial value.
+/// Rows are exchanged if a pivot is smaller than this fraction of the entries below it, or of its initial value.
 inline constexpr double kPivotShare = 0.02;
 inline constexpr double kPivotLoss = 1e-10;
 
-/// Whether the registers hold a block and what couples it to the node that is next at the same time.
+/// True if the registers hold a block and its coupling to the next node at the same time.
 inline constexpr bool kBothInRegisters = kParts == 1;
 
-/// A block with its right-hand sides and, if there is room, what couples it to the node that is next.
+/// A block with its right-hand sides and, if there is room, its coupling to the next node.
 struct BlockRows {
   Row d[kNodeDofs], u[kNodeDofs];
-  /// By pivot and row: what was taken of the pivot row; of the pivot row itself, what it was scaled by.
+  /// By pivot and row: factor of the pivot row subtracted from the row; for the pivot row itself, its scale factor.
   double factor[kNodeDofs][kNodeDofs];
-  bool negative = false;  ///< The determinant so far.
+  bool negative = false;  ///< Sign of the determinant so far.
   bool good = true;
 };
 
-/// v with lane K of another. The compiler's own way would send it through memory.
+/// Returns v with lane K of another vector. The compiler's code for it would pass through memory.
 template <int K>
 inline Lanes exchanged_lane(const Lanes& v, const Lanes& by) {
 #if defined(__AVX512F__)
@@ -80,21 +80,21 @@ inline Lanes repeated_lane(const Lanes& v, std::integer_sequence<int, L...> /*al
   return __builtin_shufflevector(v, v, (L * 0 + K)...);
 }
 
-/// Lane K everywhere.
+/// Broadcasts lane K.
 template <int K>
 inline Lanes repeated_lane(const Lanes& v) {
   return repeated_lane<K>(v, std::make_integer_sequence<int, kWidth>());
 }
 
-/// Takes out row I by the pivot row K, already scaled; `largest` keeps the largest entry below the pivot.
+/// Eliminates row I with pivot row K, already scaled; `max_entry` receives the max_entry entry below the pivot.
 template <bool kCoupled, int K, int I>
-inline __attribute__((always_inline)) void take_out(BlockRows& rows, double& largest) {
+inline __attribute__((always_inline)) void eliminate_entry(BlockRows& rows, double& max_entry) {
   if constexpr (I != K) {
     constexpr int kPart = K / kWidth, kLane = K % kWidth;
     Row& row = rows.d[I];
     const Lanes factor = repeated_lane<kLane>(row.part[kPart]);
     if constexpr (I > K) {
-      largest = magnitude(factor[0]) > largest ? magnitude(factor[0]) : largest;
+      max_entry = magnitude(factor[0]) > max_entry ? magnitude(factor[0]) : max_entry;
     }
     if constexpr (!kBothInRegisters) rows.factor[K][I] = factor[0];
     row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{});
@@ -116,10 +116,10 @@ inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const 
   row.scale(inverse);
   if constexpr (!kBothInRegisters) rows.factor[K][K] = inverse;
   if constexpr (kCoupled) rows.u[K].scale(inverse);
-  double largest = 0.0;
-  (take_out<kCoupled, K, I>(rows, largest), ...);
+  double max_entry = 0.0;
+  (eliminate_entry<kCoupled, K, I>(rows, max_entry), ...);
   const bool keeps =
-      (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (kPivotShare * largest <= magnitude(pivot));
+      (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (kPivotShare * max_entry <= magnitude(pivot));
   rows.good = rows.good & keeps;
   rows.negative = rows.negative != (pivot < 0.0);
 }
@@ -130,48 +130,48 @@ inline __attribute__((always_inline)) void eliminate_rows(BlockRows& rows, const
   (eliminate_row<kCoupled, K>(rows, at_first, all), ...);
 }
 
-/// Two registers of every row of u go through an elimination that was made before, step by step.
+/// Applies a stored elimination, step by step, to two registers of every row of u.
 inline __attribute__((always_inline)) void repeat(const double (&factor)[kNodeDofs][kNodeDofs], Row* u, int first) {
-  constexpr int kTogether = 2;
-  static_assert(kBothInRegisters || kParts % kTogether == 0);
-  Lanes part[kNodeDofs][kTogether];
+  constexpr int kCoupledIterations = 2;
+  static_assert(kBothInRegisters || kParts % kCoupledIterations == 0);
+  Lanes part[kNodeDofs][kCoupledIterations];
 #pragma GCC unroll 6
   for (int i = 0; i < kNodeDofs; ++i) {
-    for (int p = 0; p < kTogether; ++p) part[i][p] = u[i].part[first + p];
+    for (int p = 0; p < kCoupledIterations; ++p) part[i][p] = u[i].part[first + p];
   }
 #pragma GCC unroll 6
   for (int k = 0; k < kNodeDofs; ++k) {
-    for (int p = 0; p < kTogether; ++p) part[k][p] *= factor[k][k];
+    for (int p = 0; p < kCoupledIterations; ++p) part[k][p] *= factor[k][k];
 #pragma GCC unroll 6
     for (int i = 0; i < kNodeDofs; ++i) {
-      for (int p = 0; p < (i == k ? 0 : kTogether); ++p) part[i][p] -= factor[k][i] * part[k][p];
+      for (int p = 0; p < (i == k ? 0 : kCoupledIterations); ++p) part[i][p] -= factor[k][i] * part[k][p];
     }
   }
 #pragma GCC unroll 6
   for (int i = 0; i < kNodeDofs; ++i) {
-    for (int p = 0; p < kTogether; ++p) u[i].part[first + p] = part[i][p];
+    for (int p = 0; p < kCoupledIterations; ++p) u[i].part[first + p] = part[i][p];
   }
 }
 
-/// What `eliminate` does, without exchanging rows: most blocks need none, and then nothing has to wait for memory.
-/// Returns 0 and leaves everything as it was where some row should be exchanged.
+/// Elimination as in `eliminate`, without row exchanges: most blocks need none, and avoid memory access. Returns 0 and
+/// leaves everything unchanged if a row should be exchanged.
 template <bool kCoupled>
 inline int eliminate_in_place(Row* d, Row* u) {
-  constexpr bool kTogether = kCoupled && kBothInRegisters;
+  constexpr bool kCoupledIterations = kCoupled && kBothInRegisters;
   BlockRows rows;
   double at_first[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
     rows.d[i] = d[i];
-    if constexpr (kTogether) rows.u[i] = u[i];
+    if constexpr (kCoupledIterations) rows.u[i] = u[i];
     at_first[i] = d[i][i];
   }
-  eliminate_rows<kTogether>(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
+  eliminate_rows<kCoupledIterations>(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
   if (!rows.good) {
     return 0;
   }
   for (int i = 0; i < kNodeDofs; ++i) {
     d[i] = rows.d[i];
-    if constexpr (kTogether) u[i] = rows.u[i];
+    if constexpr (kCoupledIterations) u[i] = rows.u[i];
   }
   if constexpr (kCoupled && !kBothInRegisters) {
     for (int first = 0; first < kParts; first += 2) repeat(rows.factor, u, first);
@@ -179,15 +179,15 @@ inline int eliminate_in_place(Row* d, Row* u) {
   return rows.negative ? -1 : 1;
 }
 
-/// Gauss-Jordan on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse, which serves
-/// further right-hand sides. U is not multiplied by the inverse: where a line hardly stretches that would lose the
-/// digits which its bending has. Returns the sign of the determinant, 0 when singular.
+/// Gauss-Jordan elimination on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse,
+/// for further right-hand sides. U is not multiplied by the inverse: for a nearly inextensible line that would lose the
+/// digits of its bending. Returns the sign of the determinant, 0 if singular.
 template <bool kCoupled>
 __attribute__((noinline)) int eliminate(Row* d, Row* u) {
-  double largest = 0.0;
+  double max_entry = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
     for (int j = 0; j < kNodeDofs; ++j) {
-      largest = magnitude(d[i][j]) > largest ? magnitude(d[i][j]) : largest;
+      max_entry = magnitude(d[i][j]) > max_entry ? magnitude(d[i][j]) : max_entry;
     }
   }
   int sign = 1;
@@ -197,7 +197,7 @@ __attribute__((noinline)) int eliminate(Row* d, Row* u) {
     for (int i = k + 1; i < kNodeDofs; ++i) {
       pivot = magnitude(d[i][k]) > magnitude(d[pivot][k]) ? i : pivot;
     }
-    if (!(magnitude(d[pivot][k]) > kPivotFloor * largest)) {
+    if (!(magnitude(d[pivot][k]) > kPivotFloor * max_entry)) {
       return 0;
     }
     swapped_with[k] = pivot;
@@ -232,15 +232,15 @@ __attribute__((noinline)) int eliminate(Row* d, Row* u) {
   return sign;
 }
 
-/// The inverse of a node's block D, its coupling U with the node that is next becomes X = D^-1 U; the sign of the
-/// determinant, 0 when singular.
+/// Inverts a node's block D and replaces its coupling U with the next node by X = D^-1 U. Returns the sign of the
+/// determinant, 0 if singular.
 template <bool kCoupled>
 inline int invert(Row* d, Row* u) {
   const int sign = eliminate_in_place<kCoupled>(d, u);
   return sign != 0 ? sign : eliminate<kCoupled>(d, u);
 }
 
-/// The columns that the next node is coupled by, with the right-hand sides beside them.
+/// Returns the coupling columns of the next node with the right-hand sides appended.
 inline Row with_sides(const Row& u, const Row& d) {
   Row row = u;
 #if OVERBEND_ISA_WIDTH == 8
@@ -253,7 +253,7 @@ inline Row with_sides(const Row& u, const Row& d) {
   return row;
 }
 
-/// [D | b c] of the node that is next loses `back` times [X | x y] of this one: `x` has both, see with_sides().
+/// Subtracts `back` times [X | x y] of this node from [D | b c] of the next one: `x` has both, see with_sides().
 inline __attribute__((always_inline)) void update(Row* d_next, const double* back, const Row (&x)[kNodeDofs]) {
   for (int i = 0; i < kNodeDofs; ++i) {
     Row row = d_next[i];
@@ -264,8 +264,9 @@ inline __attribute__((always_inline)) void update(Row* d_next, const double* bac
   }
 }
 
-/// Updates the node that is next by what it is coupled with by `back`.
-inline __attribute__((always_inline)) void pass_on(const Row* d, const Row* u, const double* back, Row* d_next) {
+/// Updates the next node through its coupling `back`.
+inline __attribute__((always_inline)) void update_next_node(const Row* d, const Row* u, const double* back,
+                                                            Row* d_next) {
   Row x[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
     x[i] = with_sides(u[i], d[i]);

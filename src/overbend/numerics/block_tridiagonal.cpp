@@ -20,20 +20,20 @@ void BlockTridiagonal::set_zero() {
   std::fill(lower_.begin(), lower_.end(), 0.0);
 }
 
-void BlockTridiagonal::copy_from(const BlockTridiagonal& other, int first) {
+void BlockTridiagonal::copy_from(const BlockTridiagonal& source, int first) {
   const auto from = static_cast<std::ptrdiff_t>(first) * kBlockSize;
-  std::copy(other.diag_.begin() + from, other.diag_.end(), diag_.begin() + from);
-  std::copy(other.upper_.begin() + from, other.upper_.end(), upper_.begin() + from);
-  std::copy(other.lower_.begin() + from, other.lower_.end(), lower_.begin() + from);
+  std::copy(source.diag_.begin() + from, source.diag_.end(), diag_.begin() + from);
+  std::copy(source.upper_.begin() + from, source.upper_.end(), upper_.begin() + from);
+  std::copy(source.lower_.begin() + from, source.lower_.end(), lower_.begin() + from);
 }
 
-BlockView view_of(BlockTridiagonal& system) {
+BlockView make_block_view(BlockTridiagonal& system) {
   return {system.nodes(), system.middle(), system.diag(0), system.upper(0), system.lower(0)};
 }
 
 namespace {
 
-/// The elimination for one instruction set.
+/// Kernels of one instruction set.
 struct BlockKernels {
   BlockSolveReport (*solve)(const BlockView& system);
   void (*resolve)(const BlockView& system, double* x);
@@ -56,16 +56,16 @@ BlockKernels kernels_for(Isa isa) {
 }  // namespace
 
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
-  return kernels_for(isa).solve(view_of(system));
+  return kernels_for(isa).solve(make_block_view(system));
 }
 
 void resolve_on(BlockTridiagonal& solved, double* x, Isa isa) {
-  kernels_for(isa).resolve(view_of(solved), x);
+  kernels_for(isa).resolve(make_block_view(solved), x);
 }
 
 BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa) {
-  require(first <= solved.middle(), "blocks are set again from the middle on at least");
-  return kernels_for(isa).factor(view_of(solved), first);
+  require(first <= solved.middle(), "refactoring starts at or before the middle node");
+  return kernels_for(isa).factor(make_block_view(solved), first);
 }
 
 BlockSolveReport solve(BlockTridiagonal& system) {

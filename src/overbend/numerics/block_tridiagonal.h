@@ -5,9 +5,9 @@
 ///     [    ..  ..   ] [.. ..]   [.. ..]
 ///
 /// Friction and drag make the tangent unsymmetric, so no symmetry is assumed. The second right-hand side carries the
-/// border of one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, which is
-/// what makes the elimination fast: every row operation is one multiply-add. It runs from both ends to the middle node,
-/// so that there are always two nodes that need not wait for each other.
+/// border of one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, so that
+/// every row operation is one multiply-add. The elimination runs from both ends to the middle node, so that two
+/// independent nodes are always in progress.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class BlockTridiagonal {
   void resize(int nodes);
   void set_zero();
   int nodes() const { return nodes_; }
-  /// Where the eliminations from both ends meet.
+  /// Node where the eliminations from both ends meet.
   int middle() const { return nodes_ / 2; }
 
   /// Row-major 6 x 8: columns 0-5 the block, column 6 the first right-hand side, column 7 the second.
@@ -38,9 +38,9 @@ class BlockTridiagonal {
   double* lower(int node) { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
   const double* lower(int node) const { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
 
-  /// Takes over the blocks of `other`, which has as many nodes, from node `first` on: their rows, and the columns that
-  /// couple them among themselves.
-  void copy_from(const BlockTridiagonal& other, int first);
+  /// Copies the blocks of `source`, which has as many nodes, from node `first` on: their rows, and the columns that
+  /// couple them to each other.
+  void copy_from(const BlockTridiagonal& source, int first);
 
   double rhs(int node, int dof, int side) const { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
   double& rhs(int node, int dof, int side) { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
@@ -64,21 +64,21 @@ void add_element(BlockTridiagonal& system, int node, const Matrix& k) {
 }
 
 /// Solves in place by block elimination from both ends, with row pivoting inside each block; the solutions are in the
-/// columns of the right-hand sides. The blocks are overwritten by what `resolve` needs.
+/// columns of the right-hand sides. The blocks are overwritten by the factors for `resolve`.
 BlockSolveReport solve(BlockTridiagonal& system);
 
-/// Solves a system that `solve` has been through for another right-hand side: `x`, six per node, holds it and receives
+/// Solves a system already factored by `solve` for another right-hand side: `x`, six per node, holds it and receives
 /// the solution. About a fifth of the work of `solve`.
 void resolve(BlockTridiagonal& solved, double* x);
 
-/// Factors anew from node `first` on, which is not beyond the middle and where blocks have been set again; the factors
-/// of the nodes before it are kept. Right-hand sides are left to `resolve`.
+/// Refactors from node `first` on, which must not be beyond the middle and whose blocks have been set again; the
+/// factors of the nodes before it are kept. Right-hand sides are left to `resolve`.
 BlockSolveReport refactor(BlockTridiagonal& solved, int first);
 
-/// The blocks as the kernels take them.
-BlockView view_of(BlockTridiagonal& system);
+/// Returns pointers to the blocks for the kernels.
+BlockView make_block_view(BlockTridiagonal& system);
 
-/// The same on a chosen instruction set, to compare them.
+/// Solves on a given instruction set, for comparisons.
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa);
 void resolve_on(BlockTridiagonal& solved, double* x, Isa isa);
 BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa);

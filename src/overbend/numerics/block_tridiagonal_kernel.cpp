@@ -5,8 +5,8 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// Six numbers fill three quarters of two registers of four, and of one of eight: the shorter ones need one stage less
-/// to be summed, and their sums leave a port to the shuffles.
+/// Six numbers fill three quarters of two registers of four, or of one of eight: the shorter ones need one stage less
+/// to sum, and their sums leave a port to the shuffles.
 inline constexpr int kNodeWidth = kWidth < 4 ? kWidth : 4;
 inline constexpr int kNodeParts = (kNodeDofs + kNodeWidth - 1) / kNodeWidth;
 using NodeLanes = double __attribute__((vector_size(8 * kNodeWidth), may_alias));
@@ -29,7 +29,7 @@ inline void substitute_back(Row* d, const Row* u, Row* d_next) {
   }
 }
 
-/// Six numbers of a node, and two of nothing where they do not fill the last register.
+/// Six numbers of a node, and two zeros if they do not fill the last register.
 struct NodeVector {
   NodeLanes part[kNodeParts];
 };
@@ -62,7 +62,7 @@ inline NodeVector operator-(const NodeVector& a, const NodeVector& b) {
   return v;
 }
 
-/// Sums of neighbouring lanes of two registers, by turns.
+/// Sums of neighbouring lanes of two registers, alternating.
 template <int... L>
 inline NodeLanes pairwise(const NodeLanes& a, const NodeLanes& b, std::integer_sequence<int, L...> /*all*/) {
   return __builtin_shufflevector(a, b, (L % 2 == 0 ? L : kNodeWidth + L - 1)...) +
@@ -73,7 +73,7 @@ inline NodeLanes pairwise(const NodeLanes& a, const NodeLanes& b) {
   return pairwise(a, b, std::make_integer_sequence<int, kNodeWidth>());
 }
 
-/// A x for the first six columns of a block.
+/// Returns A x for the first six columns of a block.
 inline NodeVector product(const double* a, const NodeVector& x) {
   NodeLanes sum[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
@@ -111,14 +111,14 @@ BlockSolveReport factor_blocks(const BlockView& system, int first) {
     }
     report.negative_blocks += sign < 0 ? 1 : 0;
   };
-  const auto pass_up = [&](int i) { pass_on(diag(i), upper(i), system.lower + i * kBlockSize, diag(i + 1)); };
+  const auto pass_up = [&](int i) { update_next_node(diag(i), upper(i), system.lower + i * kBlockSize, diag(i + 1)); };
   const auto pass_down = [&](int j) {
-    pass_on(diag(j), lower(j - 1), system.upper + (j - 1) * kBlockSize, diag(j - 1));
+    update_next_node(diag(j), lower(j - 1), system.upper + (j - 1) * kBlockSize, diag(j - 1));
   };
   int i = first < middle ? first : middle, j = n - 1;
   if (i > 0 && i < middle) pass_up(i - 1);
-  // An inverse waits for its own numbers again and again: meanwhile the other side passes on what it has. What the
-  // middle takes comes last, so that its sum has one order wherever this begins.
+  // Each inverse has long latencies, so the two sides alternate. The middle node is updated last, so that its sum has
+  // the same order for any first node.
   for (int waiting = n; i < middle || j > middle; ++i, --j) {
     if (i < middle) take(i, invert<true>(diag(i), upper(i)));
     if (waiting < n) pass_down(waiting);
@@ -163,17 +163,17 @@ void resolve_blocks(const BlockView& system, double* x) {
   const auto diag = [&](int i) { return system.diag + i * kBlockSize; };
   const auto upper = [&](int i) { return system.upper + i * kBlockSize; };
   const auto lower = [&](int i) { return system.lower + i * kBlockSize; };
-  const auto at = [&](int i) { return x + i * kNodeDofs; };
-  NodeVector below{}, above{};  // of the nodes solved last on either side
+  const auto node_values = [&](int i) { return x + i * kNodeDofs; };
+  NodeVector below{}, above{};  // vectors of the last solved node on either side
   const auto from_below = [&](int i) {
-    const NodeVector b = load_node(at(i));
+    const NodeVector b = load_node(node_values(i));
     below = product(diag(i), i > 0 ? b - product(lower(i - 1), below) : b);
-    store_node(at(i), below);
+    store_node(node_values(i), below);
   };
   const auto from_above = [&](int j) {
-    const NodeVector b = load_node(at(j));
+    const NodeVector b = load_node(node_values(j));
     above = product(diag(j), j + 1 < n ? b - product(upper(j), above) : b);
-    store_node(at(j), above);
+    store_node(node_values(j), above);
   };
   int i = 0, j = n - 1;
   for (; i < middle && j > middle; ++i, --j) {
@@ -182,18 +182,18 @@ void resolve_blocks(const BlockView& system, double* x) {
   }
   for (; i < middle; ++i) from_below(i);
   for (; j > middle; --j) from_above(j);
-  NodeVector rest = load_node(at(middle));
+  NodeVector rest = load_node(node_values(middle));
   if (middle > 0) rest = rest - product(lower(middle - 1), below);
   if (middle + 1 < n) rest = rest - product(upper(middle), above);
   below = above = product(diag(middle), rest);
-  store_node(at(middle), below);
+  store_node(node_values(middle), below);
   const auto back_down = [&](int k) {
-    below = load_node(at(k)) - product(upper(k), below);
-    store_node(at(k), below);
+    below = load_node(node_values(k)) - product(upper(k), below);
+    store_node(node_values(k), below);
   };
   const auto back_up = [&](int k) {
-    above = load_node(at(k)) - product(lower(k - 1), above);
-    store_node(at(k), above);
+    above = load_node(node_values(k)) - product(lower(k - 1), above);
+    store_node(node_values(k), above);
   };
   for (i = middle - 1, j = middle + 1; i >= 0 && j < n; --i, ++j) {
     back_down(i);

@@ -1,4 +1,4 @@
-/// The elimination, compiled once per instruction set.
+/// Block elimination, compiled once per instruction set.
 #pragma once
 
 namespace overbend {
@@ -13,7 +13,7 @@ struct BlockSolveReport {
   bool solved() const { return singular_node < 0; }
 };
 
-/// Storage of a BlockTridiagonal. Raw pointers only, so that no inline function of another header is compiled for an
+/// Pointers into a BlockTridiagonal. Raw pointers only, so that no inline function of another header is compiled for an
 /// instruction set that the machine may lack.
 struct BlockView {
   int nodes;

@@ -46,8 +46,8 @@ BorderedSystem::BorderedSystem(const std::vector<BorderedLine>& lines, int unkno
     line.rows = NodePanels(shape.nodes, columns);
     line.solved.assign(to_size(shape.nodes * kNodeDofs * stride), 0.0);
     line.contribution.assign(to_size(stride * stride), 0.0);
-    line.own_y.assign(to_size(stride), 0.0);
-    line.own_cx.assign(to_size(stride), 0.0);
+    line.touched_y.assign(to_size(stride), 0.0);
+    line.touched_cx.assign(to_size(stride), 0.0);
     lines_.push_back(std::move(line));
   }
 }
@@ -85,7 +85,7 @@ BlockSolveReport BorderedSystem::factor_line(int line, int first) {
 void BorderedSystem::factor_border(int index) {
   Line& line = at(index);
   if (!line.columns.empty()) {
-    kernels_for(isa_).solve_panel(view_of(line.blocks), line.columns.view(), line.solved.data());
+    kernels_for(isa_).solve_panel(make_block_view(line.blocks), line.columns.view(), line.solved.data());
   }
   close_line(line);
 }
@@ -127,8 +127,8 @@ int BorderedSystem::close() {
   return schur_.factor();
 }
 
-BorderedReport BorderedSystem::report_of(const Line& line, const BlockSolveReport& report,
-                                         BorderedReport so_far) const {
+BorderedReport BorderedSystem::make_line_report(const Line& line, const BlockSolveReport& report,
+                                                BorderedReport so_far) const {
   so_far.negative_blocks += report.negative_blocks;
   if (!report.solved()) {
     so_far.singular_line = static_cast<int>(&line - lines_.data());
@@ -140,7 +140,7 @@ BorderedReport BorderedSystem::report_of(const Line& line, const BlockSolveRepor
 BorderedReport BorderedSystem::factor() {
   BorderedReport report;
   for (int i = 0; i < lines() && report.solved(); ++i) {
-    report = report_of(at(i), factor_line(i), report);
+    report = make_line_report(at(i), factor_line(i), report);
   }
   if (report.solved()) {
     report.singular_unknown = close();
@@ -163,9 +163,9 @@ void BorderedSystem::solve_border(std::span<double* const> x, double* y) {
     if (line.rows.empty()) {
       continue;
     }
-    kernels.panel_times_vector(line.rows.view(), x[to_size(i)], line.own_cx.data());
+    kernels.panel_times_vector(line.rows.view(), x[to_size(i)], line.touched_cx.data());
     for (std::size_t j = 0; j < line.unknowns.size(); ++j) {
-      y[line.unknowns[j]] -= line.own_cx[j];
+      y[line.unknowns[j]] -= line.touched_cx[j];
     }
   }
   for (int i = 0; i < unknowns(); ++i) {
@@ -178,16 +178,16 @@ void BorderedSystem::solve_border(std::span<double* const> x, double* y) {
       continue;
     }
     for (std::size_t j = 0; j < line.unknowns.size(); ++j) {
-      line.own_y[j] = y[line.unknowns[j]];
+      line.touched_y[j] = y[line.unknowns[j]];
     }
-    kernels.subtract_columns(line.blocks.nodes(), line.columns.stride(), line.solved.data(), line.own_y.data(),
+    kernels.subtract_columns(line.blocks.nodes(), line.columns.stride(), line.solved.data(), line.touched_y.data(),
                              x[to_size(i)]);
   }
 }
 
 BlockSolveReport BorderedSystem::solve_line(Line& line, double* x) {
-  const bool beside = line.unknowns.size() == 1 && !line.columns.empty();
-  put_right_hand_sides(line, x, beside);
+  const bool has_single_unknown = line.unknowns.size() == 1 && !line.columns.empty();
+  put_right_hand_sides(line, x, has_single_unknown);
   const BlockSolveReport report = solve_on(line.blocks, isa_);
   if (!report.solved()) {
     return report;
@@ -196,21 +196,21 @@ BlockSolveReport BorderedSystem::solve_line(Line& line, double* x) {
   for (int row = 0; row < kNodeDofs * line.blocks.nodes(); ++row) {
     const double* sides = line.blocks.diag(0) + row * kRowWidth + kNodeDofs;
     x[row] = sides[0];
-    if (beside) {
+    if (has_single_unknown) {
       line.solved[to_size(row * stride)] = sides[1];
     }
   }
-  if (!beside && !line.columns.empty()) {
-    kernels_for(isa_).solve_panel(view_of(line.blocks), line.columns.view(), line.solved.data());
+  if (!has_single_unknown && !line.columns.empty()) {
+    kernels_for(isa_).solve_panel(make_block_view(line.blocks), line.columns.view(), line.solved.data());
   }
   close_line(line);
   return report;
 }
 
-void BorderedSystem::put_right_hand_sides(Line& line, const double* x, bool border_beside) {
+void BorderedSystem::put_right_hand_sides(Line& line, const double* x, bool has_border_column) {
   const SparsePanelView border = line.columns.view();
   for (int node = 0; node < line.blocks.nodes(); ++node) {
-    const int slot = border_beside ? border.slot[node] : -1;
+    const int slot = has_border_column ? border.slot[node] : -1;
     for (int i = 0; i < kNodeDofs; ++i) {
       line.blocks.rhs(node, i, 0) = x[kNodeDofs * node + i];
       line.blocks.rhs(node, i, 1) = slot < 0 ? 0.0 : border.values[(slot * kNodeDofs + i) * border.stride];
@@ -221,7 +221,7 @@ void BorderedSystem::put_right_hand_sides(Line& line, const double* x, bool bord
 BorderedReport BorderedSystem::factor_and_solve(std::span<double* const> x, double* y) {
   BorderedReport report;
   for (int i = 0; i < lines() && report.solved(); ++i) {
-    report = report_of(at(i), solve_line(at(i), x[to_size(i)]), report);
+    report = make_line_report(at(i), solve_line(at(i), x[to_size(i)]), report);
   }
   if (report.solved()) {
     report.singular_unknown = close();

@@ -1,14 +1,14 @@
-/// Several block-tridiagonal lines and a few unknowns that they share: bodies, machines, a far force.
+/// Several block-tridiagonal lines and a few shared unknowns (border): bodies, machines, horizontal tension.
 ///
 ///     [ L1          B1 ] [x1]   [r1]        S  = H - sum_i C_i L_i^-1 B_i
 ///     [     L2      B2 ] [x2] = [r2]        y  = S^-1 (h - sum_i C_i L_i^-1 r_i)
 ///     [         ..  .. ] [..]   [..]        x_i = L_i^-1 r_i - (L_i^-1 B_i) y
 ///     [ C1  C2  ..  H  ] [y ]   [h ]
 ///
-/// B_i and C_i have rows at few nodes, and columns for those unknowns only that line i touches. The columns L_i^-1 B_i
-/// are solved when the factors are made and serve as long as these do. Sums run over lines in their order, and within
-/// a line over its nodes, so that bits depend on neither threads nor the order of assembly. Each line has to be regular
-/// by itself.
+/// B_i and C_i have rows at few nodes, and columns only for unknowns coupled to line i. The columns L_i^-1 B_i are
+/// solved with the factorisation and remain valid as long as it does. Sums run over lines in their order, and within a
+/// line over its nodes, so that results are bitwise independent of threads and of the order of assembly. Each line must
+/// be regular by itself.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@
 
 namespace overbend {
 
-/// The shape of one line: how many nodes, and which shared unknowns its equations know or are known by, ascending.
+/// Structure of one line: number of nodes, and the shared unknowns coupled to it, ascending.
 struct BorderedLine {
   int nodes = 0;
   std::vector<int> unknowns;
@@ -32,15 +32,15 @@ struct BorderedReport {
   int singular_line = -1;  ///< First line with a block without pivot, at `singular_node`.
   int singular_node = -1;
   int singular_unknown = -1;     ///< First shared unknown without a pivot in the Schur system.
-  int negative_blocks = 0;       ///< Over all lines; see BlockSolveReport.
-  bool negative_border = false;  ///< Whether the determinant of the Schur system is negative.
+  int negative_blocks = 0;       ///< Number over all lines; see BlockSolveReport.
+  bool negative_border = false;  ///< True if the determinant of the Schur system is negative.
   bool solved() const { return singular_line < 0 && singular_unknown < 0; }
 };
 
 class BorderedSystem {
  public:
   BorderedSystem() = default;
-  /// Takes all memory there will be need for.
+  /// Allocates all memory.
   BorderedSystem(const std::vector<BorderedLine>& lines, int unknowns, Isa isa = best_isa());
 
   int lines() const { return static_cast<int>(lines_.size()); }
@@ -50,64 +50,64 @@ class BorderedSystem {
 
   /// Distance between the rows of a line's border panels.
   int stride(int line) const { return lines_[static_cast<std::size_t>(line)].columns.stride(); }
-  /// B of a node, row-major 6 x stride: its equations (rows) by the line's shared unknowns (columns, as listed in
-  /// BorderedLine). To be added to.
+  /// Returns B of a node, row-major 6 x stride: its equations (rows) by the line's shared unknowns (columns, as listed
+  /// in BorderedLine). To be added to.
   double* columns(int line, int node) { return at(line).columns.at(node); }
-  /// C of a node, transposed like B: entry (i, j) is what the equation of the line's shared unknown j has for freedom
-  /// i.
+  /// Returns C of a node, transposed like B: entry (i, j) is the coefficient of freedom i in the equation of the line's
+  /// shared unknown j.
   double* rows(int line, int node) { return at(line).rows.at(node); }
-  /// Whether a node has a panel of columns or rows that was asked for since the border was cleared.
+  /// True if a panel of columns or rows of the node was requested since the border was cleared.
   bool bordered(int line, int node) const {
     const Line& of = lines_[static_cast<std::size_t>(line)];
     return of.columns.view().slot[node] >= 0 || of.rows.view().slot[node] >= 0;
   }
-  /// H.
+  /// Returns the entry (i, j) of H.
   double& corner(int i, int j) { return corner_[static_cast<std::size_t>(i * unknowns() + j)]; }
 
-  /// Blocks, borders and corner to zero.
+  /// Sets blocks, borders and corner to zero.
   void set_zero();
-  /// The border of one line to zero.
+  /// Sets the border of one line to zero.
   void clear_border(int line);
   void clear_corner();
-  /// A held unknown stays as it is: its equation is left out, its y is zero.
+  /// Fixes a shared unknown: its equation is dropped and its y is zero.
   void hold(int unknown, bool held);
 
-  /// Factors everything. The blocks are overwritten, as `solve` of a line does; borders and corner stay.
+  /// Factors everything. The blocks are overwritten, as by `solve` of a line; borders and corner are kept.
   BorderedReport factor();
-  /// Factors a line from node `first` on, see `refactor`, and solves its border's columns.
-  /// `close` must follow. Lines may be factored at the same time by several threads.
+  /// Factors a line from node `first` on, see `refactor`, and solves its border's columns. `close` must follow. Lines
+  /// may be factored concurrently by several threads.
   BlockSolveReport factor_line(int line, int first = 0);
-  /// Solves the columns of a line's border anew; its factors stand. `close` must follow.
+  /// Solves the columns of a line's border again with existing factors. `close` must follow.
   void factor_border(int line);
-  /// Makes and factors the Schur system. The first unknown without a pivot, -1 if there is none.
+  /// Makes and factors the Schur system. Returns the first unknown without a pivot, -1 if there is none.
   int close();
 
   /// Replaces right-hand sides by the solution: `x` of each line, six per node, and `y`, one per shared unknown.
   void solve(std::span<double* const> x, double* y);
-  /// The same of one line by itself: `x`, six per node, without the border's part. `close` must follow before the whole
-  /// is solved.
+  /// Solves one line alone: `x`, six per node, without the border's part. `close` must follow before the full system is
+  /// solved.
   BlockSolveReport solve_line(int line, double* x) { return solve_line(at(line), x); }
-  /// `factor` and `solve` in one: the right-hand sides of the lines go through the elimination with the blocks, which
-  /// keeps digits that inverses lose where a line hardly stretches. Where it fails, x and y are spoilt.
+  /// Combines `factor` and `solve`: the right-hand sides of the lines go through the elimination with the blocks, which
+  /// keeps digits that inverses lose for a nearly inextensible line. After a failure x and y are undefined.
   BorderedReport factor_and_solve(std::span<double* const> x, double* y);
 
  private:
   struct Line {
     BlockTridiagonal blocks;
     std::vector<int> unknowns;
-    NodePanels columns, rows;      ///< B and C.
-    AlignedDoubles solved;         ///< L^-1 B.
-    AlignedDoubles contribution;   ///< C L^-1 B.
-    AlignedDoubles own_y, own_cx;  ///< Of the unknowns that this line touches.
+    NodePanels columns, rows;              ///< B and C.
+    AlignedDoubles solved;                 ///< L^-1 B.
+    AlignedDoubles contribution;           ///< C L^-1 B.
+    AlignedDoubles touched_y, touched_cx;  ///< For the unknowns coupled to this line.
   };
 
   Line& at(int i) { return lines_[static_cast<std::size_t>(i)]; }
-  /// One column needs no panel: it rides beside the right-hand side `x` through the elimination.
+  /// A single column needs no panel: it is the second right-hand side next to `x` in the elimination.
   BlockSolveReport solve_line(Line& line, double* x);
-  static void put_right_hand_sides(Line& line, const double* x, bool border_beside);
+  static void put_right_hand_sides(Line& line, const double* x, bool has_border_column);
   void close_line(Line& line) const;
   void solve_border(std::span<double* const> x, double* y);
-  BorderedReport report_of(const Line& line, const BlockSolveReport& report, BorderedReport so_far) const;
+  BorderedReport make_line_report(const Line& line, const BlockSolveReport& report, BorderedReport so_far) const;
 
   std::vector<Line> lines_;
   std::vector<double> corner_;

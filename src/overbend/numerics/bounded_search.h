@@ -1,4 +1,4 @@
-/// A few unknowns within bounds, conditions that hold, and what is to be as small as they allow.
+/// Bound-constrained nonlinear programming (SQP) for a few unknowns.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,47 +8,47 @@
 
 namespace overbend {
 
-/// What the unknowns lead to.
+/// Values of constraints and objective for given unknowns.
 struct SearchValues {
-  Eigen::VectorXd equal;  ///< To be zero.
-  Eigen::VectorXd least;  ///< Not to be below zero.
-  Eigen::VectorXd aim;    ///< Their sum of squares is to be small; with `linear_aim` the largest of them.
+  Eigen::VectorXd equal;       ///< Equality constraints: zero when met.
+  Eigen::VectorXd inequality;  ///< Inequality constraints: not below zero when met.
+  Eigen::VectorXd objective;   ///< Objective: the sum of squares is minimised, with `linear_objective` the maximum.
 };
 
-/// Derivatives of these, a column per unknown.
+/// Derivatives of SearchValues, a column per unknown.
 struct SearchSlopes {
-  Eigen::MatrixXd equal, least, aim;
+  Eigen::MatrixXd equal, inequality, objective;
 };
 
 struct SearchProblem {
-  Eigen::VectorXd start;    ///< Unknowns are scaled: each lies between 0 and 1.
-  bool linear_aim = false;  ///< The largest value of `aim` counts, its curvature is not known.
-  /// Nothing where the unknowns have no values.
+  Eigen::VectorXd start;          ///< Initial unknowns, scaled: each lies between 0 and 1.
+  bool linear_objective = false;  ///< True to minimise the maximum of `aim`, whose curvature is unknown.
+  /// Returns the values, or nothing where the unknowns have none.
   std::function<std::optional<SearchValues>(const Eigen::VectorXd&)> values;
   std::function<SearchSlopes(const Eigen::VectorXd&, const SearchValues&)> slopes;
-  double tolerance = 1e-6;  ///< Of the conditions, in their own scale.
-  double settled = 1e-3;    ///< Relative gain of the aim, or length of a step, that ends the search.
-  int steps = 30;           ///< At most.
+  double tolerance = 1e-6;  ///< Tolerance of the constraints, in their own scale.
+  double settled = 1e-3;    ///< Relative gain of the objective, or length of a step, that ends the search.
+  int steps = 30;           ///< Maximum number of steps.
 };
 
-/// Largest violation of the conditions, in their own scale.
-double violation_of(const SearchValues& values);
+/// Returns the maximum violation of the constraints, in their own scale.
+double compute_violation(const SearchValues& values);
 
-struct SearchEnd {
+struct SearchResult {
   Eigen::VectorXd x;
   SearchValues values;
-  double violation = 0.0;  ///< Largest of the conditions.
-  bool met = false;        ///< Every condition holds.
-  bool settled = false;    ///< No step makes it better; false: the steps ran out.
+  double violation = 0.0;  ///< Maximum violation of the constraints.
+  bool met = false;        ///< True if every constraint is met.
+  bool settled = false;    ///< True if no step improves the result; false if the steps ran out.
   int steps = 0;
 };
 
-/// Sequential quadratic programming with a trust region (Nocedal & Wright 2006, chapter 18): every step solves the
-/// linearised conditions within the bounds for the least of the aim's quadratic model, by Gauss-Newton for squares and
-/// with Broyden's, Fletcher's, Goldfarb's and Shanno's update for a linear aim; it is shortened until the sum of aim
-/// and weighted violations falls. Of several values the largest is made small as a further unknown that none of them
-/// exceeds; neighbours in their order are taken for values of a curve, of which the peaks bound the step. Without an
-/// aim the step is the shortest that meets the conditions. Nothing where the start has no values.
-std::optional<SearchEnd> bounded_search(const SearchProblem& problem);
+/// Sequential quadratic programming with a trust region (Nocedal & Wright 2006, chapter 18): every step minimises the
+/// quadratic model of the objective subject to linearised constraints and bounds, by Gauss-Newton for squares and with
+/// the Broyden-Fletcher-Goldfarb-Shanno update for a linear objective; it is shortened until the sum of objective and
+/// weighted violations decreases. The maximum of several values is minimised as an additional unknown that bounds all
+/// of them; values adjacent in order are taken as samples of a curve, whose peaks bound the step. Without an objective
+/// the step is the shortest one that meets the constraints. Returns nothing if the start has no values.
+std::optional<SearchResult> bounded_search(const SearchProblem& problem);
 
 }  // namespace overbend

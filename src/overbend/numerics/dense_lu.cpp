@@ -6,12 +6,12 @@
 namespace overbend {
 namespace {
 
-/// A pivot this small against the terms of its entry means that rounding is all that is left of it, as in the blocks
-/// of a line.
+/// Relative pivot threshold: a pivot this small against the terms of its entry is rounding noise, as in the blocks of a
+/// line.
 constexpr double kPivotFloor = 1e-14;
 
-/// The power of two that brings `size` near one; 1 for what has no size.
-double scale_of(double size) {
+/// Returns the power of two that scales `size` to about one; 1 for zero.
+double find_power_of_two_scale(double size) {
   return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
@@ -32,14 +32,14 @@ DenseLu::DenseLu(int size)
 void DenseLu::scale() {
   for (int i = 0; i < size_; ++i) {
     const auto row = terms_.begin() + i * size_;
-    row_scale_[to_size(i)] = scale_of(*std::max_element(row, row + size_));
+    row_scale_[to_size(i)] = find_power_of_two_scale(*std::max_element(row, row + size_));
   }
   for (int j = 0; j < size_; ++j) {
-    double largest = 0.0;
+    double max_term = 0.0;
     for (int i = 0; i < size_; ++i) {
-      largest = std::max(largest, row_scale_[to_size(i)] * terms_[to_size(i * size_ + j)]);
+      max_term = std::max(max_term, row_scale_[to_size(i)] * terms_[to_size(i * size_ + j)]);
     }
-    column_scale_[to_size(j)] = scale_of(largest);
+    column_scale_[to_size(j)] = find_power_of_two_scale(max_term);
   }
   for (int i = 0; i < size_; ++i) {
     for (int j = 0; j < size_; ++j) {

@@ -1,4 +1,4 @@
-/// A small dense system: some dozens of unknowns of mixed units.
+/// Small dense linear system: some dozens of unknowns of mixed units.
 #pragma once
 
 #include <vector>
@@ -6,7 +6,7 @@
 namespace overbend {
 
 /// LU factors with partial pivoting of a square matrix whose rows and columns are first scaled by powers of two, so
-/// that neither the pivots nor the verdict depend on units. Nothing is allocated after construction.
+/// that neither pivots nor singularity tests depend on units. Nothing is allocated after construction.
 class DenseLu {
  public:
   explicit DenseLu(int size = 0);
@@ -14,12 +14,13 @@ class DenseLu {
   int size() const { return size_; }
   /// The matrix to be factored, row-major; `factor` overwrites it.
   double* matrix() { return matrix_.data(); }
-  /// Size of the terms each entry is a sum of, row-major. A pivot that is rounding of them is none.
+  /// Magnitude of the terms summed in each entry, row-major. A pivot at the rounding level of these terms counts as
+  /// zero.
   double* terms() { return terms_.data(); }
 
   /// Returns the first unknown without a pivot, -1 if there is none.
   int factor();
-  /// Replaces `x` by the solution for it as right-hand side.
+  /// Replaces the right-hand side `x` by the solution.
   void solve(double* x) const;
   /// Sign of the determinant of the factored matrix.
   int sign() const { return sign_; }

@@ -1,8 +1,8 @@
 #include "numerics/line_border_kernel.h"
 
 #include "base/lane_transpose.h"
-#include "base/loose_lanes.h"
 #include "base/simd.h"
+#include "base/unaligned_lanes.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -14,7 +14,7 @@ inline Lanes& lanes(double* p) {
   return *reinterpret_cast<Lanes*>(p);
 }
 
-/// The six rows of a node's panel, as many columns of it as a register holds.
+/// Six rows of a node's panel, one register of columns.
 struct Columns {
   Lanes row[kNodeDofs];
 };
@@ -53,7 +53,7 @@ inline Columns product(const double* a, const Columns& x) {
   return columns;
 }
 
-/// A row of a panel times `y`, lane by lane: their sum is the product.
+/// Product of a row of a panel with `y`, lane by lane: the sum of lanes is the product.
 inline Lanes row_product(const double* row, const double* y, int stride) {
   Lanes sum = lanes(row) * lanes(y);
   for (int column = kWidth; column < stride; column += kWidth) {
@@ -67,7 +67,7 @@ inline const double* panel_at(const SparsePanelView& panel, int node) {
   return slot < 0 ? nullptr : panel.values + slot * kNodeDofs * panel.stride;
 }
 
-/// As subtract_columns(), of one batch of columns or any number.
+/// Implements subtract_columns(), for one batch of columns or any number.
 template <bool kOneBatch>
 inline void subtract(int nodes, int any_stride, const double* w, const double* y, double* x) {
   const int rows = nodes * kNodeDofs, stride = kOneBatch ? kLanes : any_stride;
@@ -75,7 +75,7 @@ inline void subtract(int nodes, int any_stride, const double* w, const double* y
   for (; first + kWidth <= rows; first += kWidth) {
     Lanes sums[kWidth];
     for (int row = 0; row < kWidth; ++row) sums[row] = row_product(w + (first + row) * stride, y, stride);
-    LooseLanes& to = loose(x + first);
+    UnalignedLanes& to = unaligned(x + first);
     to -= row_sums(sums);
   }
   for (; first < rows; ++first) {
@@ -84,54 +84,54 @@ inline void subtract(int nodes, int any_stride, const double* w, const double* y
   }
 }
 
-/// Solves for the columns from `column` on, as many as a register holds: from both ends to the middle and back, as
-/// block_tridiagonal_kernel.cpp does.
+/// Solves for one register of columns from `column` on: from both ends to the middle and back, as in
+/// block_tridiagonal_kernel.cpp.
 void solve_columns(const BlockView& factored, const SparsePanelView& b, int column, double* x) {
   const int n = factored.nodes, middle = factored.middle;
-  const auto at = [&](int node) { return x + node * kNodeDofs * b.stride + column; };
+  const auto node_columns = [&](int node) { return x + node * kNodeDofs * b.stride + column; };
   const auto side = [&](int node) {
     const double* rhs = panel_at(b, node);
     return rhs != nullptr ? load(rhs + column, b.stride) : Columns{};
   };
-  const auto take_lower = [&](int node, const Columns& below, Columns& now) {
-    subtract_product(factored.lower + (node - 1) * kBlockSize, below, now);
+  const auto take_lower = [&](int node, const Columns& below, Columns& current) {
+    subtract_product(factored.lower + (node - 1) * kBlockSize, below, current);
   };
-  const auto take_upper = [&](int node, const Columns& above, Columns& now) {
-    subtract_product(factored.upper + node * kBlockSize, above, now);
+  const auto take_upper = [&](int node, const Columns& above, Columns& current) {
+    subtract_product(factored.upper + node * kBlockSize, above, current);
   };
-  Columns below{}, above{};  // zero until a node has rows
+  Columns below{}, above{};  // zero until the first node with rows
   for (int i = 0; i < middle; ++i) {
     if (i >= b.first) {
-      Columns now = side(i);
-      if (i > b.first) take_lower(i, below, now);
-      below = product(factored.diag + i * kBlockSize, now);
+      Columns current = side(i);
+      if (i > b.first) take_lower(i, below, current);
+      below = product(factored.diag + i * kBlockSize, current);
     }
-    store(below, at(i), b.stride);
+    store(below, node_columns(i), b.stride);
   }
   for (int j = n - 1; j > middle; --j) {
     if (j <= b.last) {
-      Columns now = side(j);
-      if (j < b.last) take_upper(j, above, now);
-      above = product(factored.diag + j * kBlockSize, now);
+      Columns current = side(j);
+      if (j < b.last) take_upper(j, above, current);
+      above = product(factored.diag + j * kBlockSize, current);
     }
-    store(above, at(j), b.stride);
+    store(above, node_columns(j), b.stride);
   }
-  Columns now = side(middle);
-  if (middle > b.first) take_lower(middle, below, now);
-  if (middle < b.last) take_upper(middle, above, now);
-  below = above = product(factored.diag + middle * kBlockSize, now);
-  store(below, at(middle), b.stride);
+  Columns current = side(middle);
+  if (middle > b.first) take_lower(middle, below, current);
+  if (middle < b.last) take_upper(middle, above, current);
+  below = above = product(factored.diag + middle * kBlockSize, current);
+  store(below, node_columns(middle), b.stride);
   for (int i = middle - 1; i >= 0; --i) {
-    now = load(at(i), b.stride);
-    take_upper(i, below, now);
-    below = now;
-    store(below, at(i), b.stride);
+    current = load(node_columns(i), b.stride);
+    take_upper(i, below, current);
+    below = current;
+    store(below, node_columns(i), b.stride);
   }
   for (int j = middle + 1; j < n; ++j) {
-    now = load(at(j), b.stride);
-    take_lower(j, above, now);
-    above = now;
-    store(above, at(j), b.stride);
+    current = load(node_columns(j), b.stride);
+    take_lower(j, above, current);
+    above = current;
+    store(above, node_columns(j), b.stride);
   }
 }
 
@@ -154,11 +154,11 @@ void panel_product(const SparsePanelView& c, const double* x, double* out) {
       continue;
     }
     for (int column = 0; column < stride; column += kWidth) {
-      const Columns at = load(x + node * kNodeDofs * stride + column, stride);
+      const Columns node_columns = load(x + node * kNodeDofs * stride + column, stride);
       for (int i = 0; i < stride; ++i) {
         Lanes sum = lanes(out + i * stride + column);
         for (int dof = 0; dof < kNodeDofs; ++dof) {
-          sum += row[dof * stride + i] * at.row[dof];
+          sum += row[dof * stride + i] * node_columns.row[dof];
         }
         lanes(out + i * stride + column) = sum;
       }

@@ -1,13 +1,13 @@
-/// What the border of a block-tridiagonal line costs, compiled once per instruction set.
+/// Operations on the border of a block-tridiagonal line, compiled once per instruction set.
 ///
-/// A panel holds several columns beside a line: row-major 6 x `stride` for each node, `stride` a multiple of eight.
+/// A panel holds several border columns of a line: row-major 6 x `stride` for each node, `stride` a multiple of eight.
 #pragma once
 
 #include "numerics/block_tridiagonal_kernel.h"
 
 namespace overbend {
 
-/// Rows of a border at the few nodes that have any: `slot[node]` is the place of a node's panel in `values`, or -1.
+/// Border rows at the few nodes that have any: `slot[node]` is the index of a node's panel in `values`, or -1.
 struct SparsePanelView {
   const int* slot;
   const double* values;

@@ -10,10 +10,11 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kLargestSimulatedTail = 200;
+constexpr std::size_t kMaxSimulatedTail = 200;
 constexpr int kSimulations = 1000;
-/// Gain in log-likelihood, twice, that one more Newton step promises: it then goes 1e-4 standard errors, and lands
-/// within the square of that. Sums of a hundred thousand terms are rounded a thousand times finer.
+/// Twice the predicted gain in log-likelihood of a further Newton step, below which the iteration stops: the step is
+/// then 1e-4 standard errors, and the error its square. Rounding of sums of a hundred thousand terms is a thousand
+/// times smaller.
 constexpr double kCloseEnough = 1e-8;
 constexpr double kNormal975 = 1.959963984540054;  ///< 97.5 % point of the normal distribution.
 
@@ -77,7 +78,7 @@ Standardised standardised(std::span<const double> tail) {
   return s;
 }
 
-/// Takes the fit of the standardised values back to the given ones; the covariance by the delta method.
+/// Transforms the fit of the standardised values back to the given ones; the covariance by the delta method.
 LogWeibull in_given_units(const Standardised& s, const Likelihood& l, double p, double q) {
   const double det = l.pp * l.qq - l.pq * l.pq;
   const double var_p = -l.qq / det;
@@ -94,8 +95,8 @@ LogWeibull in_given_units(const Standardised& s, const Likelihood& l, double p, 
   return fit;
 }
 
-/// The largest `tail` of a random sample with location 0 and scale 1, ascending: exponential spacings give the values
-/// of a sample in order [renyi1953].
+/// Returns the largest `tail` of a random sample with location 0 and scale 1, ascending: exponential spacings give the
+/// order statistics of a sample [renyi1953].
 std::vector<double> random_tail(std::mt19937_64& generator, std::size_t tail, std::size_t below) {
   std::vector<double> y;
   y.reserve(tail);
@@ -133,12 +134,12 @@ std::optional<LogWeibull> fit_log_weibull(std::span<const double> tail, std::siz
   const double expected_share = static_cast<double>(below) / static_cast<double>(below + tail.size());
   double p = 1.28;  // pi/sqrt(6), from the standard deviation
   double q = below > 0 ? p * s.y.front() - std::log(-std::log1p(-expected_share)) : 0.577;
-  Likelihood here = likelihood(s.y, below, p, q);
+  Likelihood current = likelihood(s.y, below, p, q);
   for (int i = 0; i < 100; ++i) {
-    const double det = here.pp * here.qq - here.pq * here.pq;
-    const double step_p = -(here.qq * here.p - here.pq * here.q) / det;
-    const double step_q = -(here.pp * here.q - here.pq * here.p) / det;
-    const double promise = here.p * step_p + here.q * step_q;  // twice the gain that the parabola promises
+    const double det = current.pp * current.qq - current.pq * current.pq;
+    const double step_p = -(current.qq * current.p - current.pq * current.q) / det;
+    const double step_q = -(current.pp * current.q - current.pq * current.p) / det;
+    const double promise = current.p * step_p + current.q * step_q;  // twice the gain predicted by the quadratic model
     if (promise < kCloseEnough) {
       p += step_p;
       q += step_q;
@@ -147,10 +148,10 @@ std::optional<LogWeibull> fit_log_weibull(std::span<const double> tail, std::siz
     double part = 1.0;
     Likelihood next;
     bool gains = false;
-    for (; !gains && part > 1e-6; part *= 0.5) {  // the likelihood is concave: a short enough step gains
+    for (; !gains && part > 1e-6; part *= 0.5) {  // the likelihood is concave: a sufficiently short step gains
       if (p + part * step_p > 0.0) {
         next = likelihood(s.y, below, p + part * step_p, q + part * step_q);
-        gains = next.value > here.value;
+        gains = next.value > current.value;
       }
     }
     if (!gains) {
@@ -158,13 +159,13 @@ std::optional<LogWeibull> fit_log_weibull(std::span<const double> tail, std::siz
     }
     p += 2.0 * part * step_p;  // the loop has halved once more
     q += 2.0 * part * step_q;
-    here = next;
+    current = next;
   }
   return std::nullopt;
 }
 
 ConfidentEstimate confident(const LogWeibull& fit, std::size_t tail, std::size_t below, double reduced) {
-  if (tail <= kLargestSimulatedTail) {
+  if (tail <= kMaxSimulatedTail) {
     return by_simulation(fit, tail, below, reduced);
   }
   const double variance = fit.variance[0] + 2.0 * reduced * fit.variance[1] + reduced * reduced * fit.variance[2];

@@ -9,11 +9,11 @@
 namespace overbend {
 namespace {
 
-constexpr int kSections = 3;          ///< Of second order each.
-constexpr double kContinued = 3.0;    ///< Cut-off periods beyond either end.
-constexpr double kFewestSteps = 4.0;  ///< In a cut-off period.
+constexpr int kSections = 3;        ///< Number of second-order sections.
+constexpr double kContinued = 3.0;  ///< Extension in cut-off periods beyond either end.
+constexpr double kMinSteps = 4.0;   ///< Minimum number of steps in a cut-off period.
 
-/// y = b (x + 2 x1 + x2) - a1 y1 - a2 y2: unit gain at rest.
+/// y = b (x + 2 x1 + x2) - a1 y1 - a2 y2: unit gain at zero frequency.
 struct SecondOrder {
   double b = 0.0, a1 = 0.0, a2 = 0.0;
 };
@@ -26,7 +26,7 @@ SecondOrder butterworth(int k, double tangent) {
   return {square / a0, 2.0 * (square - 1.0) / a0, (1.0 - twice_damping * tangent + square) / a0};
 }
 
-/// Runs a section over the values, as if the first had stood for ever.
+/// Filters the values by a section, with the initial state of a constant first value.
 template <class Iterator>
 void run(const SecondOrder& s, Iterator first, Iterator last) {
   double x1 = *first, x2 = *first, y1 = *first, y2 = *first;
@@ -41,7 +41,7 @@ void run(const SecondOrder& s, Iterator first, Iterator last) {
   }
 }
 
-/// The values with `more` on either side: the record turned by half a turn about its ends.
+/// Returns the values extended by `more` on either side: point reflection of the record about its ends.
 std::vector<double> continued(std::span<const double> values, std::size_t more) {
   std::vector<double> all;
   all.reserve(values.size() + 2 * more);
@@ -54,8 +54,10 @@ std::vector<double> continued(std::span<const double> values, std::size_t more) 
 }  // namespace
 
 std::vector<double> low_pass(std::span<const double> values, double step, double cut_off) {
-  if (!(step > 0.0) || !(cut_off > 0.0)) throw std::invalid_argument("a low-pass needs a step and a cut-off");
-  if (values.size() < 2 || cut_off < kFewestSteps * step) return {values.begin(), values.end()};
+  if (!(step > 0.0) || !(cut_off > 0.0)) {
+    throw std::invalid_argument("a low-pass filter needs a positive step and cut-off");
+  }
+  if (values.size() < 2 || cut_off < kMinSteps * step) return {values.begin(), values.end()};
   const auto more = std::min(values.size() - 1, static_cast<std::size_t>(std::ceil(kContinued * cut_off / step)));
   std::vector<double> all = continued(values, more);
   const double tangent = std::tan(std::numbers::pi * step / cut_off);

@@ -1,4 +1,4 @@
-/// A border's rows at the few nodes of a line that have any: six equations by some columns for each of them.
+/// Border rows at the few nodes of a line that have any: six equations by some columns for each of them.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace overbend {
 class NodePanels {
  public:
   NodePanels() = default;
-  /// Memory for all nodes is taken at once, so that nothing is allocated afterwards.
+  /// Allocates memory for all nodes, so that nothing is allocated afterwards.
   NodePanels(int nodes, int columns);
 
-  /// Distance between rows: the columns, filled up to a multiple of eight.
+  /// Distance between rows: the number of columns, padded to a multiple of eight.
   int stride() const { return stride_; }
   bool empty() const { return first_ > last_; }
-  /// The panel of `node`, row-major 6 x stride; zero when asked for the first time since `clear`.
+  /// Returns the panel of `node`, row-major 6 x stride; zero when first requested since `clear`.
   double* at(int node);
   void clear();
   SparsePanelView view() const { return {slot_.data(), values_.data(), first_, last_, stride_}; }
@@ -30,7 +30,7 @@ class NodePanels {
   AlignedDoubles values_;
 };
 
-/// Columns filled up to whole batches of eight.
+/// Returns the number of columns padded to whole batches of eight.
 int padded_columns(int columns);
 
 }  // namespace overbend

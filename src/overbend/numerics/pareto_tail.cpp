@@ -12,23 +12,23 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kFewestOver = 12;    ///< Peaks over a threshold; fewer say nothing of a shape.
-constexpr double kRise = 1.4;              ///< Fewer peaks over each threshold than over the one before.
-constexpr double kMostShape = 0.5;         ///< Either way: beyond, moments do not tell it.
-constexpr double kMostDistance = 0.40;     ///< 5 % of samples lie further off, from 12 to 200 values, shapes 0 to 0.4.
-constexpr double kLeastChance = 0.02;      ///< Of the largest.
-constexpr std::size_t kLargestLooked = 5;  ///< Number of the largest that are looked at.
-constexpr int kSamples = 400;              ///< For an interval.
-constexpr double kAlmostExponential = 1e-9;  /// Shape.
+constexpr std::size_t kMinPeaksOver = 12;   ///< Minimum number of peaks over a threshold to estimate a shape.
+constexpr double kRise = 1.4;               ///< Ratio of the numbers of peaks over successive thresholds.
+constexpr double kMaxShape = 0.5;           ///< Maximum magnitude of the shape: beyond it, moments do not determine it.
+constexpr double kMaxDistance = 0.40;       ///< Exceeded by 5 % of samples, from 12 to 200 values, shapes 0 to 0.4.
+constexpr double kMinProbability = 0.02;    ///< Minimum probability of the largest values.
+constexpr std::size_t kMaxTestedPeaks = 5;  ///< Number of largest values tested.
+constexpr int kSamples = 400;               ///< Number of samples for an interval.
+constexpr double kAlmostExponential = 1e-9;  ///< Shape treated as exponential below this.
 
-/// Share of a distribution with this shape and scale 1 above y.
+/// Returns the fraction of a distribution with this shape and scale 1 above y.
 double share_above(double y, double shape) {
   if (std::abs(shape) < kAlmostExponential) return std::exp(-y);
   const double base = 1.0 + shape * y;
   return base > 0.0 ? std::pow(base, -1.0 / shape) : 0.0;
 }
 
-/// The y with that share above it.
+/// Returns the y with that fraction above it.
 double with_share(double share, double shape) {
   if (std::abs(shape) < kAlmostExponential) return -std::log(share);
   return (std::pow(share, -shape) - 1.0) / shape;
@@ -38,7 +38,7 @@ struct ScaleShape {
   double scale = 0.0, shape = 0.0;
 };
 
-/// Of values in ascending order. A distribution with an end ends beyond the largest.
+/// Fit to values in ascending order. A distribution with an upper end ends beyond the largest value.
 ScaleShape by_moments(std::span<const double> y) {
   const double n = static_cast<double>(y.size());
   double mean = 0.0, weighted = 0.0;
@@ -46,7 +46,7 @@ ScaleShape by_moments(std::span<const double> y) {
     mean += y[i] / n;
     weighted += (1.0 - (static_cast<double>(i) + 0.65) / n) * y[i] / n;
   }
-  double shape = std::clamp(2.0 - mean / (mean - 2.0 * weighted), -kMostShape, kMostShape);
+  double shape = std::clamp(2.0 - mean / (mean - 2.0 * weighted), -kMaxShape, kMaxShape);
   if (shape < 0.0 && mean * (1.0 - shape) / -shape <= y.back()) {
     const double end = y.back() * (1.0 + 1.0 / n);
     shape = -mean / (end - mean);
@@ -54,7 +54,7 @@ ScaleShape by_moments(std::span<const double> y) {
   return {mean * (1.0 - shape), shape};
 }
 
-/// What runs of peaks above the threshold exceed it by at most, ascending.
+/// Returns the maximum excess of each run of peaks above the threshold, ascending.
 std::vector<double> clusters_over(std::span<const double> peaks, double threshold) {
   std::vector<double> over;
   bool inside = false;
@@ -74,10 +74,10 @@ bool describes(const ScaleShape& fit, std::span<const double> y) {
   std::vector<double> shares, expected;
   for (const double value : y) shares.push_back(1.0 - share_above(value / fit.scale, fit.shape));
   const double n = static_cast<double>(y.size());
-  for (std::size_t i = 0; i < std::min(kLargestLooked, y.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxTestedPeaks, y.size()); ++i) {
     expected.push_back(n * (1.0 - shares[y.size() - 1 - i]));
   }
-  return upper_tail_distance(shares) < kMostDistance && least_chance(expected) > kLeastChance;
+  return upper_tail_distance(shares) < kMaxDistance && min_probability(expected) > kMinProbability;
 }
 
 ParetoTail tail_over(std::span<const double> peaks, double threshold) {
@@ -91,7 +91,7 @@ ParetoTail tail_over(std::span<const double> peaks, double threshold) {
           describes(fit, over)};
 }
 
-/// Number of events of a Poisson process in a time in which `mean` are expected: waits are drawn.
+/// Returns the number of events of a Poisson process with the expected number `mean`, from random waiting times.
 int drawn_count(double mean, std::mt19937_64& generator) {
   int count = -1;
   for (double time = 0.0; time <= mean; ++count) time -= std::log(uniform_draw(generator));
@@ -109,13 +109,13 @@ double ParetoTail::once_in(double expected_peaks) const {
   return expected > 1.0 ? threshold + scale * with_share(1.0 / expected, shape) : threshold;
 }
 
-std::optional<ParetoTail> fit_pareto_tail(std::span<const double> peaks, std::size_t most) {
+std::optional<ParetoTail> fit_pareto_tail(std::span<const double> peaks, std::size_t max_count) {
   std::vector<double> sorted(peaks.begin(), peaks.end());
   std::ranges::sort(sorted, std::greater<>());
   std::optional<ParetoTail> found;
-  most = std::min(most, sorted.size() / 2);
-  double over = static_cast<double>(most);
-  while (over >= static_cast<double>(kFewestOver)) {
+  max_count = std::min(max_count, sorted.size() / 2);
+  double over = static_cast<double>(max_count);
+  while (over >= static_cast<double>(kMinPeaksOver)) {
     const auto k = static_cast<std::size_t>(over);
     over /= kRise;
     const double threshold = 0.5 * (sorted[k - 1] + sorted[k]);

@@ -6,28 +6,28 @@
 namespace overbend {
 namespace {
 
-double number_at(std::span<const double> saved, std::size_t at) {
-  if (at >= saved.size()) throw std::out_of_range("a rainflow count that ends too early");
-  return saved[at];
+double number_at(std::span<const double> saved, std::size_t position) {
+  if (position >= saved.size()) throw std::out_of_range("the saved rainflow count is too short");
+  return saved[position];
 }
 
 }  // namespace
 
 RainflowCycle RainflowStack::make_room() {
   const auto cube = [&](std::size_t i) { return std::pow(std::abs(points_[i + 1] - points_[i]), 3.0); };
-  std::size_t least = 0;
-  double least_change = std::numeric_limits<double>::infinity();
+  std::size_t min_index = 0;
+  double min_change = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 2 < depth_; ++i) {
-    const double change = cube(i) - cube(i + 1);  // about what damage it adds
-    if (change < least_change) {
-      least = i;
-      least_change = change;
+    const double change = cube(i) - cube(i + 1);  // proportional to the added damage
+    if (change < min_change) {
+      min_index = i;
+      min_change = change;
     }
   }
-  const RainflowCycle taken = cycle(points_[least], points_[least + 1], 1.0);
-  std::copy(points_.begin() + static_cast<std::ptrdiff_t>(least) + 3,
+  const RainflowCycle taken = cycle(points_[min_index], points_[min_index + 1], 1.0);
+  std::copy(points_.begin() + static_cast<std::ptrdiff_t>(min_index) + 3,
             points_.begin() + static_cast<std::ptrdiff_t>(depth_),
-            points_.begin() + static_cast<std::ptrdiff_t>(least) + 1);
+            points_.begin() + static_cast<std::ptrdiff_t>(min_index) + 1);
   depth_ -= 2;
   return taken;
 }
@@ -37,13 +37,13 @@ void RainflowStack::save(std::vector<double>& out) const {
   out.insert(out.end(), points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(depth_));
 }
 
-void RainflowStack::restore(std::span<const double> saved, std::size_t& at) {
-  const double depth = number_at(saved, at++);
+void RainflowStack::restore(std::span<const double> saved, std::size_t& position) {
+  const double depth = number_at(saved, position++);
   if (!(depth >= 0.0 && depth <= static_cast<double>(kCapacity))) {
-    throw std::out_of_range("a rainflow count of no possible depth");
+    throw std::out_of_range("the saved rainflow count has an invalid depth");
   }
   depth_ = static_cast<std::size_t>(depth);
-  for (std::size_t i = 0; i < depth_; ++i) points_[i] = number_at(saved, at++);
+  for (std::size_t i = 0; i < depth_; ++i) points_[i] = number_at(saved, position++);
 }
 
 RainflowCounter::RainflowCounter(std::size_t records, double hysteresis)
@@ -58,9 +58,9 @@ void RainflowCounter::start(std::span<const double> values) {
 }
 
 std::size_t RainflowCounter::deepest() const {
-  std::size_t most = 0;
-  for (const RainflowStack& stack : stacks_) most = std::max(most, stack.depth());
-  return most;
+  std::size_t max_count = 0;
+  for (const RainflowStack& stack : stacks_) max_count = std::max(max_count, stack.depth());
+  return max_count;
 }
 
 std::vector<double> RainflowCounter::save() const {
@@ -74,7 +74,7 @@ std::vector<double> RainflowCounter::save() const {
 void RainflowCounter::restore(std::span<const double> saved) {
   const std::size_t records = extreme_.size();
   if (number_at(saved, 1) != static_cast<double>(records)) {
-    throw std::out_of_range("a rainflow count of other records");
+    throw std::out_of_range("the saved rainflow count has a different number of records");
   }
   started_ = saved[0] > 0.0;
   number_at(saved, 2 * records + 1);
@@ -82,9 +82,9 @@ void RainflowCounter::restore(std::span<const double> saved) {
   const auto count = static_cast<std::ptrdiff_t>(records);
   std::copy(begin, begin + count, extreme_.begin());
   std::copy(begin + count, begin + 2 * count, direction_.begin());
-  std::size_t at = 2 + 2 * records;
-  for (RainflowStack& stack : stacks_) stack.restore(saved, at);
-  if (at != saved.size()) throw std::out_of_range("a rainflow count that goes on too long");
+  std::size_t position = 2 + 2 * records;
+  for (RainflowStack& stack : stacks_) stack.restore(saved, position);
+  if (position != saved.size()) throw std::out_of_range("the saved rainflow count is too long");
 }
 
 }  // namespace overbend

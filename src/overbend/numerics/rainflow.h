@@ -1,4 +1,4 @@
-/// Rainflow counting of many records at once, sample by sample, in memory that does not grow.
+/// Rainflow counting of many records at once, sample by sample, in constant memory.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,13 @@ struct RainflowCycle {
   double range = 0.0, mean = 0.0, count = 0.0;
 };
 
-/// Turning points of one record that are not counted yet, by the rule of ASTM E1049-85 5.4.4: from the second on, each
-/// range is smaller than the one before it. The first sample and the last are turning points.
+/// Uncounted turning points of one record, by the rule of ASTM E1049-85 5.4.4: from the second on, each range is
+/// smaller than the one before it. The first sample and the last are turning points.
 class RainflowStack {
  public:
-  /// Turning points that may wait. Where more would, as in a swell that dies down over many waves, two ranges in a row
-  /// that differ least are taken for one cycle of the larger: a little more than what they are, never less.
+  /// Maximum number of stored turning points. If there would be more, as in a swell that decays over many waves, the
+  /// two consecutive ranges that differ least are counted as one cycle of the larger: slightly conservative, never
+  /// less.
   static constexpr std::size_t kCapacity = 64;
 
   void start(double value) {
@@ -29,7 +30,7 @@ class RainflowStack {
     points_[0] = value;
   }
 
-  /// The next turning point. `closed(RainflowCycle)` gets what it closes.
+  /// Adds the next turning point. `closed(RainflowCycle)` receives the cycles it closes.
   template <class Closed>
   void turn(double value, Closed&& closed) {
     points_[depth_++] = value;
@@ -37,7 +38,7 @@ class RainflowStack {
     if (depth_ > kCapacity) closed(make_room());
   }
 
-  /// What has not closed: a half cycle each.
+  /// Reports the unclosed ranges as half cycles.
   template <class Closed>
   void residue(Closed&& closed) const {
     for (std::size_t i = 1; i < depth_; ++i) closed(cycle(points_[i - 1], points_[i], 0.5));
@@ -46,15 +47,15 @@ class RainflowStack {
   double top() const { return points_[depth_ - 1]; }
   std::size_t depth() const { return depth_; }
 
-  /// Appends its numbers; `restore` reads them from `at` on and moves it behind them. Throws std::out_of_range where
-  /// they end too early or are none of a stack.
+  /// Appends its numbers to `out`; `restore` reads them from `position` on and moves it past them. Throws
+  /// std::out_of_range if they end too early or do not represent a stack.
   void save(std::vector<double>& out) const;
-  void restore(std::span<const double> saved, std::size_t& at);
+  void restore(std::span<const double> saved, std::size_t& position);
 
  private:
   static RainflowCycle cycle(double a, double b, double count) { return {std::abs(b - a), 0.5 * (a + b), count}; }
 
-  /// Takes two ranges in a row out. The later turning point of theirs gives way to the earlier one, beyond it.
+  /// Removes two consecutive ranges as one cycle: the earlier of their turning points replaces the later one.
   RainflowCycle make_room();
 
   template <class Closed>
@@ -63,7 +64,7 @@ class RainflowStack {
       const double newest = std::abs(points_[depth_ - 1] - points_[depth_ - 2]);
       const double before = std::abs(points_[depth_ - 2] - points_[depth_ - 3]);
       if (newest < before) return;
-      if (depth_ == 3) {  // the earlier range holds the start
+      if (depth_ == 3) {  // the earlier range contains the start
         closed(cycle(points_[0], points_[1], 0.5));
         points_[0] = points_[1];
         points_[1] = points_[2];
@@ -80,13 +81,14 @@ class RainflowStack {
   std::size_t depth_ = 0;
 };
 
-/// Records that are sampled together. A reversal counts as a turning point once the record has come back by more than
-/// the hysteresis: smaller ranges are passed over, larger ones keep their size.
+/// Records that are sampled together. A reversal counts as a turning point once the record has returned by more than
+/// the hysteresis: smaller ranges are ignored, larger ones keep their size.
 class RainflowCounter {
  public:
   explicit RainflowCounter(std::size_t records = 0, double hysteresis = 0.0);
 
-  /// One sample of every record; `closed(record, RainflowCycle)` gets the cycles that it closes. Nothing is allocated.
+  /// Adds one sample of every record; `closed(record, RainflowCycle)` receives the cycles that it closes. Nothing is
+  /// allocated.
   template <class Closed>
   void add(std::span<const double> values, Closed&& closed) {
     if (!started_) {
@@ -107,7 +109,7 @@ class RainflowCounter {
     }
   }
 
-  /// What has not closed, as if the records ended here. Counting goes on after it.
+  /// Reports the unclosed ranges as if the records ended here. Counting can continue afterwards.
   template <class Closed>
   void residue(Closed&& closed) const {
     for (std::size_t i = 0; started_ && i < extreme_.size(); ++i) {
@@ -119,10 +121,10 @@ class RainflowCounter {
   }
 
   std::size_t records() const { return extreme_.size(); }
-  std::size_t deepest() const;  ///< Of the stacks now.
+  std::size_t deepest() const;  ///< Current maximum depth of the stacks.
 
-  /// All of it as plain numbers; `restore` brings it back bit for bit into a counter of as many records. Throws
-  /// std::out_of_range when `saved` is no such list.
+  /// Returns the state as numbers; `restore` reproduces it bitwise in a counter of as many records. Throws
+  /// std::out_of_range if `saved` is not such a list.
   std::vector<double> save() const;
   void restore(std::span<const double> saved);
 
@@ -133,7 +135,7 @@ class RainflowCounter {
   void turn_back(std::size_t i, double value, Closed& closed) {
     if (direction_[i] * (value - extreme_[i]) >= -hysteresis_) return;
     RainflowStack& stack = stacks_[i];
-    // Before the first turn, the direction at the start is a guess.
+    // Before the first reversal, the direction at the start is a guess.
     if (stack.depth() > 1 || std::abs(extreme_[i] - stack.top()) > hysteresis_) {
       stack.turn(extreme_[i], [&](const RainflowCycle& cycle) { closed(i, cycle); });
     }
@@ -143,7 +145,7 @@ class RainflowCounter {
 
   double hysteresis_ = 0.0;
   bool started_ = false;
-  std::vector<double> extreme_;    ///< Farthest since the last turning point.
+  std::vector<double> extreme_;    ///< Extreme value since the last turning point.
   std::vector<double> direction_;  ///< 1 or -1.
   std::vector<RainflowStack> stacks_;
 };

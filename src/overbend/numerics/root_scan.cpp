@@ -8,11 +8,11 @@
 namespace overbend {
 namespace {
 
-constexpr double kJump = 0.02;      // of the difference over the first bracket, left when it is closed
-constexpr double kReversal = 1e-3;  // of the range of the values, against which they may go and still be monotone
-constexpr int kMostSteps = 100;
+constexpr double kJump = 0.02;      // fraction of the difference over the first bracket that remains when it is closed
+constexpr double kReversal = 1e-3;  // reversal allowed for a monotone function, as a fraction of the range of values
+constexpr int kMaxSteps = 100;
 constexpr int kTurnSteps = 12;
-constexpr double kProbe = 0.02;  // of the way from an end of the interval to the next point
+constexpr double kProbe = 0.02;  // fraction of the distance from an end of the interval to the next point
 
 bool opposed(double a, double b) {
   return (a <= 0.0) != (b <= 0.0);
@@ -24,7 +24,7 @@ class Scan {
       : f_(f), width_(to - from), settings_(settings) {
     for (int i = 0; i < settings.points; ++i) at(from + width_ * i / (settings.points - 1));
     for (const ScannedPoint& point : points_) {
-      if (point.value) largest_ = std::max(largest_, std::abs(*point.value));
+      if (point.value) max_magnitude_ = std::max(max_magnitude_, std::abs(*point.value));
     }
   }
 
@@ -35,7 +35,7 @@ class Scan {
     RootScan scan;
     const ScannedPoint* before = nullptr;
     for (const ScannedPoint& point : grid) {
-      // A gap in the function parts what lies to either side of it.
+      // A gap in the function separates the two sides.
       if (point.value && before != nullptr && before->value && opposed(*before->value, *point.value)) {
         if (auto crossing = close({before->x, point.x, *before->value, *point.value})) {
           scan.crossings.push_back(*crossing);
@@ -59,7 +59,7 @@ class Scan {
     return points;
   }
 
-  /// Three values of one sign, the middle one nearest to zero: there may be two roots, or one of even order, between.
+  /// Three values of one sign, the middle one nearest to zero, may enclose two roots or one of even order.
   void look_at_turns() {
     const std::vector<ScannedPoint> grid = sorted();
     for (std::size_t i = 1; i + 1 < grid.size(); ++i) {
@@ -67,13 +67,14 @@ class Scan {
       if (!a || !b || !c || opposed(*a, *b) || opposed(*b, *c)) continue;
       if (std::abs(*b) >= std::abs(*a) || std::abs(*b) >= std::abs(*c)) continue;
       const double bend = *a - 2.0 * *b + *c, slope = 0.5 * (*c - *a);
-      const double vertex = bend == 0.0 ? *b : *b - 0.5 * slope * slope / bend;  // of the parabola through them
+      // vertex of the parabola through the points
+      const double vertex = bend == 0.0 ? *b : *b - 0.5 * slope * slope / bend;
       if (opposed(vertex, *b) || std::abs(vertex) < 0.1 * std::abs(*b)) follow_turn(grid[i - 1].x, grid[i + 1].x, *b);
     }
   }
 
-  /// Values that go away from zero from an end of the interval to the next point, but towards it at first, turn between
-  /// the two.
+  /// If values move away from zero between an end of the interval and the next point, but towards zero at first, there
+  /// is a turning point between them.
   void look_at_ends() {
     const int last = settings_.points - 1;
     const std::vector<ScannedPoint> grid(points_.begin(), points_.begin() + settings_.points);
@@ -87,7 +88,7 @@ class Scan {
     }
   }
 
-  /// Golden section towards the value nearest to zero, until it has the other sign.
+  /// Golden section towards the value nearest to zero, until the sign changes.
   void follow_turn(double low, double high, double value) {
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     double inner = high - golden * (high - low), outer = low + golden * (high - low);
@@ -108,12 +109,12 @@ class Scan {
     }
   }
 
-  /// Brent's method: b is the best argument, a the one before, c such that b and c enclose the crossing. Nothing where
-  /// the function cannot be evaluated on the way.
+  /// Brent's method: b is the best argument, a the previous one, c such that b and c enclose the crossing. Returns
+  /// nothing if the function cannot be evaluated at some point.
   std::optional<Crossing> close(const Crossing& bracket) {
     double a = bracket.low, fa = bracket.at_low, b = bracket.high, fb = bracket.at_high;
     double c = a, fc = fa, step = b - a, before = step;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
       if (!opposed(fb, fc)) {
         c = a;
         fc = fa;
@@ -125,27 +126,27 @@ class Scan {
         fa = std::exchange(fb, fc);
         fc = fa;
       }
-      const double least = 0.5 * settings_.resolution * width_, half = 0.5 * (c - b);
-      if (std::abs(half) <= least || std::abs(fb) <= settings_.negligible * largest_) break;
+      const double tolerance = 0.5 * settings_.resolution * width_, half = 0.5 * (c - b);
+      if (std::abs(half) <= tolerance || std::abs(fb) <= settings_.negligible * max_magnitude_) break;
       const double next =
-          std::abs(before) >= least && std::abs(fa) > std::abs(fb) ? interpolated(a, b, c, fa, fb, fc) : half;
-      // Brent's bounds on the step; else it is halved.
-      const bool good =
-          std::abs(next) < std::min(1.5 * std::abs(half) - 0.5 * least, 0.5 * std::abs(before)) && next * half > 0.0;
+          std::abs(before) >= tolerance && std::abs(fa) > std::abs(fb) ? interpolated(a, b, c, fa, fb, fc) : half;
+      // Brent's bounds on the step; otherwise bisection.
+      const bool good = std::abs(next) < std::min(1.5 * std::abs(half) - 0.5 * tolerance, 0.5 * std::abs(before)) &&
+                        next * half > 0.0;
       before = good ? step : half;
       step = good ? next : half;
       a = b;
       fa = fb;
-      b += std::abs(step) > least ? step : std::copysign(least, half);
+      b += std::abs(step) > tolerance ? step : std::copysign(tolerance, half);
       const std::optional<double> value = at(b);
       if (!value) return std::nullopt;
       fb = *value;
     }
     if (settings_.both_ends) draw_in(b, fb, c, fc);
-    return told(bracket, b, fb, c, fc);
+    return make_crossing(bracket, b, fb, c, fc);
   }
 
-  /// The far end of a bracket whose near end is zero already: as close behind it as the function has the other sign.
+  /// Moves the far end of a bracket whose near end is already zero: to the closest point with the other sign.
   void draw_in(double b, double fb, double& c, double& fc) {
     constexpr double kLonger = 4.0;
     double step = std::copysign(settings_.resolution * width_, c - b);
@@ -168,10 +169,10 @@ class Scan {
     return -p / ((q - 1.0) * (r - 1.0) * (s - 1.0));
   }
 
-  Crossing told(const Crossing& bracket, double b, double fb, double c, double fc) const {
+  Crossing make_crossing(const Crossing& bracket, double b, double fb, double c, double fc) const {
     Crossing crossing = b < c ? Crossing{b, c, fb, fc} : Crossing{c, b, fc, fb};
-    // One whose value is zero already is a root, however wide its bracket still is.
-    crossing.jump = std::abs(fb) > settings_.negligible * largest_ &&
+    // A value that is already zero is a root, regardless of the width of its bracket.
+    crossing.jump = std::abs(fb) > settings_.negligible * max_magnitude_ &&
                     std::abs(crossing.at_high - crossing.at_low) > kJump * std::abs(bracket.at_high - bracket.at_low);
     return crossing;
   }
@@ -180,7 +181,7 @@ class Scan {
   double width_;
   ScanSettings settings_;
   std::vector<ScannedPoint> points_;
-  double largest_ = 0.0;
+  double max_magnitude_ = 0.0;
 };
 
 }  // namespace
@@ -190,17 +191,17 @@ RootScan scan_roots(const ScannedFunction& f, double from, double to, const Scan
 }
 
 bool is_monotone(const RootScan& scan) {
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  double min_value = std::numeric_limits<double>::infinity(), max_value = -min_value;
   for (const ScannedPoint& point : scan.points) {
-    least = std::min(least, point.value.value_or(least));
-    largest = std::max(largest, point.value.value_or(largest));
+    min_value = std::min(min_value, point.value.value_or(min_value));
+    max_value = std::max(max_value, point.value.value_or(max_value));
   }
   bool rises = true, falls = true;
   std::optional<double> before;
   for (const ScannedPoint& point : scan.points) {
     if (!point.value) continue;
-    rises = rises && (!before || *point.value >= *before - kReversal * (largest - least));
-    falls = falls && (!before || *point.value <= *before + kReversal * (largest - least));
+    rises = rises && (!before || *point.value >= *before - kReversal * (max_value - min_value));
+    falls = falls && (!before || *point.value <= *before + kReversal * (max_value - min_value));
     before = point.value;
   }
   return rises || falls;

@@ -15,7 +15,7 @@ void RunningQuantiles::add(std::span<const double> values, double weight) {
   const bool good =
       std::all_of(values.begin(), values.end(), [](double value) { return value >= 0.0 && std::isfinite(value); });
   require(values.size() == size() && good && weight >= 0.0,
-          "a sample has a finite value for every quantity, values and weight not negative");
+          "a sample needs one finite non-negative value per quantity and a non-negative weight");
   weight_ += weight;
   for (std::size_t i = 0; i < values.size(); ++i) {
     while (values[i] >= static_cast<double>(kBins) * width_[i]) {
@@ -36,7 +36,7 @@ void RunningQuantiles::widen(std::size_t quantity) {
 }
 
 double RunningQuantiles::at(std::size_t quantity, double share) const {
-  require(quantity < size(), "a quantile is asked of a quantity that there is");
+  require(quantity < size(), "the index of the quantity is below size()");
   const double wanted = share * weight_;
   double sum = zero_[quantity], last = 0.0;
   if (sum >= wanted) {
@@ -52,7 +52,7 @@ double RunningQuantiles::at(std::size_t quantity, double share) const {
     }
     sum += time;
   }
-  return last;  // rounding left less than was asked for
+  return last;  // rounding left less than requested
 }
 
 std::vector<double> RunningQuantiles::save() const {
@@ -64,7 +64,7 @@ std::vector<double> RunningQuantiles::save() const {
 }
 
 void RunningQuantiles::restore(std::span<const double> saved) {
-  require(saved.size() % (kBins + 2) == 1, "running quantiles are restored from what they saved");
+  require(saved.size() % (kBins + 2) == 1, "the list has the length of saved running quantiles");
   const std::size_t n = saved.size() / (kBins + 2);
   auto from = saved.begin();
   weight_ = *from++;

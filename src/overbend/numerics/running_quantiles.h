@@ -1,4 +1,4 @@
-/// Quantiles over time of many quantities at once, in memory that does not grow.
+/// Quantiles over time of many quantities at once, in constant memory.
 #pragma once
 
 #include <cstddef>
@@ -7,29 +7,29 @@
 
 namespace overbend {
 
-/// Histograms of `size` quantities that are never negative and are sampled together, each sample weighted by the time
-/// it represents. Every quantity has kBins bins of equal width; where a value goes beyond them, the width doubles and
-/// bins join in pairs. So a quantile is known to within 2/kBins of the largest value, whatever the values are and
-/// however long they come. Exact zeros are counted apart.
+/// Histograms of `size` non-negative quantities that are sampled together, each sample weighted by the time it
+/// represents. Every quantity has kBins bins of equal width; when a value exceeds their range, the width doubles and
+/// bins are merged in pairs. A quantile is therefore accurate to 2/kBins of the maximum value, for any values and any
+/// duration. Exact zeros are counted separately.
 class RunningQuantiles {
  public:
   static constexpr std::size_t kBins = 1024;
 
-  /// `first_width` is the width of the bins to begin with, in the quantities' unit.
+  /// `first_width` is the initial width of the bins, in the quantities' unit.
   explicit RunningQuantiles(std::size_t size = 0, double first_width = 1.0);
 
-  /// Takes a sample of all quantities. `values` has size() entries, finite, none negative; `weight` >= 0. Allocates
-  /// nothing. Throws std::invalid_argument where either is not so.
+  /// Adds a sample of all quantities. `values` has size() entries, finite and non-negative; `weight` >= 0. Does not
+  /// allocate. Throws std::invalid_argument otherwise.
   void add(std::span<const double> values, double weight);
 
   std::size_t size() const { return width_.size(); }
 
-  /// The value that `quantity` stays at or below for `share` of the time, 0 to 1; linear within a bin. 0 before the
-  /// first sample.
+  /// Returns the value that `quantity` does not exceed for the fraction `share` of the time, 0 to 1; linear within a
+  /// bin. 0 before the first sample.
   double at(std::size_t quantity, double share) const;
 
-  /// All of it as plain numbers; `restore` brings it back bit for bit. Throws std::invalid_argument when `saved` is no
-  /// such list.
+  /// Returns the state as numbers; `restore` reproduces it bitwise. Throws std::invalid_argument if `saved` is not such
+  /// a list.
   std::vector<double> save() const;
   void restore(std::span<const double> saved);
 

@@ -28,8 +28,8 @@ StatisticsKernels kernels() {
   return {isa_baseline::all_finite, isa_baseline::add_samples, isa_baseline::add_present_samples};
 }
 
-/// Whether no value is absent; also false of infinite values.
-bool whole(std::span<const double> values) {
+/// True if no value is missing; also false for infinite values.
+bool has_no_missing(std::span<const double> values) {
   return kernels().all_finite(values.data(), static_cast<int>(values.size()));
 }
 
@@ -45,19 +45,18 @@ void RunningStatistics::add(std::span<const double> values, double weight) {
 void RunningStatistics::add_parts(std::initializer_list<std::span<const double>> parts, double weight) {
   std::size_t count = 0;
   for (const std::span<const double>& part : parts) count += part.size();
-  require(count == size() && weight >= 0.0,
-          "a sample has as many values as there are quantities, and a weight that is not negative");
-  if (all_there_ && !std::all_of(parts.begin(), parts.end(), whole)) {
+  require(count == size() && weight >= 0.0, "a sample needs one value per quantity and a non-negative weight");
+  if (none_missing_ && !std::all_of(parts.begin(), parts.end(), has_no_missing)) {
     std::fill(weights_.begin(), weights_.end(), weight_);
-    all_there_ = false;
+    none_missing_ = false;
   }
   weight_ += weight;
   std::size_t first = 0;
   for (const std::span<const double>& part : parts) {
-    if (all_there_) {
-      add_whole(part, first, weight);
+    if (none_missing_) {
+      add_complete(part, first, weight);
     } else {
-      add_there(part, first, weight);
+      add_available(part, first, weight);
     }
     first += part.size();
   }
@@ -67,19 +66,19 @@ StatisticsView RunningStatistics::view(std::size_t first) {
   return {min_.data() + first, max_.data() + first, mean_.data() + first, squares_.data() + first};
 }
 
-void RunningStatistics::add_whole(std::span<const double> values, std::size_t first, double weight) {
+void RunningStatistics::add_complete(std::span<const double> values, std::size_t first, double weight) {
   const double share = weight_ > 0.0 ? weight / weight_ : 0.0;
   kernels().add(values.data(), static_cast<int>(values.size()), {weight, share}, view(first));
 }
 
-void RunningStatistics::add_there(std::span<const double> values, std::size_t first, double weight) {
+void RunningStatistics::add_available(std::span<const double> values, std::size_t first, double weight) {
   kernels().add_present(values.data(), static_cast<int>(values.size()), weight, weights_.data() + first, view(first));
 }
 
 std::vector<double> RunningStatistics::standard_deviation() const {
   std::vector<double> deviation(size(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
-    const double weight = all_there_ ? weight_ : weights_[i];
+    const double weight = none_missing_ ? weight_ : weights_[i];
     if (weight > 0.0) deviation[i] = std::sqrt(squares_[i] / weight);
   }
   return deviation;
@@ -91,7 +90,7 @@ std::vector<double> RunningStatistics::save() const {
   for (const std::vector<double>* part : {&min_, &max_, &mean_, &squares_}) {
     saved.insert(saved.end(), part->begin(), part->end());
   }
-  if (all_there_) {
+  if (none_missing_) {
     saved.resize(1 + 5 * size(), weight_);
   } else {
     saved.insert(saved.end(), weights_.begin(), weights_.end());
@@ -100,7 +99,7 @@ std::vector<double> RunningStatistics::save() const {
 }
 
 void RunningStatistics::restore(std::span<const double> saved) {
-  require(saved.size() % 5 == 1, "running statistics are restored from what they saved");
+  require(saved.size() % 5 == 1, "the list has the length of saved running statistics");
   weight_ = saved[0];
   const std::size_t n = saved.size() / 5;
   std::size_t from = 1;
@@ -109,7 +108,7 @@ void RunningStatistics::restore(std::span<const double> saved) {
                  saved.begin() + static_cast<std::ptrdiff_t>(from + n));
     from += n;
   }
-  all_there_ = std::all_of(weights_.begin(), weights_.end(), [&](double weight) { return weight == weight_; });
+  none_missing_ = std::all_of(weights_.begin(), weights_.end(), [&](double weight) { return weight == weight_; });
 }
 
 }  // namespace overbend

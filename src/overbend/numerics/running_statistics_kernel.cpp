@@ -1,11 +1,11 @@
 #include "numerics/running_statistics_kernel.h"
 
-#include "base/loose_lanes.h"
+#include "base/unaligned_lanes.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// One value, or one in every lane. `v` is what the extremes see, `value` what the mean does.
+/// Adds one value, or one in every lane. `v` is used for the extremes, `value` for the mean.
 template <class Value, class Sum>
 inline void add_one(const Value& v, const Value& value, double weight, const Value& share, Sum& low, Sum& high,
                     Sum& mean, Sum& squares) {
@@ -16,9 +16,9 @@ inline void add_one(const Value& v, const Value& value, double weight, const Val
   squares += weight * from_old * (value - mean);
 }
 
-/// The same where it may be absent, which NaN says.
+/// Adds a value that may be missing (NaN).
 template <class Value, class Sum>
-inline void add_if_there(const Value& v, double weight, Sum& weights, Sum& low, Sum& high, Sum& mean, Sum& squares) {
+inline void add_if_present(const Value& v, double weight, Sum& weights, Sum& low, Sum& high, Sum& mean, Sum& squares) {
   const Value nothing{}, before = mean;
   const Value value = v == v ? v : before;
   weights += v == v ? nothing + weight : nothing;
@@ -31,7 +31,7 @@ inline void add_if_there(const Value& v, double weight, Sum& weights, Sum& low, 
 bool all_finite(const double* values, int count) {
   Lanes nothing{};
   int i = 0;
-  for (; i + kWidth <= count; i += kWidth) nothing += 0.0 * loose(values + i);
+  for (; i + kWidth <= count; i += kWidth) nothing += 0.0 * unaligned(values + i);
   double sum = 0.0;
   for (int l = 0; l < kWidth; ++l) sum += nothing[l];
   for (; i < count; ++i) sum += 0.0 * values[i];
@@ -43,9 +43,9 @@ void add_samples(const double* values, int count, const SampleWeight& by, const 
   const Lanes share = Lanes{} + by.share;
   int i = 0;
   for (; i + kWidth <= count; i += kWidth) {
-    const Lanes v = loose(values + i);
-    add_one<Lanes>(v, v, weight, share, loose(to.low + i), loose(to.high + i), loose(to.mean + i),
-                   loose(to.squares + i));
+    const Lanes v = unaligned(values + i);
+    add_one<Lanes>(v, v, weight, share, unaligned(to.low + i), unaligned(to.high + i), unaligned(to.mean + i),
+                   unaligned(to.squares + i));
   }
   for (; i < count; ++i) {
     add_one<double>(values[i], values[i], weight, by.share, to.low[i], to.high[i], to.mean[i], to.squares[i]);
@@ -55,12 +55,12 @@ void add_samples(const double* values, int count, const SampleWeight& by, const 
 void add_present_samples(const double* values, int count, double weight, double* weights, const StatisticsView& to) {
   int i = 0;
   for (; i + kWidth <= count; i += kWidth) {
-    const Lanes v = loose(values + i);
-    add_if_there<Lanes>(v, weight, loose(weights + i), loose(to.low + i), loose(to.high + i), loose(to.mean + i),
-                        loose(to.squares + i));
+    const Lanes v = unaligned(values + i);
+    add_if_present<Lanes>(v, weight, unaligned(weights + i), unaligned(to.low + i), unaligned(to.high + i),
+                          unaligned(to.mean + i), unaligned(to.squares + i));
   }
   for (; i < count; ++i) {
-    add_if_there<double>(values[i], weight, weights[i], to.low[i], to.high[i], to.mean[i], to.squares[i]);
+    add_if_present<double>(values[i], weight, weights[i], to.low[i], to.high[i], to.mean[i], to.squares[i]);
   }
 }
 

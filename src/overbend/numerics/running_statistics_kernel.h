@@ -1,15 +1,15 @@
-/// Samples added to sums. Compiled once per instruction set: the numbers are many and little is done with each, so that
-/// what counts is how many a register carries.
+/// Accumulation of samples. Compiled once per instruction set: there are many values with few operations each, so that
+/// the width of the registers matters.
 #pragma once
 
 namespace overbend {
 
-/// What RunningStatistics keeps of quantities, one after the other; no array overlaps another.
+/// Arrays of RunningStatistics by quantity; no array overlaps another.
 struct StatisticsView {
   double *low, *high, *mean, *squares;
 };
 
-/// Weight of a sample, and its share in that of all samples with it.
+/// Weight of a sample, and its fraction of the total weight including it.
 struct SampleWeight {
   double weight, share;
 };

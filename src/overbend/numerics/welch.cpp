@@ -10,18 +10,18 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kShortest = 512, kLongest = 2048;
+constexpr std::size_t kMinSegment = 512, kMaxSegment = 2048;
 
-/// Values of the record in a segment.
+/// Returns the number of values in a segment.
 std::size_t segment_length(std::size_t values) {
-  std::size_t length = kShortest;
-  while (length < kLongest && 8 * length <= values) {  // twice as long still leaves seven, overlapping by half
+  std::size_t length = kMinSegment;
+  while (length < kMaxSegment && 8 * length <= values) {  // twice as long still leaves seven, overlapping by half
     length *= 2;
   }
   return std::min(length, values);
 }
 
-/// Periodic form, whose halves overlapped add up to one.
+/// Periodic form, whose overlapping halves add up to one.
 std::vector<double> hann(std::size_t length) {
   std::vector<double> window(length);
   for (std::size_t i = 0; i < length; ++i) {
@@ -39,7 +39,7 @@ PowerSpectrum power_spectrum(std::span<const double> values, double step) {
     return spectrum;
   }
   const std::size_t length = segment_length(values.size());
-  const std::size_t padded = std::max(length, kShortest);
+  const std::size_t padded = std::max(length, kMinSegment);
   const std::vector<double> window = hann(length);
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 

@@ -1,4 +1,4 @@
-// Folders of results beside each other.
+// Comparison of folders of results.
 #include <pybind11/stl.h>
 
 #include "python/bindings.h"
@@ -22,30 +22,30 @@ Json compared_numbers(const std::vector<std::optional<double>>& values) {
   return list;
 }
 
-Json told_comparison(const FolderComparison& comparison) {
+Json comparison_json(const FolderComparison& comparison) {
   Json folders = Json::array(), keys = Json::array(), results = Json::array(), findings = Json::array();
-  for (const ComparedFolder& one : comparison.folders) {
-    folders.push_back({{"name", one.name},
-                       {"path", one.path},
-                       {"title", one.title},
-                       {"version", one.version},
-                       {"governing", one.governing},
-                       {"warnings", messages(one.findings)},
-                       {"findings", findings_json(one.findings)}});
+  for (const ComparedFolder& folder : comparison.folders) {
+    folders.push_back({{"name", folder.name},
+                       {"path", folder.path},
+                       {"title", folder.title},
+                       {"version", folder.version},
+                       {"governing", folder.governing},
+                       {"warnings", messages(folder.findings)},
+                       {"findings", findings_json(folder.findings)}});
   }
-  for (const ComparedKey& one : comparison.keys) keys.push_back({{"key", one.key}, {"values", one.values}});
-  for (const ComparedResult& one : comparison.results) {
-    results.push_back({{"name", one.name},
-                       {"text", one.text},
-                       {"unit", one.unit},
-                       {"key", one.key},
-                       {"values", compared_numbers(one.values)}});
+  for (const ComparedKey& key : comparison.keys) keys.push_back({{"key", key.key}, {"values", key.values}});
+  for (const ComparedResult& result : comparison.results) {
+    results.push_back({{"name", result.name},
+                       {"text", result.text},
+                       {"unit", result.unit},
+                       {"key", result.key},
+                       {"values", compared_numbers(result.values)}});
   }
-  for (const PartialFinding& one : partial_findings(comparison)) {
-    findings.push_back({{"text", one.finding.message},
-                        {"code", kind(one.finding.code).name},
-                        {"severity", name(one.finding.severity())},
-                        {"has", one.has}});
+  for (const PartialFinding& partial : partial_findings(comparison)) {
+    findings.push_back({{"text", partial.finding.message},
+                        {"code", kind(partial.finding.code).name},
+                        {"severity", name(partial.finding.severity())},
+                        {"has", partial.has}});
   }
   return {
       {"folders", folders}, {"keys", keys}, {"results", results}, {"warnings", findings}, {"notes", comparison.notes}};
@@ -72,9 +72,9 @@ void save_comparison(const Given<FolderComparison>& comparison, const std::strin
 
 void add_comparisons(py::module_& module) {
   py::class_<FolderComparison, std::shared_ptr<FolderComparison>>(module, "FolderComparison",
-                                                                  "Folders of results beside each other.")
+                                                                  "Comparison of folders of results.")
       .def(py::init(&compared), py::arg("folders"))
-      .def("told", [](const Given<FolderComparison>& comparison) { return to_python(told_comparison(*comparison)); })
+      .def("told", [](const Given<FolderComparison>& comparison) { return to_python(comparison_json(*comparison)); })
       .def("save", &save_comparison, py::arg("folder"));
 }
 

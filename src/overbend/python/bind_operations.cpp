@@ -1,16 +1,16 @@
-// Operations on the line, stage by stage.
+// Operations with their stages.
 #include <pybind11/stl.h>
 
 #include <mutex>
 
 #include "base/file_lock.h"
+#include "python/background_work.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/operation_handle.h"
 #include "python/python_errors.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
-#include "python/without_lock.h"
 #include "resultfiles/stages/operation_reader.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
@@ -23,18 +23,18 @@ namespace {
 
 namespace py = pybind11;
 
-/// How far the stages are, for the thread that waits.
+/// Progress of the stages, for the waiting thread.
 class StageWatch {
  public:
-  bool told(const StageResult& stage, std::size_t of) {
+  bool count_stage(const StageResult& stage, std::size_t total) {
     const std::lock_guard<std::mutex> hold(mutex_);
     ++done_;
-    of_ = of;
+    of_ = total;
     name_ = stage.stage.name;
     return !stopped;
   }
   /// Calls progress(stages done, stages, name of the last one).
-  void tell(const py::object& progress) {
+  void report_progress(const py::object& progress) {
     if (progress.is_none()) return;
     std::unique_lock<std::mutex> hold(mutex_);
     if (done_ == 0) return;
@@ -60,12 +60,12 @@ std::shared_ptr<OperationHandle> solved_stages(const Given<ModelHandle>& model, 
   const auto solve = [&] {
     const Description& description = model->description();
     if (!is_lay_operation(description.operation.type)) {
-      throw std::invalid_argument("the model has no operation on the line: give operation.type and operation.stages");
+      throw std::invalid_argument("the model has no operation on the line: set operation.type and operation.stages");
     }
-    found->results =
-        solve_operation(description, [&](const StageResult& stage, std::size_t of) { return watch.told(stage, of); });
+    found->results = solve_operation(
+        description, [&](const StageResult& stage, std::size_t total) { return watch.count_stage(stage, total); });
   };
-  work_beside(solve, watch.stopped, [&] { watch.tell(progress); });
+  run_in_background(solve, watch.stopped, [&] { watch.report_progress(progress); });
   return found;
 }
 
@@ -75,14 +75,14 @@ std::shared_ptr<OperationHandle> stored_operation(const std::string& h5) {
       OperationHandle{ModelHandle::from_text(read.model_text, read.model_file), std::move(read.results)});
 }
 
-std::shared_ptr<ResultTree> tree_of_operation(const GivenOperation& operation) {
+std::shared_ptr<ResultTree> make_operation_tree(const GivenOperation& operation) {
   auto tree = std::make_shared<ResultTree>();
   write_operation_groups(*tree, operation->results);
   return tree;
 }
 
-/// The statics of a stage; null where it has no equilibrium.
-std::shared_ptr<StaticsHandle> stage_of(const GivenOperation& operation, std::size_t number) {
+/// Returns the statics of a stage; null if it has no equilibrium.
+std::shared_ptr<StaticsHandle> find_stage(const GivenOperation& operation, std::size_t number) {
   const std::vector<StageResult>& stages = operation->results.stages;
   const StageResult& stage = stages[checked_index(number, stages.size(), "stages")];
   if (!stage.lay) return nullptr;
@@ -99,7 +99,8 @@ void save_operation(const GivenOperation& operation, const std::string& folder) 
 }  // namespace
 
 void add_operations(py::module_& module) {
-  py::class_<OperationHandle, std::shared_ptr<OperationHandle>>(module, "Operation", "Stages of an operation.")
+  py::class_<OperationHandle, std::shared_ptr<OperationHandle>>(module, "Operation",
+                                                                "Results of the stages of an operation.")
       .def(py::init(&solved_stages), py::arg("model"), py::arg("progress") = py::none())
       .def_static("stored", &stored_operation, py::arg("h5"), "From results.h5.")
       .def_property_readonly("model", [](const GivenOperation& operation) { return operation->model; })
@@ -107,8 +108,9 @@ void add_operations(py::module_& module) {
            [](const GivenOperation& operation) {
              return to_python(with_objects(operation_summary_json(operation->results)));
            })
-      .def("tree", &tree_of_operation)
-      .def("stage", &stage_of, py::arg("number"), "Statics of a stage, from 0; None where it has no equilibrium.")
+      .def("tree", &make_operation_tree)
+      .def("stage", &find_stage, py::arg("number"),
+           "Returns the statics of a stage, numbered from 0; None if it has no equilibrium.")
       .def("save", &save_operation, py::arg("folder"));
   module.def(
       "has_operation", [](const std::string& h5) { return reading_results([&] { return has_lay_operation(h5); }); },

@@ -1,4 +1,4 @@
-// Trees of datasets in memory and files of results, which look alike from Python: names(group), dataset(path).
+// Datasets in memory and in results files, with the same interface in Python: names(group), dataset(path).
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What stands directly in the group, in the order of the tables of text; groups end with '/'.
+/// Returns the members of a group in the order of the text tables; names of groups end with '/'.
 std::vector<std::string> names_in(const ResultTree& tree, std::string group) {
   if (!group.ends_with('/')) group += '/';
   std::vector<std::string> names;
@@ -38,13 +38,13 @@ std::vector<std::string> names_in(const ResultTree& tree, std::string group) {
 
 using GivenTree = Given<ResultTree>;
 
-py::tuple dataset_of(const GivenTree& tree, const std::string& path) {
+py::tuple find_dataset(const GivenTree& tree, const std::string& path) {
   const auto found = tree->datasets.find(path);
   if (found == tree->datasets.end()) throw py::key_error(valid_utf8(path));
-  return told(found->second, py::cast(tree.shared()));
+  return dataset_tuple(found->second, py::cast(tree.shared()));
 }
 
-/// A file that stays open; datasets are read when they are asked for. What cannot be read is a ResultsError.
+/// An open results file; datasets are read on request. Read errors are a ResultsError.
 class ResultFile {
  public:
   explicit ResultFile(const std::string& path)
@@ -62,14 +62,14 @@ class ResultFile {
     auto held = reading_results([&] { return std::make_unique<Dataset>(file_->whole(path)); });
     const Dataset& set = *held;
     const py::capsule owner(held.release(), [](void* pointer) { delete static_cast<Dataset*>(pointer); });
-    return told(set, owner);
+    return dataset_tuple(set, owner);
   }
-  /// Of the first dimension `count` lines from `first` on.
+  /// Returns `count` rows of the first dimension starting at `first`.
   py::array_t<double> lines(const std::string& path, Extent first, Extent count) const {
     const Extent last = extent(path);
     if (first > last || count > last - first) {
-      throw py::index_error(valid_utf8(path) + " has " + std::to_string(last) + " lines, found " +
-                            std::to_string(count) + " from " + std::to_string(first) + " on");
+      throw py::index_error(valid_utf8(path) + " has " + std::to_string(last) + " rows, found a request for " +
+                            std::to_string(count) + " from " + std::to_string(first));
     }
     auto read =
         reading_results([&] { return std::make_unique<std::vector<double>>(file_->doubles(path, first, count)); });
@@ -88,8 +88,8 @@ class ResultFile {
 
 using GivenFile = Given<ResultFile>;
 
-/// Values, unit, and whether the name is of one value.
-py::tuple values_of_name(const std::string& summary, const std::string& name) {
+/// Returns values, unit, and true if the name denotes a single value.
+py::tuple find_named_values(const std::string& summary, const std::string& name) {
   const Json json = read_json(summary);
   const ResultName parsed = parsed_result_name(name);
   const std::string unit = dynamic_result_unit(name).value_or("1");
@@ -99,61 +99,64 @@ py::tuple values_of_name(const std::string& summary, const std::string& name) {
     const bool chosen = name.find_first_of("*?") != std::string::npos || name.find("..") != std::string::npos;
     return py::make_tuple(values, unit, !chosen && values.size() == 1);
   }
-  const std::optional<double> one = named_result(json, name);
-  return py::make_tuple(one ? std::vector<double>{*one} : std::vector<double>(), unit, true);
+  const std::optional<double> value = named_result(json, name);
+  return py::make_tuple(value ? std::vector<double>{*value} : std::vector<double>(), unit, true);
 }
 
 }  // namespace
 
 void add_results(py::module_& module) {
-  py::class_<ResultTree, std::shared_ptr<ResultTree>>(module, "ResultTree", "Datasets in memory, by their paths.")
+  py::class_<ResultTree, std::shared_ptr<ResultTree>>(module, "ResultTree", "Datasets in memory by path.")
       .def(
           "names", [](const GivenTree& tree, const std::string& group) { return names_in(*tree, group); },
-          py::arg("group"), "What stands directly in a group; names of groups end with '/'.")
+          py::arg("group"), "Returns the members of a group; names of groups end with '/'.")
       .def(
           "has", [](const GivenTree& tree, const std::string& path) { return tree->datasets.contains(path); },
           py::arg("path"))
-      .def("dataset", &dataset_of, py::arg("path"), "(values, units, description, frame, scales) of a dataset.");
-  py::class_<ResultFile, std::shared_ptr<ResultFile>>(module, "ResultFile", "results.h5, read when asked.")
+      .def("dataset", &find_dataset, py::arg("path"),
+           "Returns (values, units, description, frame, scales) of a dataset.");
+  py::class_<ResultFile, std::shared_ptr<ResultFile>>(module, "ResultFile", "results.h5, read on request.")
       .def(py::init<const std::string&>(), py::arg("path"))
       .def(
           "names", [](const GivenFile& file, const std::string& group) { return file->names(group); }, py::arg("group"),
-          "What stands directly in a group; groups end with '/'.")
+          "Returns the members of a group; names of groups end with '/'.")
       .def(
           "has", [](const GivenFile& file, const std::string& path) { return file->has(path); }, py::arg("path"))
       .def(
           "dataset", [](const GivenFile& file, const std::string& path) { return file->dataset(path); },
-          py::arg("path"), "(values, units, description, frame, scales).")
+          py::arg("path"), "Returns (values, units, description, frame, scales).")
       .def(
           "lines",
           [](const GivenFile& file, const std::string& path, Extent first, Extent count) {
             return file->lines(path, first, count);
           },
-          py::arg("path"), py::arg("first"), py::arg("count"), "Numbers of `count` lines of the first dimension, flat.")
+          py::arg("path"), py::arg("first"), py::arg("count"),
+          "Returns the numbers of `count` rows of the first dimension, flattened.")
       .def(
           "extent", [](const GivenFile& file, const std::string& path) { return file->extent(path); }, py::arg("path"),
-          "Number of lines of the first dimension.");
-  module.def("named_values", &values_of_name, py::arg("summary"), py::arg("name"),
-             "The values of a result by its name in the text of a summary.json, their unit, and whether it is one.");
-  module.def("result_paths", &dynamic_result_paths, "The names of all results.");
-  module.def("flow_scalar", &yaml_scalar, py::arg("text"), "A text as it stands within YAML's flow style.");
+          "Returns the number of rows of the first dimension.");
+  module.def(
+      "named_values", &find_named_values, py::arg("summary"), py::arg("name"),
+      "Returns the values of a named result in the text of a summary.json, their unit, and True for a single value.");
+  module.def("result_paths", &dynamic_result_paths, "Returns the names of all results.");
+  module.def("flow_scalar", &yaml_scalar, py::arg("text"), "Returns a text as a scalar in YAML flow style.");
   module.def(
       "summary_units", [] { return to_python(stored_summary_units()); },
-      "Units in the places of summary.json's numbers.");
+      "Returns a tree like summary.json with units in place of numbers.");
   module.def(
       "summary_descriptions", [] { return to_python(summary_descriptions()); },
-      "Descriptions in the places of summary.json's numbers.");
+      "Returns a tree like summary.json with descriptions in place of numbers.");
   module.def(
       "lift_units", [] { return to_python(stored_lift_stage_units()); },
-      "Units in the places of the numbers of a stage of a lift; of lines and davits under '*'.");
+      "Returns a tree like a stage of a lift with units in place of numbers; lines and davits under '*'.");
   module.def(
-      "lift_descriptions", [] { return to_python(lift_stage_descriptions()); }, "Descriptions likewise.");
+      "lift_descriptions", [] { return to_python(lift_stage_descriptions()); }, "The same with descriptions.");
   module.def(
       "object_units", [] { return to_python(result_objects(stored_summary_units())); },
-      "Units in the places of the numbers of results by object; of lines by their kind, of supports by '*'.");
+      "Returns a tree like the results by object with units in place of numbers; lines by kind, supports under '*'.");
   module.def(
       "object_descriptions", [] { return to_python(result_objects(summary_descriptions())); },
-      "Descriptions likewise.");
+      "The same with descriptions.");
 }
 
 }  // namespace overbend

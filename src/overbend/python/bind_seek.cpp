@@ -1,13 +1,13 @@
-// Goal seek: what is wanted comes as the key `seek` of a model file.
+// Goal seek, specified like the key `seek` of a model file.
 #include "base/file_lock.h"
 #include "modelfile/reading/seek_reader.h"
 #include "modelfile/reading/yaml_reader.h"
+#include "python/background_work.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/operation_handle.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
-#include "python/without_lock.h"
 #include "resultfiles/studies/seek_writer.h"
 #include "study/goal_seek/seek_run.h"
 
@@ -16,30 +16,30 @@ namespace {
 
 namespace py = pybind11;
 
-/// What was found, with the model and the statics of the answer.
-struct SoughtHandle {
+/// Result of a goal seek, with model and statics of the solution.
+struct GoalSeekHandle {
   SeekRun run;
   Description description;
   std::shared_ptr<ModelHandle> answer;
   std::shared_ptr<StaticsHandle> statics;
-  std::shared_ptr<OperationHandle> operation;  ///< Of a lift, in place of the statics.
+  std::shared_ptr<OperationHandle> operation;  ///< Stages of a lift, instead of the statics.
 };
 
-/// What was given here stands on no line of the model's file.
+/// Removes file and line from diagnostics of the key `seek`, which is not in the model file.
 Diagnostics without_lines(const Diagnostics& found) {
-  Diagnostics told;
-  for (Diagnostic one : found.sorted()) {
-    if (one.key.starts_with("seek")) {
-      one.file.clear();
-      one.line = one.column = 0;
+  Diagnostics kept;
+  for (Diagnostic diagnostic : found.sorted()) {
+    if (diagnostic.key.starts_with("seek")) {
+      diagnostic.file.clear();
+      diagnostic.line = diagnostic.column = 0;
     }
-    told.add(std::move(one));
+    kept.add(std::move(diagnostic));
   }
-  return told;
+  return kept;
 }
 
-/// The model with the key put in; with an empty text its own.
-Description asked_seek(const ModelHandle& model, const std::string& wanted) {
+/// Returns the model with the key `seek` set to `wanted`; unchanged if `wanted` is empty.
+Description description_with_seek(const ModelHandle& model, const std::string& wanted) {
   if (wanted.empty()) return model.description();
   ModelReading reading =
       read_model_text(edit_yaml(model.text(), {{"seek", YamlChange::Kind::flow, wanted}}), model.file());
@@ -47,12 +47,12 @@ Description asked_seek(const ModelHandle& model, const std::string& wanted) {
   return std::move(*reading.description);
 }
 
-std::shared_ptr<SoughtHandle> sought(const ModelHandle& model, const std::string& wanted,
-                                     const std::function<bool()>& stop) {
-  auto found = std::make_shared<SoughtHandle>();
-  found->description = asked_seek(model, wanted);
+std::shared_ptr<GoalSeekHandle> run_goal_seek(const ModelHandle& model, const std::string& wanted,
+                                              const std::function<bool()>& stop) {
+  auto found = std::make_shared<GoalSeekHandle>();
+  found->description = description_with_seek(model, wanted);
   const std::optional<SeekDescription> seek = read_seek(found->description);
-  if (!seek) throw SeekFault("seek: the model has no key seek, expected vary and until");
+  if (!seek) throw SeekError("seek: the model has no key seek; expected a key seek with vary and until");
   found->run = run_seek(found->description, *seek, stop);
   if (!found->run.results.found) return found;
   found->answer = model.changed(answer_changes(found->description, *seek, found->run.results));
@@ -64,16 +64,16 @@ std::shared_ptr<SoughtHandle> sought(const ModelHandle& model, const std::string
   return found;
 }
 
-using GivenSought = Given<SoughtHandle>;
+using GivenGoalSeek = Given<GoalSeekHandle>;
 
-std::shared_ptr<SoughtHandle> seek_of(const Given<ModelHandle>& model, const std::string& wanted) {
-  std::shared_ptr<SoughtHandle> found;
+std::shared_ptr<GoalSeekHandle> seek_in_background(const Given<ModelHandle>& model, const std::string& wanted) {
+  std::shared_ptr<GoalSeekHandle> found;
   std::atomic<bool> stop = false;
-  work_beside([&] { found = sought(*model, wanted, [&] { return stop.load(); }); }, stop, {});
+  run_in_background([&] { found = run_goal_seek(*model, wanted, [&] { return stop.load(); }); }, stop, {});
   return found;
 }
 
-void save_seek(const GivenSought& found, const std::string& folder) {
+void save_seek(const GivenGoalSeek& found, const std::string& folder) {
   const std::lock_guard hold(hdf5_lock());
   write_seek_run(found->run, found->description, folder);
 }
@@ -81,15 +81,15 @@ void save_seek(const GivenSought& found, const std::string& folder) {
 }  // namespace
 
 void add_seek(py::module_& module) {
-  py::class_<SoughtHandle, std::shared_ptr<SoughtHandle>>(module, "Sought", "What a goal seek found.")
+  py::class_<GoalSeekHandle, std::shared_ptr<GoalSeekHandle>>(module, "Sought", "Result of a goal seek.")
       .def_property_readonly("results",
-                             [](const GivenSought& found) { return to_python(seek_json(found->run.results)); })
-      .def_property_readonly("model", [](const GivenSought& found) { return found->answer; })
-      .def_property_readonly("statics", [](const GivenSought& found) { return found->statics; })
-      .def_property_readonly("operation", [](const GivenSought& found) { return found->operation; })
+                             [](const GivenGoalSeek& found) { return to_python(seek_json(found->run.results)); })
+      .def_property_readonly("model", [](const GivenGoalSeek& found) { return found->answer; })
+      .def_property_readonly("statics", [](const GivenGoalSeek& found) { return found->statics; })
+      .def_property_readonly("operation", [](const GivenGoalSeek& found) { return found->operation; })
       .def("save", &save_seek, py::arg("folder"));
-  module.def("seek", &seek_of, py::arg("model"), py::arg("wanted"),
-             "Searches for what the text in YAML's flow style says as the key `seek`; empty: the model's own.");
+  module.def("seek", &seek_in_background, py::arg("model"), py::arg("wanted"),
+             "Runs the goal seek given as the key `seek` in YAML flow style; empty: the key of the model.");
 }
 
 }  // namespace overbend

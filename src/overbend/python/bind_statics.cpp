@@ -1,12 +1,12 @@
-// Statics of a model.
+// Static analysis of a model.
 #include <pybind11/stl.h>
 
 #include "base/file_lock.h"
+#include "python/background_work.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
-#include "python/without_lock.h"
 
 namespace overbend {
 namespace {
@@ -24,7 +24,7 @@ std::shared_ptr<StaticsHandle> solved(const Given<ModelHandle>& model, const std
 }  // namespace
 
 void add_statics(py::module_& module) {
-  py::class_<StaticsHandle, std::shared_ptr<StaticsHandle>>(module, "Statics", "An equilibrium.")
+  py::class_<StaticsHandle, std::shared_ptr<StaticsHandle>>(module, "Statics", "A static equilibrium.")
       .def(py::init(&solved), py::arg("model"), py::arg("stage") = "", py::arg("start") = py::none())
       .def_property_readonly("model", [](const GivenStatics& statics) { return statics->model(); })
       .def(
@@ -32,10 +32,12 @@ void add_statics(py::module_& module) {
           [](const GivenStatics& statics, bool all) {
             return to_python(interruptible([&] { return statics->summary(all); }));
           },
-          py::arg("all"), "As summary.json; without `all` lacks the limits of roller friction and the hull's damping.")
+          py::arg("all"),
+          "Returns the contents of summary.json; without `all`, the limits of roller friction and the hull damping are "
+          "omitted.")
       .def(
           "tree", [](const GivenStatics& statics) { return interruptible([&] { return statics->tree(); }); },
-          "As results.h5.")
+          "Returns the datasets of results.h5.")
       .def(
           "save",
           [](const GivenStatics& statics, const std::string& folder) {

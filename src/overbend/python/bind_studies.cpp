@@ -1,24 +1,24 @@
-// Studies of many cases into folders.
+// Studies of many cases written to folders.
 #include <algorithm>
 
+#include "python/background_work.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/python_errors.h"
 #include "python/study_handle.h"
 #include "python/to_python.h"
-#include "python/without_lock.h"
 #include "resultfiles/hdf5/result_tree.h"
 #include "resultfiles/studies/operability_json.h"
 #include "resultfiles/studies/study_writer.h"
 #include "runstore/staged_folder.h"
-#include "study/campaign/whole_study.h"
+#include "study/campaign/study_execution.h"
 
 namespace overbend {
 namespace {
 
 namespace py = pybind11;
 
-struct StudyConduct {
+struct StudyOptions {
   int threads = 0;
   bool retry_failed = false;
   double checkpoint_every = 60.0;
@@ -26,25 +26,25 @@ struct StudyConduct {
 
 using GivenStudy = Given<StudyHandle>;
 
-/// Whether it was interrupted before its end.
-bool run_to_end(const GivenStudy& study, const std::string& folder, const StudyConduct& conduct,
+/// Runs the study. Returns true if it was interrupted before its end.
+bool run_to_end(const GivenStudy& study, const std::string& folder, const StudyOptions& conduct,
                 const py::object& progress) {
-  CaseCount count;
+  CaseCounter count;
   bool interrupted = false;
   const auto work = [&] {
     study->open(folder);
     StudyRunOptions options{.threads = conduct.threads, .retry_failed = conduct.retry_failed};
     options.checkpoint_every = conduct.checkpoint_every;
-    const WholeStudy whole = run_whole_study(study->base(), folder, options, count);
-    interrupted = whole.ending == RunEnding::interrupted;
-    if (whole.ending != RunEnding::done && !interrupted) throw UnusableFolder(whole.why);
+    const StudyExecution outcome = execute_study(study->base(), folder, options, count);
+    interrupted = outcome.ending == RunStatus::interrupted;
+    if (outcome.ending != RunStatus::done && !interrupted) throw UnusableFolder(outcome.why);
   };
-  const auto tell = [&] {
-    const CaseCount::Told told = count.told();
-    if (!progress.is_none() && told.done > 0) progress(told.done, told.cases, told.failed);
+  const auto report = [&] {
+    const CaseCounter::Tally tally = count.tally();
+    if (!progress.is_none() && tally.done > 0) progress(tally.done, tally.cases, tally.failed);
   };
   try {
-    work_beside(work, count.stopped, tell);
+    run_in_background(work, count.stopped, report);
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_KeyboardInterrupt)) throw;
     interrupted = true;
@@ -52,45 +52,46 @@ bool run_to_end(const GivenStudy& study, const std::string& folder, const StudyC
   return interrupted;
 }
 
-/// One case alone, with all its files: its folder within that of the study.
+/// Runs a single case with all its files. Returns its folder within that of the study.
 std::string run_one(const GivenStudy& study, const std::string& folder, std::size_t number) {
   checked_index(number, study->cases().count(), "cases");
-  StudyCase one;
+  StudyCase study_case;
   std::atomic<bool> stop = false;
   const auto work = [&] {
     study->open(folder);
-    one = run_study_case(study->base(), study->cases(), folder, number, [&] { return stop.load(); });
+    study_case = run_study_case(study->base(), study->cases(), folder, number, [&] { return stop.load(); });
   };
-  work_beside(work, stop, {});
-  if (one.state == StudyCaseState::failed) throw EndedRun({RunEnding::no_solution, one.reason});
-  return one.folder;
+  run_in_background(work, stop, {});
+  if (study_case.state == StudyCaseState::failed) throw EndedRun({RunStatus::no_solution, study_case.reason});
+  return study_case.folder;
 }
 
 std::shared_ptr<StudyResults> read_so_far(const std::string& folder) {
   return reading_results([&] { return std::make_shared<StudyResults>(study_so_far(folder)); });
 }
 
-std::shared_ptr<ResultTree> tree_of_study(const Given<StudyResults>& results) {
+std::shared_ptr<ResultTree> make_study_tree(const Given<StudyResults>& results) {
   auto tree = std::make_shared<ResultTree>();
   write_study_groups(*tree, *results);
   return tree;
 }
 
-/// What the columns of the table are, and the limits that were looked for.
-Json told_study(const StudyResults& results) {
+/// Returns the columns of the table and the results of an operability search.
+Json study_tables_json(const StudyResults& results) {
   Json inputs = Json::array(), outputs = Json::array();
-  for (const StudyInput& one : results.inputs) {
-    inputs.push_back({{"key", one.key},
-                      {"unit", one.unit},
-                      {"with", one.with},
-                      {"sampled", one.sampled},
-                      {"words", one.words},
-                      {"values", one.values}});
+  for (const StudyInput& input : results.inputs) {
+    inputs.push_back({{"key", input.key},
+                      {"unit", input.unit},
+                      {"with", input.with},
+                      {"sampled", input.sampled},
+                      {"words", input.value_texts},
+                      {"values", input.values}});
   }
-  for (const StudyOutput& one : results.outputs) {
-    outputs.push_back({{"name", one.name}, {"unit", one.unit}, {"text", one.text}});
+  for (const StudyOutput& output : results.outputs) {
+    outputs.push_back({{"name", output.name}, {"unit", output.unit}, {"text", output.text}});
   }
-  const auto seeds = std::ranges::count_if(results.cases, [](const StudyCase& one) { return one.group == 0; });
+  const auto seeds =
+      std::ranges::count_if(results.cases, [](const StudyCase& study_case) { return study_case.group == 0; });
   return {{"title", results.title},
           {"version", results.version},
           {"analysis", results.analysis},
@@ -129,13 +130,13 @@ void add_studies(py::module_& module) {
           },
           py::arg("folder"), py::kw_only(), py::arg("threads") = 0, py::arg("retry_failed") = false,
           py::arg("checkpoint") = 60.0, py::arg("progress") = py::none(),
-          "Runs what is open; whether it was interrupted.")
+          "Runs the open cases. Returns True if it was interrupted.")
       .def("run_case", &run_one, py::arg("folder"), py::arg("number"),
-           "Solves one case with all its files: its folder within that of the study.");
-  py::class_<StudyResults, std::shared_ptr<StudyResults>>(module, "StudyTables", "What a study gave.")
+           "Runs a single case with all its files. Returns its folder within that of the study.");
+  py::class_<StudyResults, std::shared_ptr<StudyResults>>(module, "StudyTables", "Results of a study.")
       .def(py::init(&read_so_far), py::arg("folder"))
-      .def("tree", &tree_of_study)
-      .def("told", [](const Given<StudyResults>& results) { return to_python(told_study(*results)); });
+      .def("tree", &make_study_tree)
+      .def("told", [](const Given<StudyResults>& results) { return to_python(study_tables_json(*results)); });
 }
 
 }  // namespace overbend

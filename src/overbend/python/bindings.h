@@ -1,36 +1,35 @@
-/// The parts of the Python extension module overbend._core. What users see is the Python package in python/overbend; it
-/// stands on these few functions and classes.
+/// Parts of the Python extension module overbend._core, on which the Python package in python/overbend is based.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 namespace overbend {
 
-/// Makes Python exceptions of the engine's.
+/// Registers the translation of C++ exceptions to Python exceptions.
 void add_errors(pybind11::module_& module);
-/// Trees of datasets and files of results.
+/// Datasets in memory and results files.
 void add_results(pybind11::module_& module);
 /// Models.
 void add_model(pybind11::module_& module);
-/// Statics of a model.
+/// Static analysis.
 void add_statics(pybind11::module_& module);
-/// Controllers of machines, and what they see.
+/// Controllers of machines, and their machine readings.
 void add_controllers(pybind11::module_& module);
-/// Dynamic analyses into folders.
+/// Dynamic analyses written to folders.
 void add_dynamics(pybind11::module_& module);
 /// Goal seek.
 void add_seek(pybind11::module_& module);
-/// Operations on the line.
+/// Operations with their stages.
 void add_operations(pybind11::module_& module);
 /// Lay tables.
 void add_lay_tables(pybind11::module_& module);
-/// What results hang on.
+/// Sensitivities.
 void add_sensitivities(pybind11::module_& module);
 /// Studies of many cases.
 void add_studies(pybind11::module_& module);
-/// Folders of results beside each other.
+/// Comparison of folders of results.
 void add_comparisons(pybind11::module_& module);
-/// Dynamic analyses step by step.
+/// Dynamic analyses advanced step by step.
 void add_simulation(pybind11::module_& module);
 
 }  // namespace overbend

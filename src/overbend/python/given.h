@@ -1,4 +1,4 @@
-/// Checked arguments from Python.
+/// Validation of arguments from Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -28,14 +28,14 @@ class Given {
   std::shared_ptr<T> object_;
 };
 
-/// The index of one of `count` items. Throws IndexError.
+/// Returns the index if it is below `count`; throws IndexError otherwise.
 inline std::size_t checked_index(std::size_t index, std::size_t count, const char* items) {
   if (index < count) return index;
   throw pybind11::index_error("there are " + std::to_string(count) + " " + items + ", found the index " +
                               std::to_string(index));
 }
 
-/// Number of threads; 0: the number of cores. Throws std::invalid_argument.
+/// Returns the number of threads (0: number of cores); throws std::invalid_argument if it is out of range.
 inline int checked_threads(int threads) {
   constexpr int kMaxThreads = 1024;
   if (threads >= 0 && threads <= kMaxThreads) return threads;
@@ -43,7 +43,7 @@ inline int checked_threads(int threads) {
                               std::to_string(kMaxThreads));
 }
 
-/// Throws std::invalid_argument if the number is not finite or below `low`.
+/// Returns the value; throws std::invalid_argument if it is not finite or below `low`.
 inline double checked_number(double value, const char* name, double low) {
   if (std::isfinite(value) && value >= low) return value;
   throw std::invalid_argument(std::string(name) + ": found " + std::to_string(value) +
@@ -64,14 +64,14 @@ struct type_caster<overbend::Given<T>> {
     Held held;
     try {
       if (!held.load(source, convert)) return false;
-    } catch (const cast_error&) {  // not initialised: it has no holder
+    } catch (const cast_error&) {  // not initialised: no holder
       return false;
     }
     value = overbend::Given<T>(cast_op<std::shared_ptr<T>&>(held));
     return true;
   }
-  static handle cast(const overbend::Given<T>& given, return_value_policy policy, handle parent) {
-    return Held::cast(given.shared(), policy, parent);
+  static handle cast(const overbend::Given<T>& argument, return_value_policy policy, handle parent) {
+    return Held::cast(argument.shared(), policy, parent);
   }
 };
 

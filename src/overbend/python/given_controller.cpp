@@ -11,7 +11,7 @@ std::string shown(const py::handle& object) {
   return py::repr(object).cast<std::string>();
 }
 
-/// None where a controller needs no such function.
+/// Throws TypeError if the object is neither callable nor None.
 void require_callable(const py::object& function, const char* name) {
   if (function.is_none() || PyCallable_Check(function.ptr()) != 0) return;
   throw py::type_error(std::string(name) + ": found " + shown(function) + ", expected a function or None");
@@ -20,11 +20,11 @@ void require_callable(const py::object& function, const char* name) {
 overbend_controller compiled_function(const py::object& function) {
   const py::module_ ctypes = py::module_::import("ctypes");
   if (!py::isinstance(function, ctypes.attr("_CFuncPtr"))) {
-    throw py::type_error("a compiled controller is a function of ctypes, found " + shown(function));
+    throw py::type_error("a compiled controller must be a ctypes function, found " + shown(function));
   }
   const py::object address = ctypes.attr("cast")(function, ctypes.attr("c_void_p")).attr("value");
   if (address.is_none()) throw py::type_error("the compiled controller is a null pointer");
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): ctypes gives the place of a function as a number
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ctypes returns the address of a function as a number
   return reinterpret_cast<overbend_controller>(address.cast<std::uintptr_t>());
 }
 
@@ -34,7 +34,7 @@ py::object set_tension_class() {
   return py::module_::import("overbend.controllers").attr("SetTension");
 }
 
-MachineCommand command_of(const py::handle& answer, const py::object& set_tension) {
+MachineCommand convert_command(const py::handle& answer, const py::object& set_tension) {
   using Kind = MachineCommand::Kind;
   if (answer.is_none()) return {Kind::leave, 0.0};
   if (!PyBool_Check(answer.ptr()) && !py::isinstance<py::str>(answer)) {
@@ -54,19 +54,19 @@ PythonController::PythonController(py::function function, py::object save, py::o
   require_callable(restore_, "restore");
 }
 
-/// Where a function raises, its exception is kept as it is for who started the run.
+/// Stores the exception of a function, to be raised by the thread that started the run.
 void PythonController::keep(py::error_already_set& error) const {
   raised_ = error.value();
   if (error.trace()) PyException_SetTraceback(raised_.ptr(), error.trace().ptr());
 }
 
-KeptController::KeptController(py::object function, std::vector<double> memory)
+CtypesController::CtypesController(py::object function, std::vector<double> memory)
     : CompiledController(compiled_function(function), std::move(memory)), function_(std::move(function)) {}
 
 MachineCommand PythonController::command(const MachineReading& seen) {
   const py::gil_scoped_acquire hold;
   try {
-    return command_of(function_(seen.time, seen), set_tension_);
+    return convert_command(function_(seen.time, seen), set_tension_);
   } catch (py::error_already_set& error) {
     keep(error);
     throw std::runtime_error(error.what());
@@ -98,15 +98,17 @@ void PythonController::raise(const std::string& where) {
   throw py::error_already_set();
 }
 
-std::vector<ControllerUse> uses_of(const GivenControllers& given) {
+std::vector<ControllerUse> controller_uses(const GivenControllers& controllers) {
   std::vector<ControllerUse> uses;
-  for (const auto& [machine, one] : given) uses.push_back({machine, one->controller.get(), one->interval});
+  for (const auto& [machine, controller] : controllers) {
+    uses.push_back({machine, controller->controller.get(), controller->interval});
+  }
   return uses;
 }
 
-void raise_of_controllers(const GivenControllers& given, const std::string& why) {
-  for (const auto& [machine, one] : given) {
-    if (auto* python = dynamic_cast<PythonController*>(one->controller.get())) python->raise(why);
+void raise_controller_exception(const GivenControllers& controllers, const std::string& why) {
+  for (const auto& [machine, controller] : controllers) {
+    if (auto* python = dynamic_cast<PythonController*>(controller->controller.get())) python->raise(why);
   }
 }
 

@@ -1,4 +1,4 @@
-/// Controllers as Python gives them: functions of Python, or compiled ones.
+/// Controllers from Python: Python functions or compiled functions.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,17 +13,17 @@
 
 namespace overbend {
 
-/// A function of Python. Made, asked for what it raised and destroyed with the interpreter's lock; takes it to call.
+/// A Python function. To be created, raised from and destroyed with the GIL held; acquires the GIL for calls.
 class PythonController : public Controller {
  public:
-  /// `save` gives a sequence of numbers that `restore` takes; both None where the function remembers nothing.
+  /// `save` returns a sequence of numbers that `restore` accepts; both are None if the function has no state.
   PythonController(pybind11::function function, pybind11::object save, pybind11::object restore);
 
   MachineCommand command(const MachineReading& seen) override;
   std::vector<double> save() const override;
   void restore(const std::vector<double>& saved) override;
 
-  /// Raises in Python what the function raised, where it did, with a note of where.
+  /// Raises the stored exception of the function, if any, with a note on `where`.
   void raise(const std::string& where);
 
  private:
@@ -31,37 +31,38 @@ class PythonController : public Controller {
 
   pybind11::function function_;
   pybind11::object save_, restore_, set_tension_;
-  mutable pybind11::object raised_;  ///< An exception; none.
+  mutable pybind11::object raised_;  ///< Stored exception; null if none.
 };
 
-/// A compiled function that ctypes knows, which is kept alive. Likewise.
-class KeptController : public CompiledController {
+/// A compiled function from ctypes, which is kept alive. Needs the GIL like PythonController.
+class CtypesController : public CompiledController {
  public:
-  /// Throws pybind11::type_error where it is no function of ctypes, or a null pointer.
-  KeptController(pybind11::object function, std::vector<double> memory);
+  /// Throws pybind11::type_error if `function` is not a ctypes function or is a null pointer.
+  CtypesController(pybind11::object function, std::vector<double> memory);
 
  private:
   pybind11::object function_;
 };
 
-/// A controller of a machine, and how often it is asked.
+/// A controller of a machine and its sampling interval.
 struct GivenController {
-  std::shared_ptr<Controller> controller;  ///< Null: the machine takes commands by calls alone.
+  std::shared_ptr<Controller> controller;  ///< Null: the machine is commanded by method calls only.
   double interval = 0.1;                   ///< [s]
 };
 
-/// By the machine that each drives.
+/// Controllers by the name of the machine.
 using GivenControllers = std::map<std::string, Given<GivenController>>;
 
-/// For a run; what they point to belongs to `given`.
-std::vector<ControllerUse> uses_of(const GivenControllers& given);
+/// Returns the controllers for a run. The pointers are owned by `controllers`.
+std::vector<ControllerUse> controller_uses(const GivenControllers& controllers);
 
-/// Raises what one of them raised while it was called: the end of a run that failed for it.
-void raise_of_controllers(const GivenControllers& given, const std::string& why);
+/// Raises the exception stored by one of the controllers, if any, with the note `why`.
+void raise_controller_exception(const GivenControllers& controllers, const std::string& why);
 
-/// What Python says a machine shall do: None, a speed [m/s], or a `set_tension` [N], the class overbend.SetTension.
-/// Throws std::invalid_argument.
-MachineCommand command_of(const pybind11::handle& answer, const pybind11::object& set_tension);
+/// Converts the return value of a controller: None, a speed [m/s], or an object of the class `set_tension`
+/// (overbend.SetTension) [N]. Throws std::invalid_argument.
+MachineCommand convert_command(const pybind11::handle& answer, const pybind11::object& set_tension);
+/// Returns the class overbend.SetTension.
 pybind11::object set_tension_class();
 
 }  // namespace overbend

@@ -11,11 +11,11 @@ namespace py = pybind11;
 
 struct Hold {
   PyGILState_STATE state;
-  py::object h5py;  ///< Its lock; None where it is not loaded.
+  py::object h5py;  ///< Lock of h5py; None if it is not loaded.
 };
-thread_local std::vector<Hold> holds;  ///< Of this thread, one in the other.
+thread_local std::vector<Hold> holds;  ///< Nested locks of this thread.
 
-/// h5py gives the interpreter's lock away while it waits for files, but never this one.
+/// Returns the lock of h5py, which h5py holds even while it releases the GIL.
 py::object lock_of_h5py() {
   const auto objects = py::reinterpret_steal<py::object>(PyImport_GetModule(py::str("h5py._objects").ptr()));
   if (!objects) return py::none();

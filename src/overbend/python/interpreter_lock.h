@@ -1,12 +1,12 @@
-/// The lock around HDF5 within Python.
+/// Lock for HDF5 within Python.
 #pragma once
 
 #include "base/file_lock.h"
 
 namespace overbend {
 
-/// Holds the interpreter's lock, and that of h5py where it is loaded: the same HDF5 library serves it and us, one
-/// thread at a time. A thread that has the interpreter's lock already may hold it as well.
+/// Holds the GIL, and the lock of h5py if it is loaded, because h5py uses the same HDF5 library, which is not
+/// thread-safe. May be locked by a thread that already holds the GIL.
 class InterpreterLock : public FileLock {
  public:
   void lock() override;

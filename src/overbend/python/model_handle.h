@@ -1,4 +1,4 @@
-/// A model as Python holds it: its text, with keys set anew as often as wanted.
+/// A model in Python: its text, with keys that can be set.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace overbend {
 
-/// A text that is no model, with all that was found wrong.
+/// Thrown if a text is not a valid model; contains the diagnostics.
 class UnreadableModel : public std::runtime_error {
  public:
   explicit UnreadableModel(Diagnostics found)
@@ -26,27 +26,29 @@ class UnreadableModel : public std::runtime_error {
   Diagnostics found_;
 };
 
-/// Constant for who looks at it. The tree of the text is kept, so that a change of scalars reads no text; what only a
-/// whole reading gives (files that the model names, warnings) is read when it is asked for.
+/// Immutable for users. Keeps the tree of the text, so that scalars can be changed without reading the text; contents
+/// that need a complete reading (referenced files, warnings) are read on request.
 class ModelHandle {
  public:
-  /// Throws UnreadableModel, as the functions below.
+  /// Reads a file. Throws UnreadableModel, like the functions below.
   static std::shared_ptr<ModelHandle> read(const std::string& path);
-  /// `file` names the text in messages and gives the folder of the files that it mentions.
+  /// Reads a text. `file` names it in messages and gives the folder of referenced files.
   static std::shared_ptr<ModelHandle> from_text(const std::string& text, const std::string& file);
 
-  /// The model with keys set, one after the other. A key may choose items by pattern. Throws besides YamlEditFault
-  /// where a key cannot be set, std::invalid_argument where it is none or chooses nothing.
+  /// Returns the model with keys set in order. A key may select items by pattern. Also throws YamlEditError if a key
+  /// cannot be set, and std::invalid_argument if it does not exist or selects nothing.
   std::shared_ptr<ModelHandle> changed(const std::vector<YamlChange>& changes) const;
 
-  /// As read from the whole text.
+  /// Returns the description from a complete reading of the text.
   const Description& description() const;
-  /// Enough for statics.
-  const Description& still() const { return still_ ? *still_ : *whole_; }
+  /// Returns a description sufficient for statics.
+  const Description& statics_description() const {
+    return statics_description_ ? *statics_description_ : *full_description_;
+  }
   const std::string& text() const;
   const std::string& file() const { return file_; }
-  /// What the text has for a key, of the first item that it chooses; null where it is left out. Throws
-  /// std::invalid_argument where it is no key.
+  /// Returns the node of a key in the text (of the first item that it selects); null if it is not given. Throws
+  /// std::invalid_argument if it is not a valid key.
   const YamlNode* find(const std::string& key) const;
   const YamlNode& tree() const { return tree_; }
 
@@ -55,12 +57,12 @@ class ModelHandle {
 
   std::string file_;
   YamlNode tree_;
-  std::vector<YamlChange> pending_;  ///< Not yet in the text.
-  std::optional<Description> still_;
-  mutable std::mutex mutex_;  ///< On the members below, which are made when they are asked for.
+  std::vector<YamlChange> pending_;  ///< Changes not yet applied to the text.
+  std::optional<Description> statics_description_;
+  mutable std::mutex mutex_;  ///< Guards the members below, which are made on request.
   mutable std::string text_;
   mutable bool text_is_new_ = true;
-  mutable std::optional<Description> whole_;
+  mutable std::optional<Description> full_description_;
 };
 
 }  // namespace overbend

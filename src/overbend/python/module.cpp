@@ -1,4 +1,4 @@
-// The extension module overbend._core.
+// Extension module overbend._core.
 #include <string>
 
 #include "base/shown_unit.h"
@@ -7,8 +7,8 @@
 #include "python/interpreter_lock.h"
 
 PYBIND11_MODULE(_core, module) {
-  module.doc() = "The engine behind the package overbend. Use that; nothing here is promised to stay.";
-  static auto* const lock = new overbend::InterpreterLock;  // threads may outlive the module
+  module.doc() = "Engine of the package overbend. Use the package: this module is internal and may change.";
+  static auto* const lock = new overbend::InterpreterLock;  // not destroyed, because threads may outlive the module
   overbend::set_hdf5_lock(*lock);
   module.attr("version") = OVERBEND_VERSION;
   module.def(
@@ -31,10 +31,10 @@ PYBIND11_MODULE(_core, module) {
       "shown_unit",
       [=](const std::string& name, const std::string& units) { return as_tuple(overbend::shown_unit(name, units)); },
       pybind11::arg("name"), pybind11::arg("units"),
-      "Name, factor from SI and decimals of the unit a quantity is shown in.");
+      "Returns name, factor from SI and decimals of the unit a quantity is shown in.");
   module.def(
       "section_length", [=] { return as_tuple(overbend::section_length()); },
-      "The same of gaps and lengths of a cross-section.");
+      "The same for gaps and dimensions of a cross-section.");
   overbend::add_errors(module);
   overbend::add_results(module);
   overbend::add_model(module);

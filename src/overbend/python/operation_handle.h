@@ -1,4 +1,4 @@
-/// What Python holds of an operation: its stages with the model that they are of.
+/// An operation in Python: the results of its stages, with the model.
 #pragma once
 
 #include <memory>

@@ -18,8 +18,8 @@ py::str python_text(const std::string& text) {
   return py::str(valid_utf8(text));
 }
 
-py::object python_text(py::object other) {
-  return other;
+py::object python_text(py::object object) {
+  return object;
 }
 
 /// Sets the exception overbend.errors.<name>(arguments...).
@@ -30,25 +30,25 @@ void set_error(const char* name, Arguments&&... arguments) {
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
-py::dict fault_of(const Diagnostic& found) {
-  py::dict fault;
-  fault["message"] = render(found);
-  fault["file"] = found.file;
-  fault["line"] = found.line;
-  fault["column"] = found.column;
-  fault["key"] = found.key;
-  fault["found"] = found.found;
-  fault["expected"] = found.expected;
-  fault["hint"] = found.hint;
-  return fault;
+py::dict diagnostic_dict(const Diagnostic& found) {
+  py::dict entry;
+  entry["message"] = render(found);
+  entry["file"] = found.file;
+  entry["line"] = found.line;
+  entry["column"] = found.column;
+  entry["key"] = found.key;
+  entry["found"] = found.found;
+  entry["expected"] = found.expected;
+  entry["hint"] = found.hint;
+  return entry;
 }
 
 void set_model_error(const Diagnostics& diagnostics) {
-  py::list faults;
+  py::list errors;
   for (const Diagnostic& found : diagnostics.sorted()) {
-    if (found.severity == Severity::error) faults.append(fault_of(found));
+    if (found.severity == Severity::error) errors.append(diagnostic_dict(found));
   }
-  set_error("ModelError", py::none(), faults);
+  set_error("ModelError", py::none(), errors);
 }
 
 void set_failure(const StaticFailure& failure) {
@@ -56,44 +56,45 @@ void set_failure(const StaticFailure& failure) {
   set_error("NoSolution", failure.what, failure.where, failure.why);
 }
 
-void set_ending(const RunEnd& end) {
+void set_ending(const RunResult& end) {
   switch (end.ending) {
-    case RunEnding::wrong_input:
+    case RunStatus::wrong_input:
       return set_error("ModelError", end.why);
-    case RunEnding::no_solution:
+    case RunStatus::no_solution:
       return set_error("NoSolution", end.why);
     default:
       return set_error("ResultsError", end.why);
   }
 }
 
-/// Sets the exception of Python that belongs to a fault of the engine; throws on what belongs to none.
-void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11 gives the type
+/// Sets the Python exception for a C++ exception of the engine; rethrows others.
+void translate(
+    std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): signature required by pybind11
   try {
     if (thrown) std::rethrow_exception(thrown);
-  } catch (const UnreadableModel& fault) {
-    set_model_error(fault.diagnostics());
-  } catch (const SolveFault& fault) {
-    set_failure(fault.failure());
-  } catch (const EndedRun& fault) {
-    set_ending(fault.end());
-  } catch (const YamlEditFault& fault) {
-    set_error("ModelError", fault.what());
-  } catch (const SeekFault& fault) {
-    set_error("ModelError", fault.what());
-  } catch (const UnusableFolder& fault) {
-    set_error("ResultsError", fault.what());
-  } catch (const FileFault& fault) {
-    set_error("ResultsError", fault.what());
-  } catch (const std::invalid_argument& fault) {
-    set_error("ModelError", fault.what());
+  } catch (const UnreadableModel& error) {
+    set_model_error(error.diagnostics());
+  } catch (const SolveError& error) {
+    set_failure(error.failure());
+  } catch (const EndedRun& error) {
+    set_ending(error.end());
+  } catch (const YamlEditError& error) {
+    set_error("ModelError", error.what());
+  } catch (const SeekError& error) {
+    set_error("ModelError", error.what());
+  } catch (const UnusableFolder& error) {
+    set_error("ResultsError", error.what());
+  } catch (const FileError& error) {
+    set_error("ResultsError", error.what());
+  } catch (const std::invalid_argument& error) {
+    set_error("ModelError", error.what());
   } catch (const py::builtin_exception&) {
     throw;
   } catch (const py::error_already_set&) {
     throw;
-  } catch (const std::exception& fault) {  // pybind11 has an exception for it, but takes its text for UTF-8
-    if (valid_utf8(fault.what()) == fault.what()) throw;
-    PyErr_SetString(PyExc_RuntimeError, valid_utf8(fault.what()).c_str());
+  } catch (const std::exception& error) {  // pybind11 translates it, but assumes that its text is UTF-8
+    if (valid_utf8(error.what()) == error.what()) throw;
+    PyErr_SetString(PyExc_RuntimeError, valid_utf8(error.what()).c_str());
   }
 }
 

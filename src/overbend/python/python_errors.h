@@ -1,4 +1,4 @@
-/// Errors of the engine as exceptions of Python: what is thrown from a function of the module becomes one by its type.
+/// Translation of C++ exceptions of the engine to Python exceptions, by type.
 #pragma once
 
 #include <mutex>
@@ -8,43 +8,43 @@
 
 #include "base/file_lock.h"
 #include "statics/solver/statics.h"
-#include "study/run/run_ending.h"
+#include "study/run/run_status.h"
 
 namespace overbend {
 
-/// Why there is no equilibrium.
-class SolveFault : public std::runtime_error {
+/// Thrown if there is no equilibrium.
+class SolveError : public std::runtime_error {
  public:
-  explicit SolveFault(StaticFailure failure) : std::runtime_error(failure.what), failure_(std::move(failure)) {}
+  explicit SolveError(StaticFailure failure) : std::runtime_error(failure.what), failure_(std::move(failure)) {}
   const StaticFailure& failure() const { return failure_; }
 
  private:
   StaticFailure failure_;
 };
 
-/// A run or a choice that ended otherwise than well.
+/// Thrown if a run or a choice did not succeed.
 class EndedRun : public std::runtime_error {
  public:
-  explicit EndedRun(RunEnd end) : std::runtime_error(end.why), end_(std::move(end)) {}
-  const RunEnd& end() const { return end_; }
+  explicit EndedRun(RunResult end) : std::runtime_error(end.why), end_(std::move(end)) {}
+  const RunResult& end() const { return end_; }
 
  private:
-  RunEnd end_;
+  RunResult end_;
 };
 
-/// overbend.errors.ResultsError; the interpreter's lock must be held.
+/// Raises overbend.errors.ResultsError; the GIL must be held.
 [[noreturn]] void raise_results_error(const std::string& sentence);
-/// Reads files of results, alone with HDF5; what fails there is a ResultsError.
+/// Calls `read` with the HDF5 lock held; errors become a ResultsError.
 template <class Function>
 auto reading_results(Function read) {
   const std::lock_guard hold(hdf5_lock());
   try {
     return read();
-  } catch (const std::runtime_error& fault) {
-    raise_results_error(fault.what());
+  } catch (const std::runtime_error& error) {
+    raise_results_error(error.what());
   }
 }
-/// overbend.errors.ControllerError, likewise.
+/// Raises overbend.errors.ControllerError; the GIL must be held.
 [[noreturn]] void raise_controller_error(const std::string& what, const std::string& where, const std::string& why);
 
 }  // namespace overbend

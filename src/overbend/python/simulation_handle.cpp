@@ -11,32 +11,33 @@
 namespace overbend {
 namespace {
 
-std::shared_ptr<const PreparedCase> taken(std::variant<std::shared_ptr<const PreparedCase>, RunEnd> made) {
-  if (const auto* fault = std::get_if<RunEnd>(&made)) throw EndedRun(*fault);
+std::shared_ptr<const PreparedCase> taken(std::variant<std::shared_ptr<const PreparedCase>, RunResult> made) {
+  if (const auto* error = std::get_if<RunResult>(&made)) throw EndedRun(*error);
   return std::get<std::shared_ptr<const PreparedCase>>(std::move(made));
 }
 
-std::shared_ptr<const PreparedCase> prepared_of(const ModelHandle& model, const std::string& stage,
-                                                std::optional<double> duration, const GivenControllers& controllers) {
+std::shared_ptr<const PreparedCase> make_prepared_case(const ModelHandle& model, const std::string& stage,
+                                                       std::optional<double> duration,
+                                                       const GivenControllers& controllers) {
   Description description = chosen_description(model, stage);
   set_duration(description, duration);
-  return taken(prepare_case(description, uses_of(controllers)));
+  return taken(prepare_case(description, controller_uses(controllers)));
 }
 
 }  // namespace
 
 SimulationHandle::SimulationHandle(const ModelHandle& model, const std::string& stage, std::optional<double> duration,
                                    std::optional<std::uint64_t> seed, GivenControllers controllers)
-    : controllers_(std::move(controllers)), prepared_(prepared_of(model, stage, duration, controllers_)) {
+    : controllers_(std::move(controllers)), prepared_(make_prepared_case(model, stage, duration, controllers_)) {
   DynamicOptions options = dynamic_options(prepared_->model);
   options.seed = seed.value_or(options.seed);
   options.controllers = prepared_->controllers;
   input_ = fmt::format("{}\n# seed {}\n", prepared_->input, options.seed);
   simulation_.emplace(prepared_->model, prepared_->start, prepared_->statics.top_tension, options);
-  if (simulation_->failure()) throw SolveFault(*simulation_->failure());
+  if (simulation_->failure()) throw SolveError(*simulation_->failure());
 }
 
-std::size_t SimulationHandle::attachment_of(const std::string& machine) const {
+std::size_t SimulationHandle::find_machine_attachment(const std::string& machine) const {
   const System& system = simulation().system();
   if (machine == kTensionerMachine) {
     if (const std::optional<LaidPipe> pipe = find_laid_pipe(system)) return pipe->tensioner;
@@ -46,16 +47,16 @@ std::size_t SimulationHandle::attachment_of(const std::string& machine) const {
     if (system.lines[line].name != machine) continue;
     if (const std::optional<std::size_t> fairlead = find_attachment(system, line, LineEnd::last)) return *fairlead;
   }
-  throw std::invalid_argument("there is no mooring line '" + machine + "' of elements");
+  throw std::invalid_argument("there is no mooring line '" + machine + "' with elements");
 }
 
-/// One thread at a time, and no steps from within a controller.
+/// Ensures that one thread advances the simulation at a time, and that controllers do not.
 class SimulationHandle::Work {
  public:
   explicit Work(SimulationHandle& handle) : handle_(handle) {
-    std::thread::id nobody{};
-    if (!handle_.worker_.compare_exchange_strong(nobody, std::this_thread::get_id())) {
-      throw std::runtime_error("the simulation is at work: it cannot be advanced by a controller or another thread");
+    std::thread::id no_thread{};
+    if (!handle_.worker_.compare_exchange_strong(no_thread, std::this_thread::get_id())) {
+      throw std::runtime_error("the simulation is being advanced; a controller or another thread cannot advance it");
     }
   }
   Work(const Work&) = delete;
@@ -69,14 +70,14 @@ class SimulationHandle::Work {
 const Simulation& SimulationHandle::simulation() const {
   const std::thread::id worker = worker_;
   if (worker != std::thread::id{} && worker != std::this_thread::get_id()) {
-    throw std::runtime_error("the simulation is at work in another thread");
+    throw std::runtime_error("the simulation is being advanced by another thread");
   }
   return *simulation_;
 }
 
 bool SimulationHandle::take_step() {
   const bool stepped = simulation_->step();
-  if (simulation_->failure()) throw SolveFault(*simulation_->failure());
+  if (simulation_->failure()) throw SolveError(*simulation_->failure());
   return stepped;
 }
 
@@ -105,10 +106,10 @@ const Line& SimulationHandle::pipe() const {
 
 NodeValues SimulationHandle::values() const {
   const Line& line = pipe();
-  const Instant now = simulation_->now();
+  const Instant instant = simulation_->present();
   NodeValues values;
   values.resize(static_cast<std::size_t>(line.mesh.nodes()));
-  NodeRecovery(prepared_->model, line).recover(now.pipe(), now.pipe_assembly(), now.water(), values);
+  NodeRecovery(prepared_->model, line).recover(instant.pipe(), instant.pipe_assembly(), instant.water(), values);
   return values;
 }
 
@@ -123,8 +124,7 @@ SavedSimulation SimulationHandle::save() const {
 
 void SimulationHandle::restore(const SavedSimulation& saved) {
   if (saved.input != input_) {
-    throw std::invalid_argument(
-        "the state is of a simulation of another model, with another seed or other controllers");
+    throw std::invalid_argument("the state belongs to a simulation of another model, seed or set of controllers");
   }
   const Work work(*this);
   simulation_->restore(saved.state);

@@ -1,4 +1,4 @@
-/// A simulation as Python holds it.
+/// A simulation in Python.
 #pragma once
 
 #include <atomic>
@@ -10,46 +10,47 @@
 #include "dynamics/run/simulation.h"
 #include "python/given_controller.h"
 #include "python/model_handle.h"
-#include "recording/dynamic_stations.h"
+#include "recording/node_recovery.h"
 #include "study/run/prepared_case.h"
 
 namespace overbend {
 
-/// A state of a simulation, for one of the same model.
+/// State of a simulation, which can be restored in a simulation of the same model.
 struct SavedSimulation {
-  std::string input;  ///< Of the case that it is of, with its seed.
+  std::string input;  ///< Input of the case, including its seed.
   DynamicCheckpoint state;
 };
 
 class SimulationHandle {
  public:
-  /// The model with its statics solved, at the beginning of the build-up. `stage`, `duration` and `seed` as of runs.
-  /// Throws SolveFault, EndedRun and what ModelHandle throws.
+  /// Solves the statics and starts at the beginning of the build-up. `stage`, `duration` and `seed` as for runs. Throws
+  /// SolveError, EndedRun and the exceptions of ModelHandle.
   SimulationHandle(const ModelHandle& model, const std::string& stage, std::optional<double> duration,
                    std::optional<std::uint64_t> seed, GivenControllers controllers);
 
-  /// Throws std::runtime_error while another thread goes on with it.
+  /// Throws std::runtime_error while another thread advances it.
   const Simulation& simulation() const;
   const Model& model() const { return prepared_->model; }
   const GivenControllers& controllers() const { return controllers_; }
-  /// The attachment of a machine, by its name; of a mooring line the one at its fairlead. Throws std::invalid_argument
-  /// where there is none.
-  std::size_t attachment_of(const std::string& machine) const;
+  /// Returns the index of the attachment of a machine; for a mooring line, that at its fairlead. Throws
+  /// std::invalid_argument if there is none.
+  std::size_t find_machine_attachment(const std::string& machine) const;
 
-  /// One step, or steps up to the first instant at or after a time, while `stop` is not set. Throws SolveFault where
-  /// one fails, of a controller with `input`; std::runtime_error where it is at work already.
+  /// Takes one step, or steps until the time `until` [s] is reached or `stop` is set. Throws SolveError if a step fails
+  /// (with `input` set for a failure of a controller); std::runtime_error if it is already being advanced.
   bool step();
   void advance(double until, const std::atomic<bool>& stop);
   void command(const std::string& machine, const MachineCommand& command);
 
-  /// Values at the nodes of the pipe, of the present.
-  const Line& pipe() const;  ///< Throws std::invalid_argument where there is none.
+  /// Returns the pipe; throws std::invalid_argument if there is none.
+  const Line& pipe() const;
+  /// Returns the current values at the nodes of the pipe.
   NodeValues values() const;
-  /// Of these the first that is no laid pipe behind the line of statics.
+  /// Returns the first node that is not on the laid pipe added behind the static line.
   std::size_t first_node() const;
 
   SavedSimulation save() const;
-  /// Throws std::invalid_argument where it is of another model, seed or other controllers.
+  /// Throws std::invalid_argument if the state belongs to another model, seed or set of controllers.
   void restore(const SavedSimulation& saved);
 
  private:
@@ -60,7 +61,7 @@ class SimulationHandle {
   std::shared_ptr<const PreparedCase> prepared_;
   std::string input_;
   std::optional<Simulation> simulation_;
-  std::atomic<std::thread::id> worker_{};  ///< Of the thread that is at work; none.
+  std::atomic<std::thread::id> worker_{};  ///< Thread that advances the simulation; default value if none.
 };
 
 }  // namespace overbend

@@ -27,8 +27,8 @@ Description moved_model(const ModelHandle& model, const fs::path& folder) {
 }
 
 void keep_file(const fs::path& file, const std::string& text) {
-  std::error_code fault;
-  if (!fs::exists(file, fault)) replace_file(file, text);
+  std::error_code error;
+  if (!fs::exists(file, error)) replace_file(file, text);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::shared_ptr<StudyHandle> StudyHandle::read(const std::string& file) {
 
 std::shared_ptr<StudyHandle> StudyHandle::of(const ModelHandle& model, const std::string& text,
                                              const fs::path& folder) {
-  StudyReading reading = sound(read_study_of(text, (folder / kStudyFile).string(), moved_model(model, folder)));
+  StudyReading reading = sound(read_study_with_base(text, (folder / kStudyFile).string(), moved_model(model, folder)));
   std::shared_ptr<StudyHandle> study(new StudyHandle(std::move(*reading.base), std::move(*reading.study)));
   study->keeps_files_ = true;
   return study;
@@ -53,26 +53,26 @@ void StudyHandle::open(const fs::path& folder) const {
   keep_file(folder / kStudyFile, base_.study().text);
 }
 
-void CaseCount::begin(std::size_t open, std::size_t finished) {
+void CaseCounter::begin(std::size_t open, std::size_t finished) {
   const std::lock_guard<std::mutex> hold(mutex_);
-  told_.cases = open + finished;
-  told_.done = finished;
+  tally_.cases = open + finished;
+  tally_.done = finished;
 }
 
-void CaseCount::ended(const StudyCase& one) {
+void CaseCounter::ended(const StudyCase& study_case) {
   const std::lock_guard<std::mutex> hold(mutex_);
-  ++told_.done;
-  if (one.state == StudyCaseState::failed) ++told_.failed;
+  ++tally_.done;
+  if (study_case.state == StudyCaseState::failed) ++tally_.failed;
 }
 
-void CaseCount::tried(const TrialTold& /*trial*/) {
+void CaseCounter::tried(const TrialReport& /*trial*/) {
   const std::lock_guard<std::mutex> hold(mutex_);
-  ++told_.done;
+  ++tally_.done;
 }
 
-CaseCount::Told CaseCount::told() const {
+CaseCounter::Tally CaseCounter::tally() const {
   const std::lock_guard<std::mutex> hold(mutex_);
-  return told_;
+  return tally_;
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// A study as Python holds it: what is asked for, and the folder that it runs into.
+/// A study in Python.
 #pragma once
 
 #include <atomic>
@@ -9,20 +9,20 @@
 
 namespace overbend {
 
-/// Cases of a model, ready to be run. Constant.
+/// Cases of a model, ready to run; immutable.
 class StudyHandle {
  public:
-  /// A study file. Throws UnreadableModel.
+  /// Reads a study file. Throws UnreadableModel.
   static std::shared_ptr<StudyHandle> read(const std::string& file);
-  /// The text of a study file on a model. Both will lie in the folder as study.yaml, whose key `base` names model.yaml,
-  /// so that the command line can go on with what was begun here. Throws UnreadableModel.
+  /// Makes a study from the text of a study file and a model. Both are written to the folder as study.yaml (whose key
+  /// `base` names model.yaml) and model.yaml, so that the command line can continue the study. Throws UnreadableModel.
   static std::shared_ptr<StudyHandle> of(const ModelHandle& model, const std::string& text,
                                          const std::filesystem::path& folder);
 
   const CaseBase& base() const { return base_; }
   const StudyCases& cases() const { return cases_; }
 
-  /// Begins the study in the folder, or finds it there. Throws UnusableFolder where something else is in it.
+  /// Creates the study in the folder or continues it. Throws UnusableFolder if the folder contains something else.
   void open(const std::filesystem::path& folder) const;
 
  private:
@@ -31,27 +31,27 @@ class StudyHandle {
 
   CaseBase base_;
   StudyCases cases_;
-  bool keeps_files_ = false;  ///< Study and model are written beside the results.
+  bool keeps_files_ = false;  ///< Write study and model next to the results.
 };
 
-/// Counts what the threads of a study tell, for the thread that waits.
-class CaseCount : public StudyWatch {
+/// Counts the cases reported by the threads of a study, for the waiting thread.
+class CaseCounter : public StudyObserver {
  public:
   bool stop() override { return stopped; }
   void begin(std::size_t open, std::size_t finished) override;
-  void ended(const StudyCase& one) override;
-  void tried(const TrialTold& trial) override;
+  void ended(const StudyCase& study_case) override;
+  void tried(const TrialReport& trial) override;
 
-  struct Told {
-    std::size_t done = 0, cases = 0, failed = 0;  ///< `cases` is 0 where it is not known how many there will be.
+  struct Tally {
+    std::size_t done = 0, cases = 0, failed = 0;  ///< `cases` is 0 if the total is unknown.
   };
-  Told told() const;
+  Tally tally() const;
 
   std::atomic<bool> stopped = false;
 
  private:
   mutable std::mutex mutex_;
-  Told told_;
+  Tally tally_;
 };
 
 }  // namespace overbend

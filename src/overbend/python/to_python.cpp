@@ -65,7 +65,7 @@ py::object to_python(const Dataset& dataset, const py::object& owner) {
   return texts(std::get<std::vector<std::string>>(dataset.values), dataset.shape);
 }
 
-py::tuple told(const Dataset& dataset, const py::object& owner) {
+py::tuple dataset_tuple(const Dataset& dataset, const py::object& owner) {
   py::list scales;
   for (const std::string& scale : dataset.scales) scales.append(valid_utf8(scale));
   return py::make_tuple(to_python(dataset, owner), valid_utf8(dataset.units), valid_utf8(dataset.description),

@@ -1,4 +1,4 @@
-/// Values of the engine as values of Python.
+/// Conversion of values of the engine to Python.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -11,14 +11,14 @@
 
 namespace overbend {
 
-/// Dicts, lists, numbers, texts and None.
+/// Converts JSON to dicts, lists, numbers, strings and None.
 pybind11::object to_python(const Json& json);
 
-/// The values of a dataset that `owner` keeps alive: read-only arrays on the same memory, of texts a new array of str;
-/// what has no dimension is a single value.
+/// Returns the values of a dataset: a read-only array that shares its memory, which `owner` keeps alive; a new array of
+/// str for texts; a scalar for a dataset without dimensions.
 pybind11::object to_python(const Dataset& dataset, const pybind11::object& owner);
 
-/// A dataset with what is told of it: (values, units, description, frame, scales).
-pybind11::tuple told(const Dataset& dataset, const pybind11::object& owner);
+/// Returns (values, units, description, frame, scales) of a dataset.
+pybind11::tuple dataset_tuple(const Dataset& dataset, const pybind11::object& owner);
 
 }  // namespace overbend

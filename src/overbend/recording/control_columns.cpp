@@ -3,17 +3,17 @@
 namespace overbend {
 namespace {
 
-const AttachmentState& state_of(const RowSource& row, std::size_t attachment) {
-  return row.now.state->attachments[attachment];
+const AttachmentState& attachment_state(const RowSource& row, std::size_t attachment) {
+  return row.instant.state->attachments[attachment];
 }
 
 double machine_speed(const RowSource& row, std::size_t attachment) {
-  const AttachmentState& at = state_of(row, attachment);
-  return row.now.assembly->system().attachments[attachment].winch ? at.way.rate : at.travel.v;
+  const AttachmentState& machine = attachment_state(row, attachment);
+  return row.instant.assembly->system().attachments[attachment].winch ? machine.payout.rate : machine.travel.v;
 }
 
 double set_tension(const RowSource& row, std::size_t attachment) {
-  const Attachment& held = row.now.assembly->system().attachments[attachment];
+  const Attachment& held = row.instant.assembly->system().attachments[attachment];
   return held.winch ? held.winch->tension.wanted : held.tensioner->wanted;
 }
 
@@ -24,18 +24,19 @@ void add_control_columns(const Controllers& controllers, std::vector<RecordedCol
     if (machine.controller == nullptr) continue;
     const std::size_t i = machine.attachment;
     const bool tensioner = machine.name == kTensionerMachine;
-    const std::string of = tensioner ? "tensioner/" : "mooring/" + machine.name + "/winch_";
-    columns.push_back({{of + "speed", "m/s", "Of paying out; hauling in negative", false, false},
+    const std::string prefix = tensioner ? "tensioner/" : "mooring/" + machine.name + "/winch_";
+    columns.push_back({{prefix + "speed", "m/s", "Pay-out speed, negative when hauling in", false, false},
                        [i](const RowSource& row) { return machine_speed(row, i); }});
-    columns.push_back(
-        {{of + "commanded_speed", "m/s", "That its controller asks for; the machine's own where it asks for none",
-          false, false},
-         [i](const RowSource& row) { return state_of(row, i).machine.commanded.value_or(machine_speed(row, i)); }});
-    columns.push_back({{of + "set_tension", "N", "That the machine's own law restores", false, false},
+    columns.push_back({{prefix + "commanded_speed", "m/s",
+                        "Speed commanded by the controller; the machine's own speed without a command", false, false},
+                       [i](const RowSource& row) {
+                         return attachment_state(row, i).machine.commanded.value_or(machine_speed(row, i));
+                       }});
+    columns.push_back({{prefix + "set_tension", "N", "Set tension of the machine's own control law", false, false},
                        [i](const RowSource& row) { return set_tension(row, i); }});
     if (!tensioner) {
-      columns.push_back({{of + "paid_out", "m", "Since the start; hauled in negative", false, false},
-                         [i](const RowSource& row) { return state_of(row, i).way.moved; }});
+      columns.push_back({{prefix + "paid_out", "m", "Payout since the start, negative when hauled in", false, false},
+                         [i](const RowSource& row) { return attachment_state(row, i).payout.moved; }});
     }
   }
 }

@@ -1,4 +1,4 @@
-/// Histories of machines that controllers from outside drive.
+/// Histories of machines with external controllers.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace overbend {
 
-/// For every machine with a controller: its speed, the speed asked for, the tension that it is set to or, of a winch,
-/// what it has paid out.
+/// Adds for every machine with a controller its speed, the commanded speed, its set tension and, for a winch, its
+/// payout.
 void add_control_columns(const Controllers& controllers, std::vector<RecordedColumn>& columns);
 
 }  // namespace overbend

@@ -8,21 +8,21 @@
 namespace overbend {
 namespace {
 
-/// The largest fibre strain as a vector along the bending moment, so that strains of opposite bending oppose each
-/// other.
+/// Maximum fibre strain as a vector along the bending moment, so that strains of opposite bending have opposite
+/// directions.
 Vec3 strain_vector(double strain, const Vec3& moment) {
   const double size = moment.norm();
   return size > 0.0 ? Vec3((strain / size) * moment) : Vec3(strain * Vec3::UnitZ());
 }
 
-/// Capacities for each safety class, whatever the model's is.
+/// Capacities for each safety class, regardless of the model's class.
 std::array<std::vector<CheckSection>, kSafetyClasses> sections_by_class(const Model& model) {
   std::array<std::vector<CheckSection>, kSafetyClasses> all;
   for (std::size_t i = 0; i < kSafetyClasses; ++i) {
     CheckSettings settings = model.description.checks;
     settings.safety_class = static_cast<SafetyClass>(i);
     for (std::size_t section = 0; section < model.sections.size(); ++section) {
-      all[i].push_back(make_check_section(model.description_of(section), settings));
+      all[i].push_back(make_check_section(model.find_section_description(section), settings));
     }
   }
   return all;
@@ -41,7 +41,7 @@ DesignRecorder::DesignRecorder(const Model& model, const std::vector<int>& secti
       roller_(section_of_node.size(), 0.0),
       overpressure_(section_of_node.size(), 0.0),
       peaks_(section_of_node.size()),
-      largest_force_(section_of_node.size(), 0.0),
+      max_force_(section_of_node.size(), 0.0),
       von_mises_(section_of_node.size(), -1.0),
       fibre_strain_(section_of_node.size(), -1.0),
       tension_(section_of_node.size(), -1e300) {
@@ -66,7 +66,7 @@ SectionOfClasses DesignRecorder::section_of_classes(std::size_t section) const {
   return of_classes;
 }
 
-/// What the peaks of a node leave to be looked for.
+/// Updates the screening limits with the peaks of a node.
 void DesignRecorder::set_limits(std::size_t node) {
   for (std::size_t i = 0; i < kSafetyClasses; ++i) {
     const Peak& peak = peaks_[node][i];
@@ -76,27 +76,27 @@ void DesignRecorder::set_limits(std::size_t node) {
   }
 }
 
-void DesignRecorder::find_overpressure(const DesignInstant& at) {
-  const double* z = at.nodes.z.data();
-  const double* external = at.nodes.external_pressure.data();
+void DesignRecorder::find_overpressure(const DesignInstant& instant) {
+  const double* z = instant.nodes.z.data();
+  const double* external = instant.nodes.external_pressure.data();
   double* over = overpressure_.data();
   for (const SectionRun& run : runs_) {
     const Section& section = model_->sections[run.section];
     const double at_zero = section.internal_pressure, by_height = section.contents_weight_density;
-    const double least = least_pressure_on_bore(section);
+    const double min_internal = min_pressure_on_bore(section);
 #pragma GCC ivdep
     for (std::size_t node = run.first; node < run.last; ++node) {
-      over[node] = external[node] - std::max(at_zero - by_height * z[node], least);
+      over[node] = external[node] - std::max(at_zero - by_height * z[node], min_internal);
     }
   }
 }
 
-void DesignRecorder::start(const DesignInstant& at) {
+void DesignRecorder::start(const DesignInstant& instant) {
   for (std::size_t node = 0; node < section_.size(); ++node) {
-    Vec3 moment = at.moments[node], strain = strain_vector(at.nodes.strain[node], moment);
-    double force = at.nodes.effective_tension[node];
+    Vec3 moment = instant.moments[node], strain = strain_vector(instant.nodes.strain[node], moment);
+    double force = instant.nodes.effective_tension[node];
     if (node < current_.size()) {
-      const Vec3 added = current_[node].moment(at.tangents[node]);
+      const Vec3 added = current_[node].moment(instant.tangents[node]);
       const Section& section = model_->sections[static_cast<std::size_t>(section_[node])];
       moment -= added;
       strain -= 0.5 * section.steel_diameter / section.EI * added;
@@ -104,28 +104,28 @@ void DesignRecorder::start(const DesignInstant& at) {
     }
     functional_.moment.set(node, moment);
     functional_.strain.set(node, strain);
-    functional_.tangent.set(node, at.tangents[node]);
+    functional_.tangent.set(node, instant.tangents[node]);
     functional_.force[node] = force;
   }
-  for (const RollerContact& contact : at.contacts) {
+  for (const RollerContact& contact : instant.contacts) {
     if (contact.normal > 0.0) {
-      first_supported_ = std::min(first_supported_, static_cast<std::size_t>(contact.at.element));
+      first_supported_ = std::min(first_supported_, static_cast<std::size_t>(contact.closest.element));
     }
   }
 }
 
-void DesignRecorder::find_rollers(const DesignInstant& at) {
+void DesignRecorder::find_rollers(const DesignInstant& instant) {
   std::fill(roller_.begin(), roller_.end(), 0.0);
-  for (const RollerContact& contact : at.contacts) {
+  for (const RollerContact& contact : instant.contacts) {
     if (contact.normal > 0.0) {
-      const std::size_t node = static_cast<std::size_t>(contact.at.element + (contact.at.xi < 0.5 ? 0 : 1));
-      double& force = roller_[static_cast<std::size_t>(at.station_of_node[node])];
+      const std::size_t node = static_cast<std::size_t>(contact.closest.element + (contact.closest.xi < 0.5 ? 0 : 1));
+      double& force = roller_[static_cast<std::size_t>(instant.station_of_node[node])];
       force = std::max(force, contact.normal);
     }
   }
 }
 
-/// Utilisation grows with each load effect: where none is above the peak's it need not be looked at.
+/// The utilisation increases with each load effect: if none exceeds the peak's, it need not be evaluated.
 bool DesignRecorder::keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect) {
   if (effect.pressure >= 0.0 && effect.moment <= peak.moment && std::abs(effect.force) <= std::abs(peak.force) &&
       effect.pressure <= peak.load_pressure && effect.share >= peak.share) {
@@ -156,17 +156,17 @@ bool DesignRecorder::keep_strain(Peak& peak, const CheckSection& section, const 
   return true;
 }
 
-void DesignRecorder::step_load(const DesignInstant& at, std::size_t node) {
+void DesignRecorder::step_load(const DesignInstant& instant, std::size_t node) {
   const std::size_t of_node = static_cast<std::size_t>(section_[node]);
-  const CheckSection& section = sections_[0][of_node];  // what is used of it here is that of every class
-  const Vec3 still = carried(functional_.moment[node], functional_.tangent[node], at.tangents[node]);
-  const double added_force = at.nodes.effective_tension[node] - functional_.force[node];
+  const CheckSection& section = sections_[0][of_node];  // the members used here are the same for every class
+  const Vec3 static_part = transported(functional_.moment[node], functional_.tangent[node], instant.tangents[node]);
+  const double added_force = instant.nodes.effective_tension[node] - functional_.force[node];
   LoadEffect effect{};
-  effect.time = at.time;
+  effect.time = instant.time;
   effect.pressure = overpressure_[node];
   effect.share = roller_[node] > 0.0 ? point_load_factor(section.wall, section.fy, roller_[node]) : 1.0;
   for (const LoadFactors& factors : combinations_) {
-    effect.moment = design_size(factors, still, at.moments[node] - still);
+    effect.moment = design_size(factors, static_part, instant.moments[node] - static_part);
     effect.force = design_value(factors, functional_.force[node], added_force);
     for (std::size_t i = 0; i < kSafetyClasses; ++i) {
       Peak& peak = peaks_[node][i];
@@ -175,13 +175,13 @@ void DesignRecorder::step_load(const DesignInstant& at, std::size_t node) {
   }
 }
 
-void DesignRecorder::step_strain(const DesignInstant& at, std::size_t node) {
+void DesignRecorder::step_strain(const DesignInstant& instant, std::size_t node) {
   const std::size_t of_node = static_cast<std::size_t>(section_[node]);
-  const Vec3 still = carried(functional_.strain[node], functional_.tangent[node], at.tangents[node]);
-  const Vec3 added = strain_vector(at.nodes.strain[node], at.moments[node]) - still;
-  StrainEffect effect{0.0, overpressure_[node], at.time};
+  const Vec3 static_part = transported(functional_.strain[node], functional_.tangent[node], instant.tangents[node]);
+  const Vec3 added = strain_vector(instant.nodes.strain[node], instant.moments[node]) - static_part;
+  StrainEffect effect{0.0, overpressure_[node], instant.time};
   for (const LoadFactors& factors : combinations_) {
-    effect.strain = sections_[0][of_node].strain_factor * design_size(factors, still, added);
+    effect.strain = sections_[0][of_node].strain_factor * design_size(factors, static_part, added);
     for (std::size_t i = 0; i < kSafetyClasses; ++i) {
       const CheckSection& section = sections_[i][of_node];
       Peak& peak = peaks_[node][i];
@@ -192,50 +192,52 @@ void DesignRecorder::step_strain(const DesignInstant& at, std::size_t node) {
   }
 }
 
-void DesignRecorder::Largest::keep(const std::vector<double>& values, double now) {
+void DesignRecorder::RunningMaximum::keep(const std::vector<double>& values, double present_time) {
   const std::size_t n = value.size();
   const double* v = values.data();
-  double* most = value.data();
+  double* max = value.data();
   double* when = time.data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) {
-    const bool more = v[i] > most[i];
-    when[i] = more ? now : when[i];
-    most[i] = more ? v[i] : most[i];
+    const bool more = v[i] > max[i];
+    when[i] = more ? present_time : when[i];
+    max[i] = more ? v[i] : max[i];
   }
 }
 
-void DesignRecorder::keep_times(const DesignInstant& at) {
-  von_mises_.keep(at.nodes.von_mises, at.time);
-  fibre_strain_.keep(at.nodes.strain, at.time);
-  tension_.keep(at.nodes.effective_tension, at.time);
+void DesignRecorder::keep_times(const DesignInstant& instant) {
+  von_mises_.keep(instant.nodes.von_mises, instant.time);
+  fibre_strain_.keep(instant.nodes.strain, instant.time);
+  tension_.keep(instant.nodes.effective_tension, instant.time);
 }
 
-void DesignRecorder::step_run(const DesignInstant& at, const SectionRun& run) {
-  const PresentEffects now{at.moments, at.tangents, at.nodes.strain, at.nodes.effective_tension};
+void DesignRecorder::step_run(const DesignInstant& instant, const SectionRun& run) {
+  const PresentEffects present{instant.moments, instant.tangents, instant.nodes.strain,
+                               instant.nodes.effective_tension};
   const SectionOfClasses sections = section_of_classes(run.section);
   if (sections[0]->load.known) {
-    screen_.find_loads(run, sections, functional_, now, overpressure_);
-    screen_.raise_forces(run, largest_force_);
+    screen_.find_loads(run, sections, functional_, present, overpressure_);
+    screen_.raise_forces(run, max_force_);
     for (std::size_t node = run.first; node < run.last; ++node) {
-      if (roller_[node] > 0.0 || screen_.loads_more(node)) step_load(at, node);
+      if (roller_[node] > 0.0 || screen_.loads_more(node)) step_load(instant, node);
     }
   }
   const SectionRun supported{run.section, std::max(run.first, first_supported_), run.last};
   if (sections[0]->strain.holds && supported.first < supported.last) {
-    screen_.find_strains(supported, sections, functional_, now, overpressure_);
+    screen_.find_strains(supported, sections, functional_, present, overpressure_);
     for (std::size_t node = supported.first; node < supported.last; ++node) {
-      if (screen_.strains_more(node)) step_strain(at, node);
+      if (screen_.strains_more(node)) step_strain(instant, node);
     }
   }
 }
 
-void DesignRecorder::step(const DesignInstant& at) {
-  if (model_->description.checks.point_load) find_rollers(at);
-  keep_times(at);
-  find_overpressure(at);
+void DesignRecorder::step(const DesignInstant& instant) {
+  if (model_->description.checks.point_load) find_rollers(instant);
+  keep_times(instant);
+  find_overpressure(instant);
   for (const SectionRun& run : runs_) {
-    if (model_->sections[run.section].kind != SectionKind::cable) step_run(at, run);  // no code for pipes is about it
+    // pipe codes do not apply to cables
+    if (model_->sections[run.section].kind != SectionKind::cable) step_run(instant, run);
   }
 }
 
@@ -264,7 +266,7 @@ void DesignRecorder::fill(StationDesign& design, std::size_t first) const {
   const auto column = [&](std::vector<double>& values, const std::vector<double>& all) {
     values.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   };
-  column(design.largest_force, largest_force_);
+  column(design.max_force, max_force_);
   column(design.von_mises_time, von_mises_.time);
   column(design.fibre_strain_time, fibre_strain_.time);
   column(design.tension_time, tension_.time);
@@ -275,12 +277,11 @@ std::vector<double> DesignRecorder::save() const {
   std::vector<double> out;
   out.reserve(kStationNumbers * peaks_.size());
   for (std::size_t node = 0; node < peaks_.size(); ++node) {
-    const std::size_t at = out.size();
-    out.resize(at + kPeakNumbers);
-    std::memcpy(out.data() + at, &peaks_[node], sizeof(Peaks));
-    out.insert(out.end(),
-               {largest_force_[node], von_mises_.value[node], von_mises_.time[node], fibre_strain_.value[node],
-                fibre_strain_.time[node], tension_.value[node], tension_.time[node]});
+    const std::size_t offset = out.size();
+    out.resize(offset + kPeakNumbers);
+    std::memcpy(out.data() + offset, &peaks_[node], sizeof(Peaks));
+    out.insert(out.end(), {max_force_[node], von_mises_.value[node], von_mises_.time[node], fibre_strain_.value[node],
+                           fibre_strain_.time[node], tension_.value[node], tension_.time[node]});
   }
   return out;
 }
@@ -293,7 +294,7 @@ void DesignRecorder::restore(std::span<const double> saved) {
   for (std::size_t node = 0; node < peaks_.size(); ++node) {
     std::memcpy(static_cast<void*>(&peaks_[node]), from, sizeof(Peaks));
     from += kPeakNumbers;
-    for (std::vector<double>* column : {&largest_force_, &von_mises_.value, &von_mises_.time, &fibre_strain_.value,
+    for (std::vector<double>* column : {&max_force_, &von_mises_.value, &von_mises_.time, &fibre_strain_.value,
                                         &fibre_strain_.time, &tension_.value, &tension_.time}) {
       (*column)[node] = *from++;
     }

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// What rounding may do to a bound, relative. Far more than it does.
+/// Relative margin of a bound, far above its rounding [-].
 constexpr double kRoundingMargin = 1e-12;
 
 ScreenKernels kernels() {
@@ -20,12 +20,12 @@ ScreenKernels kernels() {
   return isa_baseline::screen_kernels();
 }
 
-/// From node `first` on.
-VectorsView view_of(const VectorColumns& columns, std::size_t first) {
+/// View of the columns from node `first` on.
+VectorsView make_view(const VectorColumns& columns, std::size_t first) {
   return {columns.x.data() + first, columns.y.data() + first, columns.z.data() + first};
 }
 
-int count_of(const SectionRun& run) {
+int node_count(const SectionRun& run) {
   return static_cast<int>(run.last - run.first);
 }
 
@@ -49,8 +49,8 @@ void DesignScreen::keep_load(std::size_t of_class, std::size_t node, double util
   limits_[of_class].load[node] = (1.0 - kRoundingMargin) * utilisation;
 }
 
-/// x^0.8 <= 0.2 x0^0.8 + 0.8 x0^-0.2 x for any x0 > 0; under internal overpressure x itself stands for x^0.8, which is
-/// more above 1 alone.
+/// x^0.8 <= 0.2 x0^0.8 + 0.8 x0^-0.2 x for any x0 > 0; under internal overpressure the criterion has x instead of
+/// x^0.8, which is larger only above 1.
 void DesignScreen::keep_strain(std::size_t of_class, std::size_t node, double utilisation, double strain,
                                const StrainCapacity& capacity) {
   Limits& limits = limits_[of_class];
@@ -65,33 +65,35 @@ void DesignScreen::keep_strain(std::size_t of_class, std::size_t node, double ut
   limits.strain[node] = utilisation - 0.2 * power - kRoundingMargin * (utilisation + power);
 }
 
-/// Squares and product of the carried functional parts and of what is added to them, and the design sizes.
-void DesignScreen::find_sizes(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
-                              const VectorColumns& present, const VectorColumns& tangents) {
+/// Squares and product of the rotated functional parts and of the environmental parts, and the design sizes.
+void DesignScreen::find_sizes(const SectionRun& run, const VectorColumns& functional,
+                              const FunctionalEffects& static_state, const VectorColumns& present,
+                              const VectorColumns& tangents) {
   const std::size_t first = run.first;
   const EffectParts parts{functional_.data() + first, environmental_.data() + first, both_.data() + first};
-  const EffectView effect{view_of(functional, first), view_of(present, first), view_of(still.tangent, first),
-                          view_of(tangents, first)};
-  kernels_.split(effect, count_of(run), parts);
-  kernels_.sizes(combinations(), parts, count_of(run), size_.data() + first);
+  const EffectView effect{make_view(functional, first), make_view(present, first),
+                          make_view(static_state.tangent, first), make_view(tangents, first)};
+  kernels_.split(effect, node_count(run), parts);
+  kernels_.sizes(combinations(), parts, node_count(run), size_.data() + first);
 }
 
 CombinationsView DesignScreen::combinations() const {
   return {combinations_.data(), static_cast<int>(combinations_.size())};
 }
 
-void DesignScreen::raise_forces(const SectionRun& run, std::vector<double>& largest) const {
+void DesignScreen::raise_forces(const SectionRun& run, std::vector<double>& max_force) const {
   const double* force = force_.data();
-  double* most = largest.data();
+  double* max = max_force.data();
 #pragma GCC ivdep
-  for (std::size_t i = run.first; i < run.last; ++i) most[i] = std::max(most[i], force[i]);
+  for (std::size_t i = run.first; i < run.last; ++i) max[i] = std::max(max[i], force[i]);
 }
 
-void DesignScreen::find_loads(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
-                              const PresentEffects& now, const std::vector<double>& overpressure) {
-  find_sizes(run, still.moment, still, now.moments, now.tangents);
+void DesignScreen::find_loads(const SectionRun& run, const SectionOfClasses& sections,
+                              const FunctionalEffects& static_state, const PresentEffects& present,
+                              const std::vector<double>& overpressure) {
+  find_sizes(run, static_state.moment, static_state, present.moments, present.tangents);
   const std::size_t first = run.first;
-  kernels_.forces(combinations(), still.force.data() + first, now.force.data() + first, count_of(run),
+  kernels_.forces(combinations(), static_state.force.data() + first, present.force.data() + first, node_count(run),
                   force_.data() + first);
   const double* pressure = overpressure.data();
   double* excess = load_excess_.data();
@@ -99,26 +101,27 @@ void DesignScreen::find_loads(const SectionRun& run, const SectionOfClasses& sec
     const LoadCapacity& capacity = sections[of_class]->load;
     const LoadBound bound{capacity.moment_factor, capacity.tension_factor, capacity.collapse_factor,
                           limits_[of_class].load.data() + first};
-    kernels_.load_excess(bound, size_.data() + first, force_.data() + first, pressure + first, count_of(run),
+    kernels_.load_excess(bound, size_.data() + first, force_.data() + first, pressure + first, node_count(run),
                          of_class == 0, excess + first);
   }
-  // Internal overpressure has another formula, for a closer look.
+  // Internal overpressure has another formula: evaluated exactly.
 #pragma GCC ivdep
   for (std::size_t i = run.first; i < run.last; ++i) excess[i] = pressure[i] < 0.0 ? 1.0 : excess[i];
 }
 
-void DesignScreen::find_strains(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
-                                const PresentEffects& now, const std::vector<double>& overpressure) {
+void DesignScreen::find_strains(const SectionRun& run, const SectionOfClasses& sections,
+                                const FunctionalEffects& static_state, const PresentEffects& present,
+                                const std::vector<double>& overpressure) {
   const std::size_t first = run.first;
-  kernels_.strain_vectors(view_of(now.moments, first), now.strain.data() + first, count_of(run),
+  kernels_.strain_vectors(make_view(present.moments, first), present.strain.data() + first, node_count(run),
                           strain_.x.data() + first, strain_.y.data() + first, strain_.z.data() + first);
-  find_sizes(run, still.strain, still, strain_, now.tangents);
+  find_sizes(run, static_state.strain, static_state, strain_, present.tangents);
   for (std::size_t of_class = 0; of_class < kSafetyClasses; ++of_class) {
     const StrainCapacity& capacity = sections[of_class]->strain;
     const Limits& limits = limits_[of_class];
     const StrainBound bound{sections[of_class]->strain_factor, capacity.strain_factor, capacity.collapse_factor,
                             limits.slope.data() + first, limits.strain.data() + first};
-    kernels_.strain_excess(bound, size_.data() + first, overpressure.data() + first, count_of(run), of_class == 0,
+    kernels_.strain_excess(bound, size_.data() + first, overpressure.data() + first, node_count(run), of_class == 0,
                            strain_excess_.data() + first);
   }
 }

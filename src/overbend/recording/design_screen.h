@@ -1,7 +1,7 @@
-/// At which nodes a code check may be used more than ever before: found for the whole line at once and from above, so
-/// that only those are looked at closely.
+/// Screening of nodes whose code checks may exceed their previous maxima: upper bounds for the whole line at once, so
+/// that only those nodes are evaluated exactly.
 ///
-/// The load criterion grows with moment, |force| and pressure, so that the largest of each over the combinations of
+/// The load criterion increases with moment, |force| and pressure, so that the maximum of each over the combinations of
 /// load factors bounds it. The strain criterion x^0.8 + p lies below its tangents in x: a product instead of a power.
 /// Bounds have a margin for rounding.
 #pragma once
@@ -11,7 +11,7 @@
 
 #include "checks/check_section.h"
 #include "recording/design_screen_kernel.h"
-#include "recording/dynamic_stations.h"
+#include "recording/node_recovery.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
@@ -37,38 +37,40 @@ class DesignScreen {
  public:
   DesignScreen(std::size_t nodes, std::vector<LoadFactors> combinations);
 
-  /// Of the nodes of `run`, with `overpressure` p_e - p_i at all nodes [Pa]. Point loads of rollers are left out.
-  void find_loads(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
-                  const PresentEffects& now, const std::vector<double>& overpressure);
-  void find_strains(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
-                    const PresentEffects& now, const std::vector<double>& overpressure);
+  /// Screens the nodes of `run`, with `overpressure` p_e - p_i at all nodes [Pa]. Point loads of rollers are left out.
+  void find_loads(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& static_state,
+                  const PresentEffects& present, const std::vector<double>& overpressure);
+  /// Screens the strain criterion in the same way.
+  void find_strains(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& static_state,
+                    const PresentEffects& present, const std::vector<double>& overpressure);
 
-  /// Raises `largest` to the largest magnitude of the design force over all combinations, in the state found last [N].
-  void raise_forces(const SectionRun& run, std::vector<double>& largest) const;
-  // Whether a utilisation may be larger than any before, in the state found last.
+  /// Raises `largest` to the maximum magnitude of the design force over all combinations, in the last screened state
+  /// [N].
+  void raise_forces(const SectionRun& run, std::vector<double>& max_force) const;
+  // True if a utilisation may exceed its previous maximum, in the last screened state.
   bool loads_more(std::size_t node) const { return load_excess_[node] > 0.0; }
   bool strains_more(std::size_t node) const { return strain_excess_[node] > 0.0; }
 
-  /// The largest utilisation of a node so far, by the load criterion.
+  /// Sets the maximum utilisation of a node so far, by the load criterion.
   void keep_load(std::size_t of_class, std::size_t node, double utilisation);
-  /// By the strain criterion, and at which design strain, of the node's section.
+  /// Sets it by the strain criterion, with its design strain, for the node's section.
   void keep_strain(std::size_t of_class, std::size_t node, double utilisation, double strain,
                    const StrainCapacity& capacity);
 
  private:
-  void find_sizes(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
+  void find_sizes(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& static_state,
                   const VectorColumns& present, const VectorColumns& tangents);
   CombinationsView combinations() const;
 
   ScreenKernels kernels_;
   std::vector<LoadFactors> combinations_;
-  /// What is not above these needs no closer look: of the load criterion the utilisation; of the strain criterion
-  /// slope times design strain plus the pressure part.
+  /// Values below these limits need no exact evaluation: for the load criterion the utilisation; for the strain
+  /// criterion slope times design strain plus the pressure part.
   struct Limits {
     std::vector<double> load, slope, strain;
   };
   std::array<Limits, kSafetyClasses> limits_;
-  // Of the state found last: squares and product of functional and environmental part, largest design size.
+  // Last screened state: squares and product of functional and environmental part, maximum design size.
   std::vector<double> functional_, environmental_, both_, size_, force_;
   VectorColumns strain_;
   std::vector<double> load_excess_, strain_excess_;

@@ -2,7 +2,7 @@
 
 #include "base/simd.h"
 
-// In the loops arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of them.
+// The loops have non-overlapping arrays (declared to the compiler) and no branches, so that they are vectorised.
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -30,7 +30,7 @@ inline double larger(double a, double b) {
   return a > b ? a : b;
 }
 
-/// As carried() of checks/load_effects.h.
+/// Same as carried() of checks/load_effects.h.
 inline Triple carried_along(const Triple& v, const Triple& from, const Triple& to) {
   const double opposite = 1.0 + dot(from, to);
   const double along = dot(v, to) / opposite;
@@ -40,8 +40,9 @@ inline Triple carried_along(const Triple& v, const Triple& from, const Triple& t
 void split(const EffectView& effect, int count, const EffectParts& parts) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
-    const Triple carried = carried_along(at(effect.still, i), at(effect.still_tangent, i), at(effect.tangent, i));
-    const Triple added = at(effect.now, i) - carried;
+    const Triple carried =
+        carried_along(at(effect.functional, i), at(effect.functional_tangent, i), at(effect.tangent, i));
+    const Triple added = at(effect.present, i) - carried;
     parts.functional[i] = dot(carried, carried);
     parts.environmental[i] = dot(added, added);
     parts.both[i] = dot(carried, added);
@@ -68,32 +69,32 @@ void sizes(const CombinationsView& all, const EffectParts& parts, int count, dou
     for (int i = 0; i < count; ++i) {
       const double a = parts.functional[i], b = parts.environmental[i], ab = 2.0 * parts.both[i];
       const auto squared = [&](double of_a, double of_b) { return of_a * (of_a * a + of_b * ab) + of_b * of_b * b; };
-      const double one =
+      const double full =
           larger(squared(f.functional, f.environmental), squared(f.functional, f.environmental_favourable));
-      const double two = larger(squared(f.functional_favourable, f.environmental),
-                                squared(f.functional_favourable, f.environmental_favourable));
-      size[i] = larger(size[i], larger(one, two));
+      const double favourable = larger(squared(f.functional_favourable, f.environmental),
+                                       squared(f.functional_favourable, f.environmental_favourable));
+      size[i] = larger(size[i], larger(full, favourable));
     }
   }
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) size[i] = __builtin_sqrt(size[i]);
 }
 
-void forces(const CombinationsView& all, const double* still, const double* now, int count, double* force) {
+void forces(const CombinationsView& all, const double* functional, const double* present, int count, double* force) {
   for (int i = 0; i < count; ++i) force[i] = 0.0;
   for (int k = 0; k < all.count; ++k) {
     const LoadFactors f = all.factors[k];
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-      const double before = still[i], added = now[i] - before;
+      const double before = functional[i], added = present[i] - before;
       const auto magnitude = [&](double of_before, double of_added) {
         return __builtin_fabs(of_before * before + of_added * added);
       };
-      const double one =
+      const double full =
           larger(magnitude(f.functional, f.environmental), magnitude(f.functional, f.environmental_favourable));
-      const double two = larger(magnitude(f.functional_favourable, f.environmental),
-                                magnitude(f.functional_favourable, f.environmental_favourable));
-      force[i] = larger(force[i], larger(one, two));
+      const double favourable = larger(magnitude(f.functional_favourable, f.environmental),
+                                       magnitude(f.functional_favourable, f.environmental_favourable));
+      force[i] = larger(force[i], larger(full, favourable));
     }
   }
 }

@@ -1,5 +1,5 @@
-/// The loops of the design screen over the nodes of a run. Compiled once per instruction set; raw pointers only, see
-/// wave_kernel.h. Arrays that are written overlap no other.
+/// Loops of the design screen over the nodes of a run. Compiled once per instruction set; raw pointers only, see
+/// wave_kernel.h. Output arrays overlap no other array.
 #pragma once
 
 #include "checks/load_factors.h"
@@ -11,13 +11,12 @@ struct VectorsView {
   const double *x, *y, *z;
 };
 
-/// A load effect now and in the static state, with the pipe's tangents then and now.
+/// A present load effect and its static value, with the tangents of the pipe in both states.
 struct EffectView {
-  VectorsView still, now, still_tangent, tangent;
+  VectorsView functional, present, functional_tangent, tangent;
 };
 
-/// Of the functional part of an effect, which has turned with the pipe, and what the environment adds to it: squares
-/// and product.
+/// Squares and product of the functional part of an effect, rotated with the pipe, and of its environmental part.
 struct EffectParts {
   double *functional, *environmental, *both;
 };
@@ -27,27 +26,28 @@ struct CombinationsView {
   int count;
 };
 
-/// What of the capacity of a class bounds its utilisation, see design_screen.h.
+/// Capacities of a class that bound its utilisation, see design_screen.h.
 struct LoadBound {
   double moment_factor, tension_factor, collapse_factor;
   const double* limit;
 };
 struct StrainBound {
-  double strain_factor;           ///< Of the design strain itself.
+  double strain_factor;           ///< Factor of the design strain itself.
   double utilisation_per_strain;  ///< [-]
   double collapse_factor;
   const double *slope, *limit;
 };
 
-/// The kernels of one instruction set. `excess` becomes the largest over the classes: `first` begins anew.
+/// Kernels of one instruction set. `excess` becomes the maximum over the classes; `first` overwrites it.
 struct ScreenKernels {
   void (*split)(const EffectView& effect, int count, const EffectParts& parts);
   /// Strains as vectors along the bending moment; along z where there is none.
   void (*strain_vectors)(const VectorsView& moment, const double* strain, int count, double* x, double* y, double* z);
-  /// The largest design size over all combinations, as design_size() of checks/load_effects.h.
+  /// Maximum design size over all combinations, like design_size() of checks/load_effects.h.
   void (*sizes)(const CombinationsView& all, const EffectParts& parts, int count, double* size);
-  /// The largest magnitude of a design force, as design_value() there.
-  void (*forces)(const CombinationsView& all, const double* still, const double* now, int count, double* force);
+  /// Maximum magnitude of a design force, like design_value() of checks/load_effects.h.
+  void (*forces)(const CombinationsView& all, const double* functional, const double* present, int count,
+                 double* force);
   void (*load_excess)(const LoadBound& bound, const double* moment, const double* force, const double* pressure,
                       int count, bool first, double* excess);
   void (*strain_excess)(const StrainBound& bound, const double* size, const double* pressure, int count, bool first,

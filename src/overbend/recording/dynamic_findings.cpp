@@ -11,21 +11,21 @@
 namespace overbend {
 
 void warn_of_slack(const StaticResults& statics, DynamicResults& results) {
-  const DynamicExtreme& least = results.smallest_tension;
-  if (least.over_time.min >= 0.0) return;
+  const DynamicExtreme& minimum = results.min_effective_tension;
+  if (minimum.over_time.min >= 0.0) return;
   results.findings.push_back(
       Finding{FindingCode::compression,
               fmt::format("compression: the effective tension falls to {} at t = {:.1f} s, {}{}; a pipe in compression "
                           "may buckle, which the model represents only as far as its mesh allows",
-                          shown(least.over_time.min, "N", 2), least.time, pipe_place(statics, least.s),
+                          shown(minimum.over_time.min, "N", 2), minimum.time, pipe_place(statics, minimum.s),
                           results.top_tension.min < 0.0 ? ", and below zero at the tensioner" : "")}
           .on("pipe")
-          .at_place(statics.total_length - least.s)
-          .at_time(least.time)
-          .with("effective_tension", least.over_time.min, "N"));
+          .at_place(statics.total_length - minimum.s)
+          .at_time(minimum.time)
+          .with("effective_tension", minimum.over_time.min, "N"));
 }
 
-void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, DynamicResults& results) {
+void warn_of_yield(const StaticResults& statics, const YieldingStation& worst, DynamicResults& results) {
   std::string time;
   for (const DynamicRegion* region : {&results.overbend, &results.tower, &results.sagbend}) {
     const DynamicExtreme& extreme = region->von_mises;
@@ -33,16 +33,16 @@ void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, Dyn
       time = fmt::format(" at t = {:.1f} s,", extreme.time);
     }
   }
-  results.findings.push_back(
-      Finding{FindingCode::yield_with_linear_steel,
-              fmt::format("the von Mises stress of {}{} {} exceeds the yield stress of {} in the dynamic analysis; the "
-                          "steel is linear elastic here, so stresses and moments beyond yield are those of a pipe that "
-                          "does not yield (see pipe.steel.material)",
-                          shown(worst.von_mises, "Pa", 0), time, pipe_place(statics, worst.s),
-                          shown(worst.yield_stress, "Pa", 0))}
-          .on("pipe")
-          .at_place(statics.total_length - worst.s)
-          .with("von_mises", worst.von_mises, "Pa"));
+  results.findings.push_back(Finding{
+      FindingCode::yield_with_linear_steel,
+      fmt::format("the von Mises stress of {}{} {} exceeds the yield stress of {} in the dynamic analysis; the "
+                  "steel is linear elastic here, so that stresses and moments beyond yield are those of a pipe that "
+                  "does not yield (see pipe.steel.material)",
+                  shown(worst.von_mises, "Pa", 0), time, pipe_place(statics, worst.s),
+                  shown(worst.yield_stress, "Pa", 0))}
+                                 .on("pipe")
+                                 .at_place(statics.total_length - worst.s)
+                                 .with("von_mises", worst.von_mises, "Pa"));
 }
 
 void warn_of_left_boxes(DynamicResults& results) {
@@ -79,8 +79,9 @@ void warn_of_left_boxes(DynamicResults& results) {
 void warn_of_departure(const StaticResults& statics, double distance, double s, double time, DynamicResults& results) {
   results.findings.push_back(Finding{
       FindingCode::run_not_at_rest,
-      fmt::format("the run does not begin at rest: by t = {:.1f} s, with hardly any sea or motion yet, the pipe has "
-                  "moved by {} {}; its static state is no stable equilibrium, and the run is of another lay",
+      fmt::format("the run does not start in equilibrium: by t = {:.1f} s, before the sea and the motions "
+                  "build up, the pipe has moved by {} {}; its static state is not a stable equilibrium, and the run "
+                  "shows another lay",
                   time, shown(distance, "m", 2), pipe_place(statics, s))}
                                  .on("pipe")
                                  .at_place(statics.total_length - s)

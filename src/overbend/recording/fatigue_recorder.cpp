@@ -5,13 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "model/description/fatigue_words.h"
-#include "recording/fatigue_remarks.h"
+#include "model/description/fatigue_enum_names.h"
+#include "recording/fatigue_findings.h"
 
 namespace overbend {
 namespace {
 
-/// Level and across the pipe; across the x axis for a pipe that stands upright.
+/// Horizontal direction across the pipe; the y axis for an upright pipe.
 Vec3 level_across(const Vec3& tangent) {
   const Vec3 level = Vec3::UnitZ().cross(tangent);
   const double size = level.norm();
@@ -41,53 +41,54 @@ FatigueRecorder::FatigueRecorder(const Model& model, const std::vector<int>& sec
     Station& station = stations_.emplace_back();
     if (section.kind == SectionKind::cable) continue;
     const double outer = 0.5 * section.steel_diameter;
-    const double field_joint = make_check_section(model.description_of(number), model.description.checks).strain_factor;
+    const double field_joint =
+        make_check_section(model.find_section_description(number), model.description.checks).strain_factor;
     station.section = &section;
     station.per_moment = section.youngs_modulus / section.EI * field_joint;
     station.radius = {outer, outer - section.wall_thickness};
   }
   stress_.assign(surfaces_.size() * stations() * kPoints, 0.0);
-  counter_ = RainflowCounter(stress_.size(), kLeastStressRange);
+  counter_ = RainflowCounter(stress_.size(), kMinStressRange);
   sums_.cycles.assign(stress_.size(), 0.0);
   sums_.damage.assign(spots_.size(), std::vector<double>(stations() * kPoints, 0.0));
 }
 
-/// A spot's medium at a station is that of the station's place in the static state.
-void FatigueRecorder::place_spots(const DesignInstant& at) {
+/// The medium of a spot at a station is that of the station's position in the static state.
+void FatigueRecorder::place_spots(const DesignInstant& instant) {
   places_.assign(spots_.size(), std::vector<FatiguePlace>(stations()));
   for (std::size_t spot = 0; spot < spots_.size(); ++spot) {
     for (std::size_t i = 0; i < stations(); ++i) {
       const Section* section = stations_[i].section;
       if (section == nullptr) continue;
-      places_[spot][i] = fatigue_place(*fatigue_, spots_[spot], *section, at.nodes.z[first_ + i]);
+      places_[spot][i] = fatigue_place(*fatigue_, spots_[spot], *section, instant.nodes.z[first_ + i]);
     }
   }
 }
 
-void FatigueRecorder::start(const DesignInstant& at) {
-  for (std::size_t i = 0; i < stations(); ++i) stations_[i].aside = level_across(at.tangents[first_ + i]);
-  place_spots(at);
+void FatigueRecorder::start(const DesignInstant& instant) {
+  for (std::size_t i = 0; i < stations(); ++i) stations_[i].aside = level_across(instant.tangents[first_ + i]);
+  place_spots(instant);
 }
 
-/// Bending is that of the moment; of steel that yields, that which elastic steel would have at the same curvature.
-void FatigueRecorder::find_stress(const DesignInstant& at) {
+/// Bending stress follows from the moment; for yielding steel it is that of elastic steel at the same curvature.
+void FatigueRecorder::find_stress(const DesignInstant& instant) {
   for (std::size_t i = 0; i < stations(); ++i) {
     const Station& station = stations_[i];
     if (station.section == nullptr) continue;
     const std::size_t node = first_ + i;
-    const Vec3& t = at.tangents[node];
+    const Vec3& t = instant.tangents[node];
     const Vec3 first = (station.aside - station.aside.dot(t) * t).normalized();
     double per_moment = station.per_moment;
     if (station.section->bending) {
-      const double moment = at.moments[node].norm();
-      per_moment *= moment > 0.0 ? at.nodes.curvature[node] * station.section->EI / moment : 0.0;
+      const double moment = instant.moments[node].norm();
+      per_moment *= moment > 0.0 ? instant.nodes.curvature[node] * station.section->EI / moment : 0.0;
     }
-    // The moment's vector points to the centre of the curve: there the wall is shortened.
-    const double across = -per_moment * at.moments[node].dot(first);
-    const double upward = -per_moment * at.moments[node].dot(t.cross(first));
+    // The moment vector points to the centre of curvature, where the wall is compressed.
+    const double across = -per_moment * instant.moments[node].dot(first);
+    const double upward = -per_moment * instant.moments[node].dot(t.cross(first));
     constexpr double kHalf = 0.5 * std::numbers::sqrt2;
     const double bends[4] = {across, kHalf * (across + upward), upward, kHalf * (upward - across)};
-    const double axial = axial_stress(*station.section, at.nodes, node);
+    const double axial = axial_stress(*station.section, instant.nodes, node);
     for (std::size_t surface = 0; surface < surfaces_.size(); ++surface) {
       const double radius = station.radius[surfaces_[surface] ? 1 : 0];
       double* out = &stress_[(surface * stations() + i) * kPoints];
@@ -109,17 +110,17 @@ void FatigueRecorder::count(Sums& sums, std::size_t record, const RainflowCycle&
   }
 }
 
-void FatigueRecorder::step(const DesignInstant& at) {
-  find_stress(at);
+void FatigueRecorder::step(const DesignInstant& instant) {
+  find_stress(instant);
   counter_.add(stress_, [&](std::size_t record, const RainflowCycle& cycle) { count(sums_, record, cycle); });
-  time_ = at.time;
+  time_ = instant.time;
 }
 
-/// Of the worst point at each station.
-FatigueSpot FatigueRecorder::spot_of(std::size_t spot, const Sums& sums) const {
+/// Results of the worst point at each station.
+FatigueSpot FatigueRecorder::make_spot(std::size_t spot, const Sums& sums) const {
   FatigueSpot out;
   out.name = spots_[spot].name;
-  out.curve = word_of(spots_[spot].curve);
+  out.curve = enum_name(spots_[spot].curve);
   for (std::size_t i = 0; i < stations(); ++i) {
     const double* of_points = &sums.damage[spot][i * kPoints];
     const std::size_t worst = static_cast<std::size_t>(std::max_element(of_points, of_points + kPoints) - of_points);
@@ -127,7 +128,7 @@ FatigueSpot FatigueRecorder::spot_of(std::size_t spot, const Sums& sums) const {
     const double cycles = sums.cycles[(surface_of_spot_[spot] * stations() + i) * kPoints + worst];
     out.rate.push_back(of_points[worst] / time_);
     out.cycles.push_back(cycles / time_);
-    out.range.push_back(cycles > 0.0 ? place.curve.range_of(of_points[worst] / cycles) / place.factor() : 0.0);
+    out.range.push_back(cycles > 0.0 ? place.curve.find_range(of_points[worst] / cycles) / place.factor() : 0.0);
   }
   const auto worst = std::max_element(out.rate.begin(), out.rate.end());
   out.worst_rate = *worst;
@@ -140,8 +141,8 @@ void FatigueRecorder::fill(DynamicResults& results) const {
   Sums sums = sums_;
   counter_.residue([&](std::size_t record, const RainflowCycle& cycle) { count(sums, record, cycle); });
   FatigueResults& out = results.fatigue.emplace();
-  for (std::size_t spot = 0; spot < spots_.size(); ++spot) out.spots.push_back(spot_of(spot, sums));
-  follow_welds(*model_, results);
+  for (std::size_t spot = 0; spot < spots_.size(); ++spot) out.spots.push_back(make_spot(spot, sums));
+  add_weld_damage(*model_, results);
   assume_of_fatigue(*model_, results);
   warn_of_fatigue(*model_, results);
 }

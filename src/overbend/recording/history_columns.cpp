@@ -3,7 +3,7 @@
 #include "dynamics/machines/mooring_tension.h"
 #include "recording/line_recorder.h"
 #include "recording/pipe_recorder_layout.h"
-#include "recording/stinger_watch.h"
+#include "recording/stinger_recorder.h"
 
 namespace overbend {
 namespace {
@@ -13,25 +13,25 @@ using Value = std::function<double(const RowSource&)>;
 Value key(std::size_t i) {
   return [i](const RowSource& row) { return row.key[i]; };
 }
-Value largest(std::size_t i) {
-  return [i](const RowSource& row) { return row.largest_key[i]; };
+Value max_value(std::size_t i) {
+  return [i](const RowSource& row) { return row.max_key[i]; };
 }
-Value least(std::size_t i) {
-  return [i](const RowSource& row) { return row.least_key[i]; };
+Value min_value(std::size_t i) {
+  return [i](const RowSource& row) { return row.min_key[i]; };
 }
 Value freedom(std::size_t i) {
-  return [i](const RowSource& row) { return row.now.vessel().freedoms[i]; };
+  return [i](const RowSource& row) { return row.instant.vessel().freedoms[i]; };
 }
 
 using Columns = std::vector<RecordedColumn>;
 
-// A column's flags: wanted among the extremes, among the spectra, among the smallest values.
+// Flags of a column: in the extremes, in the spectra, in the minima.
 
 void add_time(Columns& columns, const std::string& over) {
   columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
-                     [](const RowSource& row) { return row.now.state->time; }});
+                     [](const RowSource& row) { return row.instant.state->time; }});
   columns.push_back({{"elevation", "m", "Water surface above the mean position of " + over, false, true},
-                     [](const RowSource& row) { return row.now.elevation; }});
+                     [](const RowSource& row) { return row.instant.elevation; }});
 }
 
 void add_vessel(Columns& columns) {
@@ -50,7 +50,7 @@ void add_lay(Columns& columns) {
       {{"lay_back", "m", "Horizontal distance from the mean position of the stern shoe to touchdown", false, false},
        key(kLayBack)});
   columns.push_back(
-      {{"departure_angle", "rad", "Of the pipe at the last support in contact, from horizontal", false, false},
+      {{"departure_angle", "rad", "Angle of the pipe at the last support in contact, from horizontal", false, false},
        key(kDepartureAngle)});
   columns.push_back(
       {{"stinger_tip_clearance", "m", "Separation at the last row of the stinger", false, false}, key(kTipClearance)});
@@ -65,44 +65,46 @@ void add_region(Columns& columns, const std::string& name, std::size_t first) {
        key(first + kVonMises)});
   columns.push_back(
       {{name + "_strain_peak", "1", "Largest strain of the " + name + " since the previous row", true, false},
-       largest(first + kStrain)});
+       max_value(first + kStrain)});
   columns.push_back({{name + "_von_mises_peak", "Pa",
                       "Largest von Mises stress of the " + name + " since the previous row", true, false},
-                     largest(first + kVonMises)});
+                     max_value(first + kVonMises)});
 }
 
 void add_tension(Columns& columns) {
   columns.push_back({{"top_tension_peak", "N", "Largest tension at the tensioner since the previous row", true, false},
-                     largest(kTopTension)});
+                     max_value(kTopTension)});
   columns.push_back(
       {{"top_tension_low", "N", "Smallest tension at the tensioner since the previous row", false, false, true},
-       least(kTopTension)});
+       min_value(kTopTension)});
   columns.push_back({{"smallest_tension", "N",
                       "Smallest effective tension anywhere along the line since the previous row", false, false, true},
-                     least(kSmallestTension)});
+                     min_value(kMinLineTension)});
   columns.push_back({{"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false},
-                     [](const RowSource& row) { return row.now.tensioner->machine.tension; }});
+                     [](const RowSource& row) { return row.instant.tensioner->machine.tension; }});
   columns.push_back(
       {{"tensioner/travel", "m", "Length paid out by the tensioner, negative when hauled in", false, false},
-       [](const RowSource& row) { return row.now.move.moves ? row.now.move.paid_out : row.now.tensioner->travel.q; }});
+       [](const RowSource& row) {
+         return row.instant.move.moves ? row.instant.move.paid_out : row.instant.tensioner->travel.q;
+       }});
   columns.push_back({{"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false},
-                     [](const RowSource& row) { return static_cast<double>(row.now.tensioner->machine.state); }});
+                     [](const RowSource& row) { return static_cast<double>(row.instant.tensioner->machine.state); }});
 }
 
 void add_solver(Columns& columns) {
   columns.push_back(
-      {{"step", "s", "Preceding time step", false, false}, [](const RowSource& row) { return row.now.step; }});
+      {{"step", "s", "Preceding time step", false, false}, [](const RowSource& row) { return row.instant.step; }});
   columns.push_back(
       {{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", false, false},
-       [](const RowSource& row) { return row.now.drift; }});
+       [](const RowSource& row) { return row.instant.drift; }});
 }
 
 void add_box(Columns& columns, const std::string& name, std::size_t box) {
   columns.push_back({{"support/" + name + "/reaction", "N", "Largest resultant since the previous row", true, false},
-                     [box](const RowSource& row) { return row.largest_reaction[box]; }});
+                     [box](const RowSource& row) { return row.max_reaction[box]; }});
   columns.push_back(
       {{"support/" + name + "/separation", "m", "Minimum separation since the previous row", false, false},
-       [box](const RowSource& row) { return or_absent(row.least_separation[box]); }});
+       [box](const RowSource& row) { return or_missing(row.min_separation[box]); }});
 }
 
 void add_floating(Columns& columns) {
@@ -110,19 +112,21 @@ void add_floating(Columns& columns) {
     columns.push_back({{std::string("vessel/") + name, units, description, false, false},
                        [freedom](const RowSource& row) { return row.floating->shift(freedom); }});
   };
-  shift("surge", "m", "Shift of midship forward from the drawn place", 0);
-  shift("sway", "m", "Shift of midship to port from the drawn place", 1);
-  shift("heave", "m", "Shift of midship upwards from the drawn place", 2);
-  shift("roll", "rad", "Starboard down, from as drawn", 3);
-  shift("pitch", "rad", "Bow down, from as drawn", 4);
-  shift("yaw", "rad", "Bow to port, from as drawn", 5);
-  columns.push_back({{"vessel/offset", "m", "Horizontal distance of midship from its place at the start", true, false},
+  shift("surge", "m", "Shift of midship forward from the nominal position", 0);
+  shift("sway", "m", "Shift of midship to port from the nominal position", 1);
+  shift("heave", "m", "Shift of midship upwards from the nominal position", 2);
+  shift("roll", "rad", "Starboard down, from the nominal pose", 3);
+  shift("pitch", "rad", "Bow down, from the nominal pose", 4);
+  shift("yaw", "rad", "Bow to port, from the nominal pose", 5);
+  columns.push_back({{"vessel/offset", "m", "Horizontal distance of midship from its initial position", true, false},
                      [](const RowSource& row) { return row.floating->offset(); }});
 }
 
 void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
   const auto tension = [line](LineEnd end) {
-    return [line, end](const RowSource& row) { return mooring_tension(*row.now.assembly, *row.now.state, line, end); };
+    return [line, end](const RowSource& row) {
+      return mooring_tension(*row.instant.assembly, *row.instant.state, line, end);
+    };
   };
   columns.push_back(
       {{"mooring/" + name + "/fairlead_tension", "N", "Tension at the fairlead", true, true}, tension(LineEnd::last)});
@@ -132,29 +136,31 @@ void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
 
 void add_line(Columns& columns, const FollowedLine& line) {
   const auto tension = [line](LineEnd end) {
-    return [line, end](const RowSource& row) { return end_tension(*row.now.assembly, *row.now.state, line, end); };
+    return
+        [line, end](const RowSource& row) { return end_tension(*row.instant.assembly, *row.instant.state, line, end); };
   };
   const std::string& name = line.name;
   columns.push_back(
-      {{"line/" + name + "/first_tension", "N", "Tension at the first end, negative where it is pushed", true, true},
+      {{"line/" + name + "/first_tension", "N", "Tension at the first end, negative in compression", true, true},
        tension(LineEnd::first)});
   columns.push_back(
-      {{"line/" + name + "/second_tension", "N", "Tension at the second end, negative where it is pushed", true, true},
+      {{"line/" + name + "/second_tension", "N", "Tension at the second end, negative in compression", true, true},
        tension(LineEnd::last)});
 }
 
 void add_section(Columns& columns, const std::string& name, std::size_t section, const Vec3& astern_W) {
-  const auto reading = [section](const RowSource& row) { return row.now.assembly->hinged().reading(section); };
-  const std::string of = "stinger/" + name + "/";
-  columns.push_back({{of + "angle", "rad", "From where it is drawn, tip down", true, true},
+  const auto reading = [section](const RowSource& row) { return row.instant.assembly->hinged().reading(section); };
+  const std::string prefix = "stinger/" + name + "/";
+  columns.push_back({{prefix + "angle", "rad", "Angle from the nominal position, tip down", true, true},
                      [=](const RowSource& row) { return reading(row).angle; }});
-  columns.push_back({{of + "hinge_longitudinal", "N", "Force of the hinge on the section, level astern", true, false},
-                     [=](const RowSource& row) { return hinge_force(reading(row), astern_W).longitudinal; }});
-  columns.push_back({{of + "hinge_vertical", "N", "Force of the hinge on the section, upwards", true, false},
+  columns.push_back(
+      {{prefix + "hinge_longitudinal", "N", "Force of the hinge on the section, level astern", true, false},
+       [=](const RowSource& row) { return hinge_force(reading(row), astern_W).longitudinal; }});
+  columns.push_back({{prefix + "hinge_vertical", "N", "Force of the hinge on the section, upwards", true, false},
                      [=](const RowSource& row) { return hinge_force(reading(row), astern_W).vertical; }});
-  columns.push_back({{of + "stop_moment", "N m", "Of the stops on the section, tip down", false, false},
+  columns.push_back({{prefix + "stop_moment", "N m", "Moment of the stops on the section, tip down", false, false},
                      [=](const RowSource& row) { return reading(row).stop_moment; }});
-  columns.push_back({{of + "draught", "m", "Deepest end of its tanks below the surface there", false, false},
+  columns.push_back({{prefix + "draught", "m", "Deepest end of its tanks below the local surface", false, false},
                      [=](const RowSource& row) { return reading(row).draught; }});
 }
 

@@ -1,4 +1,4 @@
-/// The table of histories: each column with its name, unit, meaning and value in one row.
+/// Columns of the histories, each with name, unit, meaning and its value in one row.
 #pragma once
 
 #include <functional>
@@ -7,21 +7,22 @@
 
 #include "dynamics/run/simulation_observer.h"
 #include "model/vessel/supports.h"
-#include "recording/thrust_watch.h"
-#include "recording/vessel_watch.h"
+#include "recording/thrust_recorder.h"
+#include "recording/vessel_recorder.h"
 #include "system/followed_line.h"
 
 namespace overbend {
 
-/// What a row of histories is made of. Key figures are laid out as in pipe_recorder_layout.h.
+/// Data of one row of histories. Key figures are laid out as in pipe_recorder_layout.h.
 struct RowSource {
-  const Instant& now;
-  std::span<const double> key{};                       ///< Now.
-  std::span<const double> largest_key{}, least_key{};  ///< Since the row before.
-  std::span<const double> largest_reaction{};          ///< Of every box since the previous row [N].
-  std::span<const double> least_separation{};          ///< Likewise; infinite where the pipe passed none of it [m].
-  const VesselWatch* floating = nullptr;               ///< Where there are columns of a vessel that floats.
-  const ThrustWatch* thrust = nullptr;                 ///< Where there are columns of dynamic positioning.
+  const Instant& instant;
+  std::span<const double> key{};                 ///< Present values.
+  std::span<const double> max_key{}, min_key{};  ///< Maxima and minima since the previous row.
+  std::span<const double> max_reaction{};        ///< Maximum of every box since the previous row [N].
+  std::span<const double> min_separation{};      ///< Minimum of every box since the previous row; infinite if the
+                                                 ///< pipe passed no roller of it [m].
+  const VesselRecorder* floating = nullptr;      ///< Set if there are columns of a floating vessel.
+  const ThrustRecorder* thrust = nullptr;        ///< Set if there are columns of dynamic positioning.
 };
 
 struct RecordedColumn {
@@ -29,21 +30,21 @@ struct RecordedColumn {
   std::function<double(const RowSource&)> value;
 };
 
-/// The objects of a run that have columns.
+/// Objects of a run that have columns.
 struct RecordedObjects {
-  const Supports* supports = nullptr;   ///< Of the pipe that is laid; null without one.
-  bool vessel = true;                   ///< Whether anything is held by the vessel.
-  bool floating = false;                ///< Whether it floats free or lies on lines.
+  const Supports* supports = nullptr;   ///< Supports of the laid pipe; null without one.
+  bool vessel = true;                   ///< True if anything is attached to the vessel.
+  bool floating = false;                ///< True if the vessel floats freely or lies on mooring lines.
   std::vector<std::string> moorings{};  ///< Names of the mooring lines.
-  std::vector<std::string> sections{};  ///< Of the stinger, that turn in time.
-  Vec3 astern_W = Vec3::UnitX();        ///< Horizontal unit vector along which forces of their hinges are given.
-  std::vector<FollowedLine> lines{};    ///< That stand by themselves, or on the pipe.
+  std::vector<std::string> sections{};  ///< Stinger sections that turn during the run.
+  Vec3 astern_W = Vec3::UnitX();        ///< Horizontal unit vector of longitudinal hinge forces.
+  std::vector<FollowedLine> lines{};    ///< Lines of the model itself, in models of lines only or attached to the pipe.
 };
 
-/// The columns of a run; the first is time.
+/// Returns the columns of a run; the first is time.
 std::vector<RecordedColumn> recorded_columns(const RecordedObjects& objects);
 
-/// What dynamic positioning gives.
+/// Adds the columns of dynamic positioning.
 void add_thrust_columns(std::vector<RecordedColumn>& columns);
 
 }  // namespace overbend

@@ -11,8 +11,8 @@
 namespace overbend {
 namespace {
 
-constexpr double kSlack = 0.01;   ///< Of the largest tension at rest: less is slack.
-constexpr double kPushed = 0.01;  ///< Compression, of the largest tension: worth a finding [-].
+constexpr double kSlack = 0.01;   ///< Fraction of the maximum static tension below which a line is slack [-].
+constexpr double kPushed = 0.01;  ///< Compression relative to the maximum tension that is reported [-].
 
 const FreeLineDescription& described(const Model& model, const std::string& name) {
   return *std::ranges::find(model.description.lines, name, &FreeLineDescription::name);
@@ -30,12 +30,12 @@ LineRecorder::LineRecorder(const Model& model, const System& system, const std::
     : model_(&model) {
   for (const FollowedLine& followed : lines) {
     const FreeLineDescription& description = described(model, followed.name);
-    Followed line;
+    RecordedLine line;
     line.line = followed;
     line.arc = followed.is_wire() ? std::vector<double>{0.0, unstressed_length(description)}
                                   : system.lines[static_cast<std::size_t>(followed.line)].mesh.s;
-    line.least.assign(line.arc.size(), 1e300);
-    line.most.assign(line.arc.size(), -1e300);
+    line.min_tension.assign(line.arc.size(), 1e300);
+    line.max_tension.assign(line.arc.size(), -1e300);
     if (bends(description)) line.moment.assign(line.arc.size(), 0.0);
     lines_.push_back(std::move(line));
   }
@@ -43,20 +43,20 @@ LineRecorder::LineRecorder(const Model& model, const System& system, const std::
 
 void LineRecorder::add(const SystemState& state, const Assembly& assembly) {
   if (state.time < 0.0) return;
-  for (Followed& line : lines_) {
+  for (RecordedLine& line : lines_) {
     const double first = end_tension(assembly, state, line.line, LineEnd::first);
     const double last = end_tension(assembly, state, line.line, LineEnd::last);
-    line.least_first = std::min(line.least_first, first);
-    line.most_first = std::max(line.most_first, first);
-    line.least_last = std::min(line.least_last, last);
-    line.most_last = std::max(line.most_last, last);
-    // A step stands for the time that it took: rows may all fall on one phase of a swing.
+    line.min_first = std::min(line.min_first, first);
+    line.max_first = std::max(line.max_first, first);
+    line.min_last = std::min(line.min_last, last);
+    line.max_last = std::max(line.max_last, last);
+    // Weighted by the step length: output rows could all have the same phase of an oscillation.
     if (state.time > 0.0) line.ends.add(std::array{first, last}, state.last_step);
-    // Of every step: a slack line's snatch is over between two rows.
-    for (std::size_t node = 0; node < line.least.size(); ++node) {
+    // At every step: the snap load of a slack line may end between two rows.
+    for (std::size_t node = 0; node < line.min_tension.size(); ++node) {
       const double tension = node_tension(assembly, state, line.line, node);
-      line.least[node] = std::min(line.least[node], tension);
-      line.most[node] = std::max(line.most[node], tension);
+      line.min_tension[node] = std::min(line.min_tension[node], tension);
+      line.max_tension[node] = std::max(line.max_tension[node], tension);
     }
     for (std::size_t node = 0; node < line.moment.size(); ++node) {
       line.moment[node] = std::max(line.moment[node], node_moment(assembly, state, line.line, node));
@@ -66,13 +66,13 @@ void LineRecorder::add(const SystemState& state, const Assembly& assembly) {
 
 int LineRecorder::points() const {
   std::size_t points = 0;
-  for (const Followed& line : lines_) points += line.least.size();
+  for (const RecordedLine& line : lines_) points += line.min_tension.size();
   return static_cast<int>(points);
 }
 
-double* LineRecorder::film(const SystemState& state, const Assembly& assembly, double* out) const {
-  for (const Followed& line : lines_) {
-    for (std::size_t node = 0; node < line.least.size(); ++node) {
+double* LineRecorder::append_snapshot(const SystemState& state, const Assembly& assembly, double* out) const {
+  for (const RecordedLine& line : lines_) {
+    for (std::size_t node = 0; node < line.min_tension.size(); ++node) {
       const Vec3 place = node_place(assembly, state, line.line, node);
       out = std::copy_n(place.data(), 3, out);
       *out++ = node_tension(assembly, state, line.line, node);
@@ -81,9 +81,9 @@ double* LineRecorder::film(const SystemState& state, const Assembly& assembly, d
   return out;
 }
 
-/// Largest share of a breaking load over the run, each segment by its own: not that used most at rest need be the one.
-/// None where no segment says.
-std::optional<double> LineRecorder::utilisation(const Followed& line) const {
+/// Maximum ratio of tension to breaking load over the run, each segment with its own: the segment with the highest
+/// static ratio need not govern. Empty if no segment has a breaking load.
+std::optional<double> LineRecorder::utilisation(const RecordedLine& line) const {
   std::optional<double> use;
   double from = 0.0;
   for (const LineSegmentDescription& segment : described(*model_, line.line.name).segments) {
@@ -91,7 +91,7 @@ std::optional<double> LineRecorder::utilisation(const Followed& line) const {
     for (std::size_t node = 0; node < line.arc.size(); ++node) {
       const double s = line.arc[node];
       if (!segment.type.breaking_load || s < from - 1e-9 || s > to + 1e-9) continue;
-      use = std::max(use.value_or(0.0), line.most[node] / *segment.type.breaking_load);
+      use = std::max(use.value_or(0.0), line.max_tension[node] / *segment.type.breaking_load);
     }
     from = to;
   }
@@ -100,18 +100,18 @@ std::optional<double> LineRecorder::utilisation(const Followed& line) const {
 
 std::vector<LineDynamics> LineRecorder::results() const {
   std::vector<LineDynamics> results;
-  for (const Followed& line : lines_) {
+  for (const RecordedLine& line : lines_) {
     const std::vector<double> deviation = line.ends.standard_deviation();
     LineDynamics out;
     out.name = line.line.name;
-    out.first_tension = {line.least_first, line.most_first, line.ends.mean()[0], deviation[0]};
-    out.second_tension = {line.least_last, line.most_last, line.ends.mean()[1], deviation[1]};
-    out.least_tension = *std::min_element(line.least.begin(), line.least.end());
-    out.largest_tension = *std::max_element(line.most.begin(), line.most.end());
+    out.first_tension = {line.min_first, line.max_first, line.ends.mean()[0], deviation[0]};
+    out.second_tension = {line.min_last, line.max_last, line.ends.mean()[1], deviation[1]};
+    out.min_tension = *std::min_element(line.min_tension.begin(), line.min_tension.end());
+    out.max_tension = *std::max_element(line.max_tension.begin(), line.max_tension.end());
     out.utilisation = utilisation(line);
     out.moment_at_nodes = line.moment;
-    out.least_at_nodes = line.least;
-    out.largest_at_nodes = line.most;
+    out.min_tension_at_nodes = line.min_tension;
+    out.max_tension_at_nodes = line.max_tension;
     results.push_back(std::move(out));
   }
   return results;
@@ -134,29 +134,28 @@ Findings line_findings(const Model& model, const std::vector<LineResult>& rest,
     const bool only_pulls =
         std::ranges::none_of(description.segments, [](const auto& segment) { return bears_compression(segment.type); });
     const bool wire = is_weightless(description) && !has_pipe_section(description);
-    if (only_pulls && wire && line.least_tension <= 0.0) {
+    if (only_pulls && wire && line.min_tension <= 0.0) {
       findings.push_back(Finding{FindingCode::line_snaps,
                                  fmt::format("line \"{}\": falls slack and snaps tight, with up to {}: a wire without "
-                                             "weight and damping; do not let it fall slack",
-                                             line.name, shown_digits(line.largest_tension, "N", 3))}
+                                             "weight and damping; keep it taut",
+                                             line.name, shown_digits(line.max_tension, "N", 3))}
                              .on(object)
-                             .with("tension", line.largest_tension, "N"));
-    } else if (only_pulls && !wire && line.least_tension < kSlack * rest[i].largest_tension) {
-      findings.push_back(
-          Finding{FindingCode::line_snaps,
-                  fmt::format("line \"{}\": falls slack and snaps tight, with up to {}: how hard hangs on its internal "
-                              "damping, which is taken as 1 % of critical; do not let it fall slack",
-                              line.name, shown_digits(line.largest_tension, "N", 3))}
-              .on(object)
-              .with("tension", line.largest_tension, "N"));
-    } else if (!has_pipe_section(description) && line.least_tension < -kPushed * line.largest_tension) {
-      findings.push_back(
-          Finding{FindingCode::line_compressed,
-                  fmt::format("line \"{}\": falls slack, and where it is pushed bears {} of compression at most: it "
-                              "may buckle, which the model represents only as far as its elements allow",
-                              line.name, shown_digits(-line.least_tension, "N", 3))}
-              .on(object)
-              .with("tension", line.least_tension, "N"));
+                             .with("tension", line.max_tension, "N"));
+    } else if (only_pulls && !wire && line.min_tension < kSlack * rest[i].max_tension) {
+      findings.push_back(Finding{
+          FindingCode::line_snaps,
+          fmt::format("line \"{}\": falls slack and snaps tight, with up to {}: the snap load depends on its internal "
+                      "damping, assumed as 1 % of critical; keep it taut",
+                      line.name, shown_digits(line.max_tension, "N", 3))}
+                             .on(object)
+                             .with("tension", line.max_tension, "N"));
+    } else if (!has_pipe_section(description) && line.min_tension < -kPushed * line.max_tension) {
+      findings.push_back(Finding{FindingCode::line_compressed,
+                                 fmt::format("line \"{}\": falls slack and is compressed by up to {}: it "
+                                             "may buckle, which the model represents only as far as its elements allow",
+                                             line.name, shown_digits(-line.min_tension, "N", 3))}
+                             .on(object)
+                             .with("tension", line.min_tension, "N"));
     }
   }
   return findings;
@@ -164,12 +163,12 @@ Findings line_findings(const Model& model, const std::vector<LineResult>& rest,
 
 std::vector<double> LineRecorder::save() const {
   std::vector<double> saved;
-  for (const Followed& line : lines_) {
-    saved.insert(saved.end(), {line.least_first, line.most_first, line.least_last, line.most_last});
+  for (const RecordedLine& line : lines_) {
+    saved.insert(saved.end(), {line.min_first, line.max_first, line.min_last, line.max_last});
     const std::vector<double> ends = line.ends.save();
     saved.insert(saved.end(), ends.begin(), ends.end());
-    saved.insert(saved.end(), line.least.begin(), line.least.end());
-    saved.insert(saved.end(), line.most.begin(), line.most.end());
+    saved.insert(saved.end(), line.min_tension.begin(), line.min_tension.end());
+    saved.insert(saved.end(), line.max_tension.begin(), line.max_tension.end());
     saved.insert(saved.end(), line.moment.begin(), line.moment.end());
   }
   return saved;
@@ -181,13 +180,13 @@ void LineRecorder::restore(const std::vector<double>& saved) {
     std::copy_n(from, values.size(), values.begin());
     from += static_cast<std::ptrdiff_t>(values.size());
   };
-  for (Followed& line : lines_) {
-    for (double* value : {&line.least_first, &line.most_first, &line.least_last, &line.most_last}) *value = *from++;
+  for (RecordedLine& line : lines_) {
+    for (double* value : {&line.min_first, &line.max_first, &line.min_last, &line.max_last}) *value = *from++;
     std::vector<double> ends = line.ends.save();
     take(ends);
     line.ends.restore(ends);
-    take(line.least);
-    take(line.most);
+    take(line.min_tension);
+    take(line.max_tension);
     take(line.moment);
   }
 }

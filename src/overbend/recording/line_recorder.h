@@ -1,4 +1,4 @@
-/// What is recorded of lines that stand by themselves: tension at their ends and along them, over all steps.
+/// Recording of single lines: tension at their ends and along them, over all steps.
 #pragma once
 
 #include "model/model.h"
@@ -12,15 +12,15 @@ namespace overbend {
 /// Counts from t = 0 on.
 class LineRecorder {
  public:
-  /// The model's own lines. The model must outlive it.
+  /// Records the model's own lines. The model must outlive this.
   LineRecorder(const Model& model, const System& system, const std::vector<FollowedLine>& lines);
 
-  /// An accepted step. Nothing is allocated.
+  /// Adds an accepted step. Allocates nothing.
   void add(const SystemState& state, const Assembly& assembly);
-  /// Nodes of all lines: their points in a snapshot.
+  /// Number of nodes of all lines, which are their points in a snapshot.
   int points() const;
-  /// Puts x, y, z [m] and effective tension [N] of every node to `out`; returns where they end.
-  double* film(const SystemState& state, const Assembly& assembly, double* out) const;
+  /// Writes x, y, z [m] and effective tension [N] of every node to `out`; returns the end.
+  double* append_snapshot(const SystemState& state, const Assembly& assembly, double* out) const;
 
   std::vector<LineDynamics> results() const;
 
@@ -28,21 +28,22 @@ class LineRecorder {
   void restore(const std::vector<double>& saved);
 
  private:
-  struct Followed {
+  struct RecordedLine {
     FollowedLine line;
     std::vector<double> arc;  ///< Unstressed length to the nodes [m].
-    double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< [N]
-    std::vector<double> least, most;  ///< Tension at the nodes [N].
-    std::vector<double> moment;       ///< Largest bending moment there; empty where the line does not bend [N m].
-    RunningStatistics ends{2};        ///< Of the tensions at the ends, every step by its length.
+    double min_first = 1e300, max_first = -1e300, min_last = 1e300, max_last = -1e300;  ///< [N]
+    std::vector<double> min_tension, max_tension;  ///< Minimum and maximum tension at the nodes [N].
+    std::vector<double> moment;  ///< Maximum bending moment at the nodes [N m]; empty if the line does not bend.
+    RunningStatistics ends{2};   ///< Tensions at the ends, each step weighted by its length.
   };
-  std::optional<double> utilisation(const Followed& line) const;
+  std::optional<double> utilisation(const RecordedLine& line) const;
 
   const Model* model_;
-  std::vector<Followed> lines_;
+  std::vector<RecordedLine> lines_;
 };
 
-/// Lines beyond their breaking load, lines that fall slack or are pushed. `rest`: the same lines at rest.
+/// Warns of lines beyond their breaking load and of lines that fall slack or are compressed. `rest`: the same lines in
+/// statics.
 Findings line_findings(const Model& model, const std::vector<LineResult>& rest, const std::vector<LineDynamics>& lines);
 
 }  // namespace overbend

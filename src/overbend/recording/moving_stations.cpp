@@ -23,7 +23,7 @@ constexpr std::array<Quantity, 11> kAll = {&NodeValues::effective_tension,
 constexpr std::array<Quantity, 4> kLarge = {&NodeValues::bending_stress, &NodeValues::von_mises, &NodeValues::strain,
                                             &NodeValues::curvature};
 
-/// Whether a node has more than its neighbours: between stations such a value would be lost.
+/// True if a node has a local maximum: interpolation between stations would miss it.
 bool peaks_at(const std::vector<double>& values, std::size_t node) {
   return node > 0 && node + 1 < values.size() && values[node] >= values[node - 1] && values[node] >= values[node + 1];
 }
@@ -42,9 +42,9 @@ MovingStations::MovingStations(const Model& model, const Line& line, bool moves)
   }
 }
 
-void MovingStations::recover(const Instant& at, NodeValues& values) {
+void MovingStations::recover(const Instant& instant, NodeValues& values) {
   if (!moves_) {
-    recovery_.recover(at.pipe(), at.pipe_assembly(), at.water(), values);
+    recovery_.recover(instant.pipe(), instant.pipe_assembly(), instant.water(), values);
     return;
   }
   const std::size_t nodes = line_->mesh.s.size();
@@ -53,17 +53,17 @@ void MovingStations::recover(const Instant& at, NodeValues& values) {
     nodes_.resize(nodes);
     station_of_node_.resize(nodes);
   }
-  recovery_.recover(at.pipe(), at.pipe_assembly(), at.water(), nodes_);
-  shift_ = line_->mesh.s.back() - places_.back() + at.tensioner->travel.q;
+  recovery_.recover(instant.pipe(), instant.pipe_assembly(), instant.water(), nodes_);
+  shift_ = line_->mesh.s.back() - places_.back() + instant.tensioner->travel.q;
   find_stations_of_nodes();
   interpolate(values);
-  take_largest(values);
+  assign_peaks(values);
 }
 
 void MovingStations::find_stations_of_nodes() {
   std::size_t station = 0;
   for (std::size_t node = 0; node < station_of_node_.size(); ++node) {
-    const double place = place_of(line_->mesh.s[node]);
+    const double place = position_at(line_->mesh.s[node]);
     while (station + 1 < places_.size() && places_[station + 1] - place <= place - places_[station]) ++station;
     station_of_node_[node] = static_cast<int>(station);
   }
@@ -73,12 +73,12 @@ void MovingStations::interpolate(NodeValues& values) {
   const std::vector<double>& s = line_->mesh.s;
   std::size_t below = 0;
   for (std::size_t station = 0; station < places_.size(); ++station) {
-    const double here = std::clamp(arc_length_of(places_[station]), s.front(), s.back());
-    while (below + 2 < s.size() && s[below + 1] <= here) ++below;
-    const double share = (here - s[below]) / (s[below + 1] - s[below]);
+    const double arc_length = std::clamp(arc_length_at(places_[station]), s.front(), s.back());
+    while (below + 2 < s.size() && s[below + 1] <= arc_length) ++below;
+    const double share = (arc_length - s[below]) / (s[below + 1] - s[below]);
     for (const Quantity quantity : kAll) {
-      const std::vector<double>& of = nodes_.*quantity;
-      (values.*quantity)[station] = of[below] + share * (of[below + 1] - of[below]);
+      const std::vector<double>& at_nodes = nodes_.*quantity;
+      (values.*quantity)[station] = at_nodes[below] + share * (at_nodes[below + 1] - at_nodes[below]);
     }
     const std::size_t nearer = share < 0.5 ? below : below + 1;
     moments_.set(station, (1.0 - share) * recovery_.moments()[below] + share * recovery_.moments()[below + 1]);
@@ -87,10 +87,10 @@ void MovingStations::interpolate(NodeValues& values) {
   }
 }
 
-void MovingStations::take_largest(NodeValues& values) {
+void MovingStations::assign_peaks(NodeValues& values) {
   for (std::size_t node = 0; node < station_of_node_.size(); ++node) {
     const double s = line_->mesh.s[node];
-    if (place_of(s) < places_.front() || place_of(s) > places_.back()) continue;
+    if (position_at(s) < places_.front() || position_at(s) > places_.back()) continue;
     const std::size_t station = static_cast<std::size_t>(station_of_node_[node]);
     for (const Quantity quantity : kLarge) {
       if (peaks_at(nodes_.*quantity, node)) {

@@ -1,46 +1,46 @@
-/// Values at stations that stay in their places along the line, while the pipe and its nodes move through them.
+/// Values at stations that stay at fixed positions along the line, while the pipe and its nodes move through them.
 ///
-/// A place counts from the anchor as arc length did at the start: the distance from the tensioner is what is left of
-/// the whole length. Where the pipe does not move through its tensioner, stations are the nodes.
+/// A position counts from the anchor like the arc length at the start: the distance from the tensioner is the rest of
+/// the total length. If no pipe moves through the tensioner, stations are the nodes.
 #pragma once
 
 #include <vector>
 
 #include "dynamics/run/simulation.h"
-#include "recording/dynamic_stations.h"
+#include "recording/node_recovery.h"
 
 namespace overbend {
 
 class MovingStations {
  public:
-  /// Stations are the nodes of `line` as it is now. `moves`: whether pipe will be paid out.
+  /// Uses the present nodes of `line` as stations. `moves`: pipe will be paid out.
   MovingStations(const Model& model, const Line& line, bool moves);
 
-  /// Recovers what the nodes have and puts it to the stations in `values`. Between nodes straight; of what is only
-  /// looked at for being large (moment, curvature, stresses, strain) a peak counts at the station nearest to it.
-  /// Allocates when the mesh has changed, else nothing.
-  void recover(const Instant& at, NodeValues& values);
+  /// Recovers the values at the nodes and maps them to the stations in `values`: linear between nodes; for quantities
+  /// whose maxima are used (moment, curvature, stresses, strain) a peak is assigned to the nearest station. Allocates
+  /// only if the mesh has changed.
+  void recover(const Instant& instant, NodeValues& values);
 
-  /// Places of the stations [m].
+  /// Positions of the stations [m].
   const std::vector<double>& places() const { return places_; }
-  /// Place of what is at arc length `s` of the mesh now.
-  double place_of(double s) const { return s - shift_; }
-  /// Arc length of the mesh that is at a place.
-  double arc_length_of(double place) const { return place + shift_; }
+  /// Returns the position at the present arc length `s` of the mesh [m].
+  double position_at(double s) const { return s - shift_; }
+  /// Returns the present arc length of the mesh at a position [m].
+  double arc_length_at(double place) const { return place + shift_; }
 
-  // Of the state recovered last, at every station.
+  // Last recovered state, at every station.
   const VectorColumns& moments() const { return moves_ ? moments_ : recovery_.moments(); }
   const VectorColumns& tangents() const { return moves_ ? tangents_ : recovery_.tangents(); }
   const std::vector<int>& sections() const { return moves_ ? sections_ : recovery_.sections(); }
-  /// Of every node the station nearest to it.
+  /// Nearest station of every node.
   const std::vector<int>& station_of_node() const { return station_of_node_; }
-  /// Of every node.
+  /// Values at every node.
   const NodeValues& at_nodes(const NodeValues& at_stations) const { return moves_ ? nodes_ : at_stations; }
 
  private:
   void find_stations_of_nodes();
   void interpolate(NodeValues& values);
-  void take_largest(NodeValues& values);
+  void assign_peaks(NodeValues& values);
 
   const Model* model_;
   const Line* line_;

@@ -6,20 +6,20 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
 constexpr int kRow = 6;
-constexpr int kSpare = kWidth > kRow ? kWidth - kRow : 0;  ///< Doubles that a register takes beyond a row.
+constexpr int kSpare = kWidth > kRow ? kWidth - kRow : 0;  ///< Number of doubles that a register reads beyond a row.
 
-/// Two vectors of each of as many nodes as a register has lanes.
+/// Two vectors for each of as many nodes as a register has lanes.
 struct Pair {
   Vec first, second;
 };
 
-/// From rows that follow each other, and `kSpare` doubles beyond the last.
-Pair columns_of(const double* rows) {
+/// Reads consecutive rows, and `kSpare` doubles beyond the last.
+Pair load_columns(const double* rows) {
   Lanes columns[kRow];
   for (int from = 0; from < kRow; from += kWidth) {
-    const int start = from + kWidth <= kRow || kWidth > kRow ? from : kRow - kWidth;  // the last ends with the row
+    const int start = from + kWidth <= kRow || kWidth > kRow ? from : kRow - kWidth;  // the last part ends with the row
     Lanes part[kWidth];
-    for (int l = 0; l < kWidth; ++l) part[l] = loose(rows + kRow * l + start);
+    for (int l = 0; l < kWidth; ++l) part[l] = unaligned(rows + kRow * l + start);
     transpose(part);
     for (int j = 0; j < kWidth && start + j < kRow; ++j) columns[start + j] = part[j];
   }
@@ -34,11 +34,11 @@ struct Recovered {
 Recovered recover(const Pair& node, const Pair& cut) {
   const Vec& a = node.second;
   const Vec t = (1.0 / root(dot(a, a))) * a;
-  // The moment in the cut, its part about the pipe's axis taken off, and turned to point to the centre of the curve.
+  // The moment of the cut without its component about the pipe's axis, turned towards the centre of curvature.
   const Vec all_of_it = cross(a, cut.second);
   const Vec b = cross(all_of_it - dot(all_of_it, t) * t, t);
-  // Along the unit vector that points upwards across the pipe, (0, 0, 1) - t.z t over its length; there is none where
-  // the pipe stands upright. `b` is across the pipe itself.
+  // Component along the unit vector that points upwards across the pipe, (0, 0, 1) - t.z t over its length; undefined
+  // for an upright pipe. `b` is across the pipe itself.
   const Lanes level = root(t.x * t.x + t.y * t.y);
   return {node.first, t, b, dot(cut.first, t), root(dot(b, b)), level > 1e-9 ? b.z / level : Lanes{}};
 }
@@ -46,7 +46,7 @@ Recovered recover(const Pair& node, const Pair& cut) {
 /// Stores `count` of the lanes at node `first`.
 void put(const Lanes& values, int first, int count, double* out) {
   if (count == kWidth) {
-    loose(out + first) = values;
+    unaligned(out + first) = values;
     return;
   }
   for (int l = 0; l < count; ++l) out[first + l] = values[l];
@@ -67,7 +67,7 @@ void put(const Recovered& nodes, int first, int count, const RecoveredNodes& out
   put(nodes.vertical, first, count, out.vertical);
 }
 
-/// A copy of the last rows, filled up with the last of them.
+/// A copy of the last rows, padded with repetitions of the last one.
 struct LastRows {
   double values[kRow * kWidth + kSpare] = {};
 
@@ -84,11 +84,11 @@ struct LastRows {
 void recover_nodes(const NodeRows& rows, int count, const RecoveredNodes& out) {
   int first = 0;
   for (; first + kWidth < count; first += kWidth) {
-    put(recover(columns_of(rows.q + kRow * first), columns_of(rows.cuts + kRow * first)), first, kWidth, out);
+    put(recover(load_columns(rows.q + kRow * first), load_columns(rows.cuts + kRow * first)), first, kWidth, out);
   }
   if (first < count) {
     const LastRows q(rows.q + kRow * first, count - first), cuts(rows.cuts + kRow * first, count - first);
-    put(recover(columns_of(q.values), columns_of(cuts.values)), first, count - first, out);
+    put(recover(load_columns(q.values), load_columns(cuts.values)), first, count - first, out);
   }
 }
 

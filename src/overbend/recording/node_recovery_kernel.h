@@ -4,20 +4,20 @@
 
 namespace overbend {
 
-/// Six values a node, one node after the other.
+/// Six values per node.
 struct NodeRows {
-  const double* q;     ///< Place and tangent.
+  const double* q;     ///< Position and tangent.
   const double* cuts;  ///< Force and moment, see LineAssembly::cuts().
 };
 
 /// One array per quantity; none overlaps another.
 struct RecoveredNodes {
-  double *x, *y, *z;   ///< Place [m].
+  double *x, *y, *z;   ///< Position [m].
   double* tangent[3];  ///< Unit.
-  double* bend[3];     ///< Bending moment, towards the centre of the curve [N m].
-  double* tension;     ///< Effective [N].
-  double* moment;      ///< Size of the bending moment [N m].
-  double* vertical;    ///< Its part upwards across the pipe; 0 where the pipe stands upright [N m].
+  double* bend[3];     ///< Bending moment, towards the centre of curvature [N m].
+  double* tension;     ///< Effective tension [N].
+  double* moment;      ///< Magnitude of the bending moment [N m].
+  double* vertical;    ///< Its component upwards across the pipe; 0 for an upright pipe [N m].
 };
 
 using RecoverKernel = void (*)(const NodeRows& rows, int count, const RecoveredNodes& out);

@@ -1,4 +1,4 @@
-/// How the recorder's samples are laid out. For the recorder's own files.
+/// Layout of the recorder's samples, for the recorder's own files.
 #pragma once
 
 #include <cmath>
@@ -8,29 +8,30 @@
 namespace overbend {
 
 inline constexpr std::size_t kNodeQuantities = 8;
-inline constexpr std::size_t kBoxQuantities = 6;  ///< Reaction, vertical, longitudinal, lateral, separation, carries.
-inline constexpr std::size_t kRollerQuantities = 3;  ///< Reaction, separation, carries.
+inline constexpr std::size_t kBoxQuantities = 6;     ///< Reaction, vertical, longitudinal, lateral, separation, in
+                                                     ///< contact.
+inline constexpr std::size_t kRollerQuantities = 3;  ///< Reaction, separation, in contact.
 inline constexpr std::size_t kHardestImpacts = 200;
 
-/// Quantities of a region, each the largest of it at the instant.
+/// Quantities of a region, each with its maximum at the instant.
 enum RegionQuantity : std::size_t { kBendingMoment, kBendingStress, kVonMises, kStrain, kRegionQuantities };
 
-/// Key figures; each region has its quantities in a row.
+/// Key figures; the quantities of each region are contiguous.
 enum KeyQuantity : std::size_t {
   kTopTension,
   kBottomTension,
   kLayBack,
   kDepartureAngle,
   kTipClearance,
-  kUpper,  ///< The overbend, or the tower where no support carries in the static state.
+  kUpper,  ///< Overbend, or tower if no support carries load in the static state.
   kSagbend = kUpper + kRegionQuantities,
-  kSmallestTension = kSagbend + kRegionQuantities,
+  kMinLineTension = kSagbend + kRegionQuantities,
   kKeyQuantities,
 };
 
-/// Of a least value that nothing was compared with: no value.
-inline double or_absent(double least) {
-  return std::isinf(least) ? std::numeric_limits<double>::quiet_NaN() : least;
+/// Returns a minimum, or NaN if nothing was compared with it.
+inline double or_missing(double minimum) {
+  return std::isinf(minimum) ? std::numeric_limits<double>::quiet_NaN() : minimum;
 }
 
 }  // namespace overbend

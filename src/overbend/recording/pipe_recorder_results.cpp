@@ -1,4 +1,4 @@
-/// What the pipe's recorder knows as results.
+/// Results of the pipe recorder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +14,9 @@
 namespace overbend {
 namespace {
 
-/// Of the times at which the quantity had a value; not a number where it never had one.
-Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
+/// Statistics over the times at which the quantity had a value; NaN if it never had one.
+SummaryStatistics compute_spread(const RunningStatistics& statistics, const std::vector<double>& deviation,
+                                 std::size_t i) {
   if (statistics.min()[i] > statistics.max()[i]) {
     constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
     return {kAbsent, kAbsent, kAbsent, kAbsent};
@@ -23,8 +24,8 @@ Spread spread_of(const RunningStatistics& statistics, const std::vector<double>&
   return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
 }
 
-Envelope envelope_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
-                     std::size_t count) {
+Envelope make_envelope(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
+                       std::size_t count) {
   const auto part = [&](std::span<const double> all) {
     return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
                                all.begin() + static_cast<std::ptrdiff_t>(first + count));
@@ -40,23 +41,25 @@ void PipeRecorder::fill_supports(DynamicResults& results) const {
   const bool captured = model_->description.dynamics.value_or(DynamicSettings{}).impacts == ImpactTreatment::captured;
   for (std::size_t box = 0; box < boxes_; ++box) {
     const SupportBox& support = model_->supports.boxes[box];
-    const std::size_t at = kBoxQuantities * box;
-    const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
+    const std::size_t offset = kBoxQuantities * box;
+    const auto spread = [&](std::size_t i) { return compute_spread(support_statistics_, deviation, i); };
     SupportDynamics out;
     out.name = support.name;
     out.s = statics_->supports.at(box).s;
     out.stinger = support.structure == Structure::stinger;
-    out.reaction = spread(at);
+    out.reaction = spread(offset);
     out.reaction_over_time = {reaction_quantiles_.at(box, 0.5), reaction_quantiles_.at(box, 0.9),
                               reaction_quantiles_.at(box, 0.99)};
-    out.vertical = spread(at + 1);
-    out.longitudinal = spread(at + 2);
-    out.lateral = spread(at + 3);
-    out.separation = spread(at + 4);
-    out.contact_share = spread(at + 5).mean;
-    out.static_reaction = static_supports_[at];
-    out.static_separation = static_supports_[at + 4];
-    if (left_[box].time < kNever) (left_[box].side > 0.0 ? out.left_to_port : out.left_to_starboard) = left_[box].time;
+    out.vertical = spread(offset + 1);
+    out.longitudinal = spread(offset + 2);
+    out.lateral = spread(offset + 3);
+    out.separation = spread(offset + 4);
+    out.contact_share = spread(offset + 5).mean;
+    out.static_reaction = static_supports_[offset];
+    out.static_separation = static_supports_[offset + 4];
+    if (departures_[box].time < kNever) {
+      (departures_[box].side > 0.0 ? out.left_to_port : out.left_to_starboard) = departures_[box].time;
+    }
     for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
       const Roller& placed = model_->supports.rollers[roller];
       const Section& pipe = model_->section_over(placed);
@@ -72,11 +75,11 @@ void PipeRecorder::fill_supports(DynamicResults& results) const {
       r.static_reaction = static_supports_[i];
       r.static_separation = static_supports_[i + 1];
       r.impact_count = static_cast<std::int64_t>(impacts_[roller].count);
-      r.largest_approach_velocity = impacts_[roller].velocity;
-      r.largest_impact_force = impacts_[roller].force;
-      r.largest_impulse = impacts_[roller].impulse;
-      if (captured) {  // their peaks lie between two steps
-        r.reaction.max = std::max(r.reaction.max, r.largest_impact_force);
+      r.max_approach_velocity = impacts_[roller].velocity;
+      r.max_impact_force = impacts_[roller].force;
+      r.max_impulse = impacts_[roller].impulse;
+      if (captured) {  // their peaks occur between two steps
+        r.reaction.max = std::max(r.reaction.max, r.max_impact_force);
         out.reaction.max = std::max(out.reaction.max, impacts_[roller].of_box);
       }
       r.dent_depth = dent_depth(r.reaction.max, pipe);
@@ -88,7 +91,7 @@ void PipeRecorder::fill_supports(DynamicResults& results) const {
   }
 }
 
-DynamicExtreme PipeRecorder::extreme_of(const RegionPeak& peak, const Spread& over_time) const {
+DynamicExtreme PipeRecorder::make_extreme(const RegionPeak& peak, const SummaryStatistics& over_time) const {
   DynamicExtreme out;
   out.over_time = over_time;
   out.s = peak.s;
@@ -102,7 +105,7 @@ DynamicExtreme PipeRecorder::extreme_of(const RegionPeak& peak, const Spread& ov
 void PipeRecorder::fill_regions(DynamicResults& results) const {
   const std::vector<double> deviation = key_statistics_.standard_deviation();
   const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
-    return extreme_of(peak, spread_of(key_statistics_, deviation, i));
+    return make_extreme(peak, compute_spread(key_statistics_, deviation, i));
   };
   const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
     return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
@@ -110,11 +113,11 @@ void PipeRecorder::fill_regions(DynamicResults& results) const {
   };
   (static_departure_ ? results.overbend : results.tower) = region(key_.upper, kUpper);
   results.sagbend = region(key_.sagbend, kSagbend);
-  results.smallest_tension = extreme(key_.slack, kSmallestTension);
-  Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
-                              &results.departure_angle, &results.stinger_tip_clearance};
+  results.min_effective_tension = extreme(key_.slack, kMinLineTension);
+  SummaryStatistics* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
+                                         &results.departure_angle, &results.stinger_tip_clearance};
   for (std::size_t i = 0; i < 5; ++i) {
-    *spreads[i] = spread_of(key_statistics_, deviation, i);
+    *spreads[i] = compute_spread(key_statistics_, deviation, i);
   }
 }
 
@@ -129,61 +132,63 @@ void PipeRecorder::fill_tensioner_findings(DynamicResults& results) const {
             .with("duration", t.time_at_limit, "s"));
   }
   const TensionerDescription& machine = model_->description.tensioner;
-  const double way = std::max(t.travel.max, -t.travel.min);
-  if (machine.mode == TensionerMode::constant && machine.travel && way > *machine.travel && move_ == nullptr) {
+  const double max_travel = std::max(t.travel.max, -t.travel.min);
+  if (machine.mode == TensionerMode::constant && machine.travel && max_travel > *machine.travel && move_ == nullptr) {
     results.findings.push_back(Finding{
         FindingCode::tensioner_at_travel_limit,
-        fmt::format(
-            "the ideal tensioner of constant tension travels up to {} from the start, more than tensioner.travel, {}, "
-            "which does not stop it: a machine would have reached its limit, and the tension would not be constant",
-            shown(way, "m", 2), shown(*machine.travel, "m", 2))}
+        fmt::format("the ideal tensioner of constant tension travels up to {} from the start, more than its "
+                    "tensioner.travel of {}, which it ignores: a real machine would reach its limit, and the tension "
+                    "would not be constant",
+                    shown(max_travel, "m", 2), shown(*machine.travel, "m", 2))}
                                    .on("tensioner")
-                                   .with("travel", way, "m"));
+                                   .with("travel", max_travel, "m"));
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free && move_ == nullptr) {
-      results.findings.push_back(Finding{FindingCode::pipe_end_past_first_box,
-                                         fmt::format("the tensioner paid out {}, more than the {} to the first box: "
-                                                     "the end of the pipe, which moves with the travel, passed it",
-                                                     shown(t.travel.max, "m", 2), shown(free, "m", 2))}
-                                     .on("tensioner")
-                                     .with("travel", t.travel.max, "m"));
+      results.findings.push_back(
+          Finding{FindingCode::pipe_end_past_first_box,
+                  fmt::format("the tensioner paid out {}, more than the distance of {} to the first box: "
+                              "the end of the pipe, which moves with the travel, passed it",
+                              shown(t.travel.max, "m", 2), shown(free, "m", 2))}
+              .on("tensioner")
+              .with("travel", t.travel.max, "m"));
     }
   }
 }
 
 void PipeRecorder::fill_findings(DynamicResults& results) const {
   warn_of_left_boxes(results);
-  std::optional<YieldingPlace> worst;
+  std::optional<YieldingStation> worst;
   for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
     const Section& pipe = model_->sections[static_cast<std::size_t>(recovery_.sections()[first_ + node])];
     if (pipe.yield_stress <= 0.0 || pipe.bending) continue;
-    const YieldingPlace place{results.station_s[node], results.von_mises.max[node], pipe.yield_stress};
+    const YieldingStation place{results.station_s[node], results.von_mises.max[node], pipe.yield_stress};
     if (place.share() > (worst ? worst->share() : 1.0)) worst = place;
   }
   if (worst) warn_of_yield(*statics_, *worst, results);
   fill_tensioner_findings(results);
   append(results.findings, stinger_.findings());
-  if (const std::optional<StartWatch::Departure> departure = start_.departure()) {
+  if (const std::optional<InitialStateMonitor::Departure> departure = start_.departure()) {
     warn_of_departure(*statics_, departure->distance, places()[departure->node], departure->time, results);
   }
 }
 
-/// Impact forces hang on a stiffness that is known to a factor: says how much.
+/// Reports the sensitivity of impact forces to the contact stiffness, which is uncertain by a factor.
 void PipeRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = hardest_.front().peak_force;
   const double stiffness = (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
   results.assumptions.push_back(
       {AssumptionRank::governing,
-       fmt::format("The hardest impact, {}, was on a contact of {}; with half that stiffness it would be {}, with "
-                   "twice {} (the force is proportional to its cube root at the same approach velocity).",
-                   shown(force, "N", 1), shown_digits(stiffness, contact_stiffness_unit(), 3),
-                   shown(force * std::cbrt(0.5), "N", 1), shown(force * std::cbrt(2.0), "N", 1))});
+       fmt::format(
+           "The hardest impact of {} was on a contact stiffness of {}; with half that stiffness it would be {}, with "
+           "twice {} (the force is proportional to its cube root at the same approach velocity).",
+           shown(force, "N", 1), shown_digits(stiffness, contact_stiffness_unit(), 3),
+           shown(force * std::cbrt(0.5), "N", 1), shown(force * std::cbrt(2.0), "N", 1))});
 }
 
-/// What slamming, which the equations leave out, would have been at the fastest entry.
+/// Reports the slamming load, which the equations of motion neglect, at the fastest water entry.
 void PipeRecorder::fill_slamming(DynamicResults& results) const {
   if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
   const double from_top = places().back() - crossing_.s();
@@ -211,7 +216,7 @@ void PipeRecorder::fill(DynamicResults& results) const {
                                                 &results.y,
                                                 &results.z};
   for (std::size_t i = 0; i < kNodeQuantities; ++i) {
-    *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
+    *envelopes[i] = make_envelope(node_statistics_, deviation, i * n, n);
   }
   const auto recorded = [&](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first_), all.end());

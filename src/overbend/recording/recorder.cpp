@@ -5,18 +5,18 @@
 #include "dynamics/integrator/dynamic_checkpoint.h"
 #include "dynamics/machines/mooring_tension.h"
 #include "recording/control_columns.h"
-#include "recording/move_record.h"
+#include "recording/move_recorder.h"
 #include "recording/snapshots.h"
 
 namespace overbend {
 namespace {
 
-/// Whether the vessel floats free, or statics have found where it lies.
+/// True if the vessel floats freely, or statics have determined its equilibrium.
 bool afloat(const Simulation& simulation, const StaticResults& statics) {
   return simulation.hull() != nullptr || !simulation.moorings().empty() || statics.moorings.has_value();
 }
 
-RecordedObjects objects_of(const Model& model, const Simulation& simulation, bool floating) {
+RecordedObjects make_recorded_objects(const Model& model, const Simulation& simulation, bool floating) {
   const bool pipe = find_laid_pipe(simulation.system()).has_value();
   const bool held = std::ranges::any_of(simulation.system().attachments, [&](const Attachment& attachment) {
     return attachment.body != kGround && attachment.body < static_cast<int>(simulation.first_body());
@@ -25,7 +25,7 @@ RecordedObjects objects_of(const Model& model, const Simulation& simulation, boo
           held || floating,
           floating,
           simulation.moorings(),
-          pipe ? sections_in_time(model) : std::vector<std::string>{},
+          pipe ? moving_sections(model) : std::vector<std::string>{},
           astern_direction(model.mean_pose),
           simulation.lines()};
 }
@@ -44,8 +44,8 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const bool has_pipe = find_laid_pipe(simulation.system()).has_value();
   if (has_pipe) pipe_.emplace(model, statics, simulation);
-  if (afloat(simulation, statics)) floating_.emplace(model.drawn_pose);
-  columns_ = recorded_columns(objects_of(model, simulation, floating_.has_value()));
+  if (afloat(simulation, statics)) floating_.emplace(model.nominal_pose);
+  columns_ = recorded_columns(make_recorded_objects(model, simulation, floating_.has_value()));
   if (simulation.move() != nullptr) add_move_columns(columns_, has_pipe);
   if (thrust_.positioned()) add_thrust_columns(columns_);
   add_body_columns(model, simulation.first_body(), columns_);
@@ -53,11 +53,11 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
   row_.resize(columns_.size());
 }
 
-void Recorder::begun(const Instant& at) {
-  if (pipe_) pipe_->start(at);
-  moorings_.start(*at.state, *at.assembly);
-  thrust_.start(*at.state);
-  if (floating_) floating_->start(at.vessel().pose);
+void Recorder::begun(const Instant& instant) {
+  if (pipe_) pipe_->start(instant);
+  moorings_.start(*instant.state, *instant.assembly);
+  thrust_.start(*instant.state);
+  if (floating_) floating_->start(instant.vessel().pose);
   const SnapshotSize size{pipe_ ? pipe_->stations() : 0, moorings_.points() + lines_.points()};
   snapshot_.resize(5 * static_cast<std::size_t>(size.stations) + kPoseNumbers +
                    4 * static_cast<std::size_t>(size.line_points));
@@ -66,51 +66,51 @@ void Recorder::begun(const Instant& at) {
   sink_->begin(columns, size);
 }
 
-void Recorder::stepped(const Instant& at) {
-  if (pipe_) pipe_->add(at);
-  moorings_.add(*at.state, *at.assembly, at.step);
-  thrust_.add(*at.state, at.step);
-  if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
-  lines_.add(*at.state, *at.assembly);
-  bodies_.add(*at.state, *at.assembly);
+void Recorder::stepped(const Instant& instant) {
+  if (pipe_) pipe_->add(instant);
+  moorings_.add(*instant.state, *instant.assembly, instant.step);
+  thrust_.add(*instant.state, instant.step);
+  if (floating_) floating_->add(instant.vessel().pose, instant.state->time, instant.step);
+  lines_.add(*instant.state, *instant.assembly);
+  bodies_.add(*instant.state, *instant.assembly);
 }
 
 void Recorder::impact(const EndedImpact& ended) {
   sink_->impact(pipe_->add_impact(ended));
 }
 
-void Recorder::row(const Instant& at, std::int64_t number) {
-  RowSource source{at};
-  if (pipe_) pipe_->show(source);
+void Recorder::row(const Instant& instant, std::int64_t number) {
+  RowSource source{instant};
+  if (pipe_) pipe_->fill_row(source);
   source.floating = floating_ ? &*floating_ : nullptr;
   source.thrust = &thrust_;
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
-  if (pipe_) pipe_->forget_interval();
+  if (pipe_) pipe_->reset_interval();
   sink_->row(row_);
-  if (number >= 0 && number % snapshot_stride_ == 0) sink_->snapshot(at.state->time, snapshot(at));
+  if (number >= 0 && number % snapshot_stride_ == 0) sink_->snapshot(instant.state->time, snapshot(instant));
 }
 
-std::span<const double> Recorder::snapshot(const Instant& at) {
+std::span<const double> Recorder::snapshot(const Instant& instant) {
   double* out = snapshot_.data();
-  if (pipe_) out = pipe_->film(out);
-  out = put_pose(at.vessel().pose, out);
-  out = moorings_.film(*at.state, *at.assembly, out);
-  lines_.film(*at.state, *at.assembly, out);
+  if (pipe_) out = pipe_->append_snapshot(out);
+  out = put_pose(instant.vessel().pose, out);
+  out = moorings_.append_snapshot(*instant.state, *instant.assembly, out);
+  lines_.append_snapshot(*instant.state, *instant.assembly, out);
   return snapshot_;
 }
 
 double Recorder::top_tension() const {
   if (pipe_) return pipe_->top_tension();
-  const Instant now = simulation_->now();
-  double largest = 0.0;
+  const Instant present = simulation_->present();
+  double max_tension = 0.0;
   for (std::size_t i = 0; i < simulation_->moorings().size(); ++i) {
-    largest = std::max(largest, mooring_tension(*now.assembly, *now.state, i, LineEnd::last));
+    max_tension = std::max(max_tension, mooring_tension(*present.assembly, *present.state, i, LineEnd::last));
   }
   for (const FollowedLine& line : simulation_->lines()) {
-    largest = std::max(largest, end_tension(*now.assembly, *now.state, line, LineEnd::last));
+    max_tension = std::max(max_tension, end_tension(*present.assembly, *present.state, line, LineEnd::last));
   }
-  return largest;
+  return max_tension;
 }
 
 void Recorder::save(DynamicCheckpoint& checkpoint) const {

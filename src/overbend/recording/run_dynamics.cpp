@@ -6,16 +6,16 @@
 #include <string>
 
 #include "base/shown_unit.h"
-#include "dynamics/setup/start_leap.h"
-#include "recording/reach_row.h"
+#include "dynamics/setup/initial_jump.h"
+#include "recording/advance_row.h"
 #include "recording/recorder.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSmallLeap = 1e-3;     ///< Of the stern shoe at t = 0, not worth a word [m].
-constexpr double kWorthKeeping = 10.0;  ///< What a run took that is not done again [s].
-constexpr double kSmallSpeed = 0.01;    ///< Likewise [m/s].
+constexpr double kMinReportedJump = 1e-3;      ///< Jump of the stern shoe at t = 0 below which it is not reported [m].
+constexpr double kMinCheckpointedTime = 10.0;  ///< Wall time of a run from which a final checkpoint is kept [s].
+constexpr double kMinReportedSpeed = 0.01;  ///< Initial speed of the stern shoe below which it is not reported [m/s].
 
 DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options, double simulated) {
   report.real_time_ratio = report.wall_time > 0.0 ? simulated / report.wall_time : 0.0;
@@ -25,43 +25,45 @@ DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options
   return report;
 }
 
-Finding started_at_once(const std::string& text) {
+Finding make_start_finding(const std::string& text) {
   return Finding{FindingCode::start_without_build_up, text};
 }
 
-/// Motions that do not begin where statics have what they move.
+/// Warns of motions whose initial values differ from the static state.
 Findings start_findings(const Model& model, const Simulation& run) {
   Findings findings;
   const bool carries = run.hull() != nullptr || run.lines().size() < run.system().lines.size();
-  if (const double leap = carries ? leap_at_start(model) : 0.0; leap > kSmallLeap) {
+  if (const double leap = carries ? initial_shoe_jump(model) : 0.0; leap > kMinReportedJump) {
     findings.push_back(
-        started_at_once(
-            fmt::format("without build-up the stern shoe leaps by {} from where statics have it: what rings after "
-                        "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
+        make_start_finding(
+            fmt::format("without a build-up the stern shoe jumps by {} from its static position: oscillations after "
+                        "t = 0 come from that; set a few wave periods (analysis.dynamic.build_up)",
                         shown_digits(leap, "m", 3)))
             .on("vessel")
             .with("distance", leap, "m"));
   }
-  if (const double speed = carries ? speed_at_start(model) : 0.0; speed > kSmallSpeed) {
+  if (const double speed = carries ? initial_shoe_speed(model) : 0.0; speed > kMinReportedSpeed) {
     findings.push_back(
-        started_at_once(fmt::format("without build-up the stern shoe has {} at once: impacts and tensions after t = 0 "
-                                    "come from that; give some wave periods (analysis.dynamic.build_up)",
-                                    shown_digits(speed, "m/s", 3)))
+        make_start_finding(
+            fmt::format("without a build-up the stern shoe starts with {}: impacts and tensions after t = 0 "
+                        "come from that; set a few wave periods (analysis.dynamic.build_up)",
+                        shown_digits(speed, "m/s", 3)))
             .on("vessel")
             .with("speed", speed, "m/s"));
   }
-  if (const double leap = run.lines().empty() ? 0.0 : line_leap_at_start(model, run.options()); leap > kSmallLeap) {
+  if (const double leap = run.lines().empty() ? 0.0 : initial_line_end_jump(model, run.options());
+      leap > kMinReportedJump) {
     findings.push_back(
-        started_at_once(
-            fmt::format("without build-up an end leaps by {} from where statics have it: what rings after t = 0 "
-                        "comes from that; give some periods (analysis.dynamic.build_up)",
+        make_start_finding(
+            fmt::format("without a build-up a line end jumps by {} from its static position: oscillations after t = 0 "
+                        "come from that; set a few periods (analysis.dynamic.build_up)",
                         shown_digits(leap, "m", 3)))
             .with("distance", leap, "m"));
   }
   return findings;
 }
 
-DynamicResults results_of(const Model& model, const Simulation& run, const Recorder& recorder) {
+DynamicResults collect_results(const Model& model, const Simulation& run, const Recorder& recorder) {
   const DynamicOptions& options = run.options();
   DynamicResults r;
   r.duration = run.time();
@@ -89,9 +91,9 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
   if (from != nullptr) {
     run.restore(*from);
   } else {
-    recorder.row(run.now(), run.row_number());
+    recorder.row(run.present(), run.row_number());
   }
-  const auto so_far = [&] { return results_of(model, run, recorder); };
+  const auto so_far = [&] { return collect_results(model, run, recorder); };
   while (!run.finished()) {
     if (!reach_row(run)) return {std::nullopt, std::nullopt, true};
     if (run.failure()) return {std::nullopt, run.failure(), false};
@@ -103,7 +105,9 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
       return {so_far(), std::nullopt, true};
     }
   }
-  if (run.report().wall_time > kWorthKeeping) sink.checkpoint(run.checkpoint());  // results are still to be written
+  if (run.report().wall_time > kMinCheckpointedTime) {
+    sink.checkpoint(run.checkpoint());
+  }  // results are still to be written
   return {so_far(), std::nullopt, false};
 }
 

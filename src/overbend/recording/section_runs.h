@@ -1,4 +1,4 @@
-/// Places of one section in a row: what hangs on the section is a constant of the loop over them.
+/// Consecutive places of one section: properties of the section are constants of the loop over them.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 namespace overbend {
 
 struct SectionRun {
-  std::size_t section = 0, first = 0, last = 0;  ///< `last`: one beyond.
+  std::size_t section = 0, first = 0, last = 0;  ///< `last`: one past the end.
 };
 
-/// Of the sections of all places, into `runs`. Allocates nothing where `runs` has held as many.
+/// Divides the sections of all places into `runs`. Allocates nothing if `runs` has held as many before.
 inline void find_section_runs(std::span<const int> sections, std::vector<SectionRun>& runs) {
   runs.clear();
   for (std::size_t i = 0; i < sections.size(); ++i) {

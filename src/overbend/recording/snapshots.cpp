@@ -6,9 +6,9 @@
 namespace overbend {
 
 std::int64_t snapshot_stride(const DynamicOptions& options) {
-  constexpr double kMostSnapshots = 2400.0;  // of a run
+  constexpr double kMaxSnapshots = 2400.0;  // per run
   const double rows = options.duration / options.output_step;
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMostSnapshots)));
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMaxSnapshots)));
 }
 
 double* put_pose(const VesselPose& pose, double* out) {

@@ -1,4 +1,4 @@
-/// What snapshots of all runs have in common.
+/// Layout and interval of the snapshots of a run.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace overbend {
 
 inline constexpr std::size_t kPoseNumbers = 12;
 
-/// Rows from one snapshot of a run to the next.
+/// Returns the number of rows between snapshots.
 std::int64_t snapshot_stride(const DynamicOptions& options);
 
-/// Puts p_WV and R_WV by rows to `out`; returns where they end.
+/// Writes p_WV and R_WV by rows to `out`; returns the end.
 double* put_pose(const VesselPose& pose, double* out);
 
 }  // namespace overbend

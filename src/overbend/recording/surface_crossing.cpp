@@ -8,13 +8,13 @@
 namespace overbend {
 namespace {
 
-/// Of a node over the surface.
-struct OverSurface {
-  double rising = 0.0;  ///< Speed upwards away from it [m/s].
-  double across = 0.0;  ///< How much of a vertical motion is across the pipe [-].
+/// Motion of a node relative to the surface.
+struct SurfaceMotion {
+  double rising = 0.0;  ///< Upward speed relative to the surface [m/s].
+  double across = 0.0;  ///< Component of a vertical motion across the pipe [-].
 };
 
-OverSurface over_surface(const LineState& state, const std::vector<double>& waves, std::size_t node) {
+SurfaceMotion over_surface(const LineState& state, const std::vector<double>& waves, std::size_t node) {
   const double* q = state.q.data() + 6 * node;
   const double upwards = waves.empty() ? 0.0 : waves[kWaterValues * node + 2];
   return {state.v[6 * node + 2] - upwards, std::hypot(q[3], q[4]) / std::hypot(q[3], q[4], q[5])};
@@ -33,7 +33,7 @@ void SurfaceCrossing::add(const LineState& state, double time, const std::vector
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
     const double high = height_over_surface(state, water, e + 1);
     if ((low < 0.0) != (high < 0.0)) {
-      const OverSurface below = over_surface(state, water, e), above = over_surface(state, water, e + 1);
+      const SurfaceMotion below = over_surface(state, water, e), above = over_surface(state, water, e + 1);
       const double share = low / (low - high);
       const auto between = [&](double a, double b) { return a + share * (b - a); };
       const double speed = -between(below.rising, above.rising) * between(below.across, above.across);

@@ -1,4 +1,4 @@
-/// Vectors at many places, one array per component: loops over the places become vector instructions.
+/// Vectors at many places, one array per component, so that loops over the places are vectorised.
 #pragma once
 
 #include <cstddef>

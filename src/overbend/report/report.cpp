@@ -9,7 +9,7 @@
 #include "report/moored/moorings_section.h"
 #include "report/page/calculation_sheet.h"
 #include "report/page/figures.h"
-#include "report/page/front_of.h"
+#include "report/page/make_front_page.h"
 #include "report/page/page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
@@ -17,7 +17,7 @@
 #include "report/static/criteria_section.h"
 #include "report/static/friction_section.h"
 #include "report/static/sensitivity_section.h"
-#include "report/static/stinger_section.h"
+#include "report/static/stinger_report.h"
 #include "report/studies/report_data.h"
 #include "report/studies/seek_section.h"
 #include "results/findings.h"
@@ -32,7 +32,7 @@ Blocks static_tables(const StaticResults& results) {
          friction_section(results);
 }
 
-/// Moorings, stages of an operation and hull at rest.
+/// Static results of moorings, operation stages and hull.
 Blocks moored_part(const StaticResults& results) {
   Blocks part;
   if (results.moorings) part += moorings_section(*results.moorings) + operation_section(*results.moorings);
@@ -40,7 +40,7 @@ Blocks moored_part(const StaticResults& results) {
   return part;
 }
 
-/// "Static pipelay analysis": by what is analysed. `dynamic` or static.
+/// Title by the subject of the analysis: "Static pipelay analysis". `dynamic`: true for a dynamic analysis.
 std::string analysis_name(const StaticResults& results, bool dynamic) {
   if (results.moorings && !results.has_pipe()) return dynamic ? "Dynamic mooring analysis" : "Mooring analysis";
   return std::string(dynamic ? "Dynamic" : "Static") +
@@ -50,7 +50,7 @@ std::string analysis_name(const StaticResults& results, bool dynamic) {
 }  // namespace
 
 Document report_document(const StaticResults& results, const std::string& model_text, const StaticExtras& extras) {
-  const std::optional<Description> description = description_of(model_text);
+  const std::optional<Description> description = read_description(model_text);
   Blocks body;
   if (extras.seek != nullptr) body += seek_section(*extras.seek);
   body += key_results(results, "results", "Key results");
@@ -70,10 +70,10 @@ Document report_document(const StaticResults& results, const std::string& model_
   body += check_inputs_section(results.checks);
   body += balance_section(results);
   body += model_text_section(model_text);
-  FrontPage front = front_of(analysis_name(results, false), results.title, description, results.findings);
+  FrontPage front = make_front_page(analysis_name(results, false), results.title, description, results.findings);
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   front.entries = subject_entries(results, description);
-  front.entries.emplace_back("Status", status_words("converged", front.findings.size()));
+  front.entries.emplace_back("Status", status_label("converged", front.findings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
   return {results.title + " - static analysis", front_page(front, results, results.checks), body,
@@ -81,7 +81,7 @@ Document report_document(const StaticResults& results, const std::string& model_
 }
 
 Document report_document(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
-  const std::optional<Description> description = description_of(model_text);
+  const std::optional<Description> description = read_description(model_text);
   Blocks body = dynamic_key_results(statics, results);
   body += lay_setting_section(statics, description, &results);
   body += criteria_section(results.checks, description);
@@ -108,8 +108,9 @@ Document report_document(const StaticResults& statics, const DynamicResults& res
   body += dynamic_run_section(results);
   body += balance_section(statics);
   body += model_text_section(model_text);
-  FrontPage front = front_of(analysis_name(statics, true), statics.title, description, all_findings(statics, results));
-  front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
+  FrontPage front =
+      make_front_page(analysis_name(statics, true), statics.title, description, all_findings(statics, results));
+  front.reach = "Maxima of a single run of " + readable_duration(results.duration) + ".";
   front.entries = dynamic_entries(statics, results, description, written_now());
   return {statics.title + " - dynamic analysis", front_page(front, statics, results.checks), body,
           report_data(statics, &results, description)};

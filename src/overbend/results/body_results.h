@@ -1,29 +1,30 @@
-/// Where bodies lie or go, and what lines do to them: plain data, SI units; frame W.
+/// Poses and motions of bodies, and the loads of lines on them: plain data, SI units; frame W.
 #pragma once
 
 #include <string>
 
 #include "base/vec.h"
-#include "results/spread.h"
+#include "results/summary_statistics.h"
 
 namespace overbend {
 
-/// A body at rest.
+/// Static results of a body.
 struct BodyResult {
   std::string name;
-  bool floats = false;                               ///< It lies where lines and water let it; else where it is put.
-  Vec3 place = Vec3::Zero();                         ///< Of its origin, midship on its water line [m].
+  bool floats = false;                               ///< True if lines and water determine the pose; otherwise the pose
+                                                     ///< is prescribed.
+  Vec3 place = Vec3::Zero();                         ///< Origin of the body: midship on its water line [m].
   double heading = 0.0;                              ///< Azimuth of its bow [rad].
-  double surge = 0.0, sway = 0.0, heave = 0.0;       ///< From as drawn: forward, to port, up [m].
+  double surge = 0.0, sway = 0.0, heave = 0.0;       ///< Offset from the nominal pose: forward, to port, up [m].
   double roll = 0.0, pitch = 0.0, yaw = 0.0;         ///< Starboard down, bow down, bow to port [rad].
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< Of all lines on it, about its origin [N, N m].
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< Resultant of all lines on the body, about its origin [N, N m].
 };
 
-/// A body over time, from t = 0 on.
+/// Statistics of a body over time, from t = 0.
 struct BodyDynamics {
   std::string name;
-  Spread surge, sway, heave, roll, pitch, yaw;  ///< From as drawn, as in BodyResult [m, rad].
-  Spread pull;                                  ///< Horizontal force of all lines on it, its size [N].
+  SummaryStatistics surge, sway, heave, roll, pitch, yaw;  ///< Offset from the nominal pose, as in BodyResult [m, rad].
+  SummaryStatistics pull;  ///< Magnitude of the horizontal force of all lines on the body [N].
 };
 
 }  // namespace overbend

@@ -11,7 +11,7 @@ CheckRow& CheckRow::operator=(const CheckRow&) = default;
 CheckRow& CheckRow::operator=(CheckRow&&) noexcept = default;
 CheckRow::~CheckRow() = default;
 
-Findings unjudged_checks(const CheckTable& table) {
+Findings find_invalid_checks(const CheckTable& table) {
   Findings all;
   for (const CheckRow& row : table.rows) {
     if (!row.governing || row.status != CheckStatus::outside_validity) continue;

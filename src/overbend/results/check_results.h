@@ -1,4 +1,4 @@
-/// What the code checks found: plain data, SI units.
+/// Results of the code checks: plain data, SI units.
 #pragma once
 
 #include <string>
@@ -13,20 +13,21 @@ namespace overbend {
 enum class CheckStatus {
   passed,
   exceeded,          ///< Utilisation above 1.
-  outside_validity,  ///< The formula does not hold for this pipe or load: neither passed nor failed.
-  not_done,          ///< Something is missing, see `remark`.
+  outside_validity,  ///< The formula is not valid for this pipe or load: neither passed nor failed.
+  not_done,          ///< An input is missing, see `remark`.
 };
 
 enum class CheckRegion {
-  line,      ///< All of the line, or the equipment.
+  line,      ///< The whole line, or the equipment.
   overbend,  ///< Tensioner to the last support in contact.
-  tip,       ///< The rest of the overbend: from there to the inflection, where the pipe hangs free and still hogs.
-  sagbend,   ///< From there to touchdown.
+  tip,       ///< Free end of the overbend: last support contact to the inflection; the pipe is suspended but still
+             ///< hogging.
+  sagbend,   ///< Inflection to touchdown.
   seabed,
-  tower,  ///< Where a clamped guide bends a pipe that no support carries.
+  tower,  ///< Clamped guide that bends a pipe without support contact.
 };
 
-/// A number that went into a check.
+/// An input of a check.
 struct CheckInput {
   std::string symbol;   ///< "M_F"
   std::string meaning;  ///< "functional moment"
@@ -34,15 +35,15 @@ struct CheckInput {
   std::string units;  ///< SI
 };
 
-/// How far the formula of a code, or a number that it prints, has been compared with public texts that restate it.
+/// Extent to which a code formula or coefficient has been compared with public texts that restate it.
 enum class Confirmation {
   not_needed,   ///< An input of the analysis, or a definition.
   two_sources,  ///< Two or more independent public restatements agree.
   one_source,
-  unconfirmed,  ///< Recalled: no public restatement was found.
+  unconfirmed,  ///< From memory: no public restatement was found.
 };
 
-/// A line of a calculation sheet: a number that goes in, or a formula in the symbols of the lines before it.
+/// A line of a calculation sheet: an input, or a formula in the symbols of the preceding lines.
 struct SheetLine {
   std::string symbol;   ///< "M_p"
   std::string meaning;  ///< "plastic moment"
@@ -54,9 +55,10 @@ struct SheetLine {
   std::string sources;  ///< Public texts that it was compared with.
 };
 
-/// One check at the station and moment where it is used most.
+/// One check at the station and time of its maximum utilisation.
 struct CheckRow {
-  CheckRow();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  CheckRow();  // These six are defined in the source file: the member-wise copy is long, and many sources would
+               // instantiate it.
   CheckRow(const CheckRow&);
   CheckRow(CheckRow&&) noexcept;
   CheckRow& operator=(const CheckRow&);
@@ -69,34 +71,35 @@ struct CheckRow {
   std::string clause;  ///< "5.4.6"
   CheckRegion region = CheckRegion::line;
   CheckStatus status = CheckStatus::not_done;
-  bool governing = true;  ///< False: for information, does not decide.
-  std::string quantity;   ///< What demand and capacity are: "design strain".
-  std::string units;      ///< SI, of both.
+  bool governing = true;  ///< False: informational, not part of the verdict.
+  std::string quantity;   ///< Quantity of demand and capacity: "design strain".
+  std::string units;      ///< SI unit of both.
   double demand = 0.0, capacity = 0.0;
   double utilisation = 0.0;
   double reserve = 0.0;     ///< Factor on the load effects that brings the utilisation to 1 [-].
-  std::string line;         ///< Name of the line by itself that is judged; empty: the laid pipe, equipment, moorings.
-  double s = 0.0;           ///< Arc length from the anchor, of a line by itself from its first end [m].
+  std::string line;         ///< Name of the checked stand-alone line; empty for the laid pipe, equipment and moorings.
+  double s = 0.0;           ///< Arc length from the anchor; for a stand-alone line from its first end [m].
   double from_top = 0.0;    ///< Along the laid pipe from the tensioner [m].
-  Vec3 p_W = Vec3::Zero();  ///< Place in the static state [m].
-  bool in_time = false;     ///< False: of the static state.
-  double time = 0.0;        ///< When, where in_time [s].
+  Vec3 p_W = Vec3::Zero();  ///< Position in the static state [m].
+  bool in_time = false;     ///< True if the maximum occurs in the time-domain simulation; false for the static state.
+  double time = 0.0;        ///< Time of the maximum if in_time [s].
   std::string remark;
   std::vector<CheckInput> inputs;
-  std::vector<SheetLine> sheet;  ///< Calculation of the utilisation, which is its last line; empty where none is made.
+  std::vector<SheetLine> sheet;  ///< Calculation of the utilisation, which is its last line; empty if there is none.
 
+  /// True if the check has a verdict: passed or exceeded.
   bool judged() const { return status == CheckStatus::passed || status == CheckStatus::exceeded; }
 };
 
-/// Largest utilisations at every station, arrays of one length; 0 where a check is not made.
+/// Maximum utilisations at every station, arrays of one length; 0 where a check does not apply.
 struct CheckAlong {
-  std::vector<double> s;          ///< From the anchor [m].
-  std::vector<double> load;       ///< DNV load controlled.
-  std::vector<double> strain;     ///< DNV displacement controlled, over the supports.
-  std::vector<double> stress;     ///< Equivalent stress over 0.87 f_y, where the pipe hangs free and on the seabed.
+  std::vector<double> s;          ///< Arc length from the anchor [m].
+  std::vector<double> load;       ///< DNV load-controlled local buckling.
+  std::vector<double> strain;     ///< DNV displacement-controlled local buckling, over the supports.
+  std::vector<double> stress;     ///< Equivalent stress over 0.87 f_y, where the pipe is suspended or on the seabed.
   std::vector<double> laying;     ///< Simplified laying criteria on the strain, over the supports.
   std::vector<double> api;        ///< API bending and external pressure.
-  std::vector<double> governing;  ///< Largest of those that decide at the station.
+  std::vector<double> governing;  ///< Maximum over the governing checks at the station.
 };
 
 struct CheckTable {
@@ -105,11 +108,12 @@ struct CheckTable {
   Assumptions assumptions;
 };
 
-/// A finding for every governing check whose formula does not hold: "passed" alone would hide that nobody looked.
-Findings unjudged_checks(const CheckTable& table);
+/// Returns a finding for every governing check outside the validity of its formula: an unchecked criterion must not
+/// read as passed.
+Findings find_invalid_checks(const CheckTable& table);
 
-/// The judged and governing row that is used most; null without one.
-inline const CheckRow* worst_check(const CheckTable& table) {
+/// Returns the judged, governing row with the maximum utilisation; null if there is none.
+inline const CheckRow* find_governing_check(const CheckTable& table) {
   const CheckRow* worst = nullptr;
   for (const CheckRow& row : table.rows) {
     if (row.governing && row.judged() && (worst == nullptr || row.utilisation > worst->utilisation)) worst = &row;

@@ -5,51 +5,51 @@
 #include <string>
 #include <vector>
 
-#include "base/words.h"
+#include "base/enum_names.h"
 #include "results/dynamic_results.h"
 #include "results/seeds_results.h"
 
 namespace overbend {
 
-enum class ComparisonOf { tensioner, contact, impacts };
+enum class ComparisonType { tensioner, contact, impacts };
 
 template <>
-inline constexpr std::array kWords<ComparisonOf> = {
-    Word{ComparisonOf::tensioner, "tensioner"},
-    Word{ComparisonOf::contact, "contact"},
-    Word{ComparisonOf::impacts, "impacts"},
+inline constexpr std::array kEnumNames<ComparisonType> = {
+    Word{ComparisonType::tensioner, "tensioner"},
+    Word{ComparisonType::contact, "contact"},
+    Word{ComparisonType::impacts, "impacts"},
 };
 
-/// How long the tensioner was in one state without a break.
+/// Interval in which the tensioner was in one state without interruption.
 struct TensionerSpan {
   double from = 0.0, to = 0.0;  ///< [s]
   int state = 0;                ///< 0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit.
 };
 
-/// The tensioner's histories at every row of output from some time on.
-struct CloseHistories {
+/// Histories of the tensioner at every output step from a given time on.
+struct DetailHistories {
   std::vector<double> time, tension, travel;  ///< [s], [N], [m]
 };
 
 struct ComparedRun {
-  std::string name;              ///< For scripts, and of its folder: "off".
-  std::string words;             ///< For people: "off, held by the brake".
+  std::string name;              ///< Identifier for scripts and of the folder: "off".
+  std::string label;             ///< Label for readers: "off, held by the brake".
   DynamicResults results{};      ///< Histories thinned.
-  std::vector<double> values{};  ///< As many as there are quantities.
+  std::vector<double> values{};  ///< One value for each quantity.
   std::vector<TensionerSpan> states{};
-  CloseHistories close{};
+  DetailHistories close{};
 };
 
-/// What a support box saw in one variant.
+/// Statistics of a roller box in one variant.
 struct ComparedBox {
-  double contact_share = 0.0;                   ///< Share of time in which it carries [-].
+  double contact_share = 0.0;                   ///< Share of time in contact [-].
   double static_reaction = 0.0;                 ///< Resultant [N].
   double mean_reaction = 0.0;                   ///< [N]
   double peak_reaction = 0.0;                   ///< [N]
-  double peak_force = 0.0;                      ///< Largest normal force of one of its rollers [N].
+  double peak_force = 0.0;                      ///< Maximum normal force of one roller [N].
   double dent_depth = 0.0;                      ///< Under that force [m].
   double line_load = 0.0;                       ///< Under that force, on the coating [N/m].
-  std::vector<double> row_share{}, row_peak{};  ///< Of its bottom rollers, row by row: [-], [N]; one for a gap spring.
+  std::vector<double> row_share{}, row_peak{};  ///< Bottom rollers by row: [-], [N]; a single value for a gap spring.
 };
 
 struct ComparedBoxes {
@@ -59,12 +59,12 @@ struct ComparedBoxes {
 };
 
 struct Comparison {
-  ComparisonOf of = ComparisonOf::tensioner;
+  ComparisonType of = ComparisonType::tensioner;
   double duration = 0.0, build_up = 0.0;  ///< [s]
-  double close_from = 0.0;                ///< Where the close look begins [s].
+  double detail_start = 0.0;              ///< Start of the interval stored at full resolution [s].
   std::vector<SeedQuantity> quantities;
   std::vector<ComparedRun> runs;
-  std::vector<ComparedBoxes> boxes;  ///< Of a comparison of contact or impacts.
+  std::vector<ComparedBoxes> boxes;  ///< Only in a comparison of contact or impacts.
 };
 
 }  // namespace overbend

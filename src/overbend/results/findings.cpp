@@ -63,8 +63,8 @@ Verdict operation_verdict(const OperationResults& results) {
   Verdict verdict = make_verdict(operation_checks(results), operation_findings(results));
   const auto failed = std::ranges::count_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
   if (failed == 0) return verdict;
-  const std::string words = fmt::format("{} OF {} STAGES WITHOUT EQUILIBRIUM", failed, results.stages.size());
-  verdict.words = verdict.kind == VerdictKind::exceeded ? words + ", " + verdict.words : words;
+  const std::string text = fmt::format("{} OF {} STAGES WITHOUT EQUILIBRIUM", failed, results.stages.size());
+  verdict.headline = verdict.kind == VerdictKind::exceeded ? text + ", " + verdict.headline : text;
   verdict.kind = VerdictKind::exceeded;
   return verdict;
 }

@@ -1,4 +1,4 @@
-/// Findings of results as a whole.
+/// Findings and verdicts of results as a whole.
 #pragma once
 
 #include "base/finding.h"
@@ -8,20 +8,20 @@
 
 namespace overbend {
 
-/// Of a run in time: its own, then those of the static state that it began from.
+/// Returns the findings of a dynamic run: its own, then those of the static state that it started from.
 Findings all_findings(const StaticResults& statics, const DynamicResults& results);
 
-/// Stages without equilibrium first, then the findings of the operation and of its stages, each once, with the numbers
-/// of the stages that have it where not all do.
+/// Returns stages without equilibrium first, then the findings of the operation and of its stages, each once, with the
+/// numbers of the stages unless all have it.
 Findings operation_findings(const OperationResults& results);
 
-/// Of one stage: its checks with its findings; exceeded where it has no equilibrium.
+/// Returns the verdict of one stage from its checks and findings; exceeded without an equilibrium.
 Verdict stage_verdict(const StageResult& stage);
 
-/// The checks of all stages in one table.
+/// Returns the checks of all stages in one table.
 CheckTable operation_checks(const OperationResults& results);
 
-/// Of all stages together; exceeded where a stage has no equilibrium.
+/// Returns the verdict of all stages together; exceeded if a stage has no equilibrium.
 Verdict operation_verdict(const OperationResults& results);
 
 }  // namespace overbend

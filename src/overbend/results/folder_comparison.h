@@ -1,4 +1,4 @@
-/// Results of several folders beside each other. Plain data, values in SI.
+/// Comparison of the results of several folders. Plain data, values in SI.
 #pragma once
 
 #include <algorithm>
@@ -13,38 +13,41 @@ namespace overbend {
 
 enum class ResultsKind { statics, dynamics, seeds, operation };
 
-/// Of results that are compared.
+/// One of the compared result folders.
 struct ComparedFolder {
-  std::string name;  ///< Shown: the folder's, or as much of its path as tells it from the others.
+  std::string name;  ///< Displayed name: that of the folder, or the part of its path that distinguishes it from the
+                     ///< others.
   std::string path;
   ResultsKind kind = ResultsKind::statics;
-  std::string title, version, governing;  ///< Check that is used most; empty where none is judged.
+  std::string title, version, governing;  ///< Governing check with the maximum utilisation; empty if none is judged.
   Findings findings;
 };
 
-/// A key of the model files that not all have alike.
+/// A key of the model files whose values differ.
 struct ComparedKey {
   std::string key;
-  std::vector<std::string> values;  ///< Of every folder; empty where it is not given.
+  std::vector<std::string> values;  ///< Value in every folder; empty if not given.
 };
 
 struct ComparedResult {
   std::string name;                           ///< In summary.json: "static.sagbend.max_von_mises".
   std::string text;                           ///< "Sagbend: largest von Mises stress".
   std::string unit;                           ///< SI.
-  bool key = false;                           ///< One of those that are looked at first.
-  std::vector<std::optional<double>> values;  ///< Of every folder.
+  bool key = false;                           ///< True for key results.
+  std::vector<std::optional<double>> values;  ///< Value in every folder.
 
-  /// Of a folder against the first, in parts of the first; none where one of both is missing or the first is zero.
+  /// Returns the change of a folder relative to the first [-]; none if either value is missing or the first is zero.
   std::optional<double> change(std::size_t folder) const {
     if (!values.at(folder) || !values.front() || *values.front() == 0.0) return std::nullopt;
     return (*values[folder] - *values.front()) / std::abs(*values.front());
   }
-  /// Largest magnitude of the changes.
-  double largest_change() const {
-    double largest = 0.0;
-    for (std::size_t i = 1; i < values.size(); ++i) largest = std::max(largest, std::abs(change(i).value_or(0.0)));
-    return largest;
+  /// Returns the maximum magnitude of the changes [-].
+  double max_relative_change() const {
+    double max_change = 0.0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      max_change = std::max(max_change, std::abs(change(i).value_or(0.0)));
+    }
+    return max_change;
   }
 };
 
@@ -61,9 +64,9 @@ struct OverlaidFigure {
 struct FolderComparison {
   std::vector<ComparedFolder> folders;
   std::vector<ComparedKey> keys;
-  std::vector<ComparedResult> results;  ///< Those that differ most first; equal ones in the order of the summary.
+  std::vector<ComparedResult> results;  ///< In descending order of the change; equal ones in the order of the summary.
   std::vector<OverlaidFigure> figures;
-  std::vector<std::string> notes;  ///< What is not compared and why.
+  std::vector<std::string> notes;  ///< Omitted comparisons with their reasons.
 };
 
 }  // namespace overbend

@@ -12,31 +12,31 @@
 
 namespace overbend {
 
-/// What a row is.
+/// Type of a row.
 enum class LayRowKind {
-  step,     ///< One of the values asked for.
-  least,    ///< The least value of what is varied with which every governing check is passed.
-  largest,  ///< The largest.
+  step,     ///< One of the requested values.
+  minimum,  ///< The minimum value of the varied quantity with which every governing check passes.
+  maximum,  ///< The maximum of these values.
 };
 
-/// An equilibrium in the numbers that a lay table has.
+/// Values of an equilibrium in a lay table.
 struct LayTableValues {
   double top_tension = 0.0;              ///< Effective, at the tensioner [N].
   double bottom_tension = 0.0;           ///< Horizontal, at touchdown [N].
   double lay_back = 0.0;                 ///< Stern shoe to touchdown [m].
-  double departure_angle = 0.0;          ///< At the last support in contact, or the tensioner of a J-lay [rad].
+  double departure_angle = 0.0;          ///< At the last support in contact; at the tensioner in J-lay [rad].
   std::optional<double> tip_separation;  ///< At the last row of the stinger [m].
-  double overbend_bending_stress = 0.0;  ///< Of the tower in a J-lay [Pa].
-  double overbend_von_mises = 0.0;       ///< Likewise [Pa].
-  double overbend_strain = 0.0;          ///< Likewise [-].
+  double overbend_bending_stress = 0.0;  ///< Maximum; of the tower in J-lay [Pa].
+  double overbend_von_mises = 0.0;       ///< Maximum; of the tower in J-lay [Pa].
+  double overbend_strain = 0.0;          ///< Maximum; of the tower in J-lay [-].
   double sagbend_bending_stress = 0.0;   ///< [Pa]
   double sagbend_von_mises = 0.0;        ///< [Pa]
   double sagbend_strain = 0.0;           ///< [-]
-  double largest_reaction = 0.0;         ///< Of a single roller [N].
-  std::string largest_reaction_support;  ///< Box of that roller.
-  std::optional<double> utilisation;     ///< Of the governing check that is used most; none where none is judged.
-  std::string worst_check;               ///< Its name.
-  std::string tip;                       ///< Where it is of the stinger tip, from which box on.
+  double max_reaction = 0.0;             ///< Maximum of a single roller [N].
+  std::string max_reaction_support;      ///< Roller box of that maximum.
+  std::optional<double> utilisation;     ///< Maximum of the governing checks; none if none is judged.
+  std::string find_governing_check;      ///< Name of that check.
+  std::string tip;                       ///< If the check is of the stinger tip: the box where the free end begins.
   VerdictKind verdict = VerdictKind::not_judged;
 
   bool passed() const { return verdict == VerdictKind::passed; }
@@ -44,17 +44,19 @@ struct LayTableValues {
 
 struct LayTableRow {
   LayRowKind kind = LayRowKind::step;
-  double varied = 0.0;                ///< Tension [N], lay-back or depth [m], as asked for or found.
+  double varied = 0.0;                ///< Tension [N], lay-back or depth [m], as given or as solved for.
   std::optional<double> distance;     ///< Along the route [m].
-  double depth = 0.0;                 ///< Of the water [m].
-  std::optional<LayTableValues> lay;  ///< None where no lay stands.
-  std::string reason;                 ///< Why not, or what is exceeded, or what ends the range; may be empty.
-  Findings serious;                   ///< What no check judges: a pipe beside its stinger, formulas that do not hold.
-  int solves = 0;                     ///< Equilibria that it took.
+  double depth = 0.0;                 ///< Water depth [m].
+  std::optional<LayTableValues> lay;  ///< None without an equilibrium.
+  std::string reason;                 ///< Reason for a missing equilibrium, exceeded check, or limit of the range; may
+                                      ///< be empty.
+  Findings serious;                   ///< Serious findings outside the checks: a pipe off its rollers, formulas outside
+                                      ///< their validity.
+  int solves = 0;                     ///< Number of equilibria solved.
 };
 
-/// Reason and serious findings in one text.
-inline std::string remark_of(const LayTableRow& row) {
+/// Returns the reason and the serious findings in one text.
+inline std::string make_remark(const LayTableRow& row) {
   std::string remark = row.reason;
   if (row.lay && !row.lay->tip.empty()) remark += (remark.empty() ? "" : "; ") + row.lay->tip;
   for (const Finding& finding : row.serious) remark += (remark.empty() ? "" : "; ") + finding.message;
@@ -64,13 +66,13 @@ inline std::string remark_of(const LayTableRow& row) {
 struct LayTable {
   std::string title, version;
   LayTableVary vary = LayTableVary::tension;
-  bool route = false;                         ///< Rows are points of a route.
-  RouteTension tension = RouteTension::hold;  ///< Of a route.
-  double held_tension = 0.0;                  ///< Where depth is varied and the tension is not [N].
+  bool route = false;                         ///< True if the rows are points of a route.
+  RouteTension tension = RouteTension::hold;  ///< Tension program along a route.
+  double held_tension = 0.0;                  ///< Tension kept constant while the depth varies [N].
   Assumptions assumptions;
   Findings findings;
-  std::vector<LayTableRow> rows;  ///< In the order of what is varied, the limits among them.
-  int solves = 0;                 ///< Equilibria calculated.
+  std::vector<LayTableRow> rows;  ///< In the order of the varied quantity, including the limits.
+  int solves = 0;                 ///< Number of equilibria solved.
   double wall_time = 0.0;         ///< [s]
 };
 

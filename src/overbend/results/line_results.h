@@ -1,4 +1,4 @@
-/// What is found of lines by themselves at rest. SI; frame W.
+/// Static results of stand-alone lines. SI; frame W.
 #pragma once
 
 #include <optional>
@@ -16,22 +16,23 @@ struct LineNodeResult {
   double tension = 0.0;       ///< Effective [N].
 };
 
-/// An end of a line. Forces are those on the line by what holds it.
+/// A line end. Forces are those on the line from its attachment.
 struct LineEndResult {
   Vec3 force = Vec3::Zero();  ///< [N]
-  double tension = 0.0;       ///< Size of the force [N].
-  double declination = 0.0;   ///< Of the line there from horizontal, positive where it hangs from its end [rad].
+  double tension = 0.0;       ///< Magnitude of the force [N].
+  double declination = 0.0;   ///< Angle of the line below horizontal, positive if the line is suspended from this end
+                              ///< [rad].
 };
 
 struct LineResult {
   std::string name;
   double length = 0.0;  ///< Unstressed [m].
   int elements = 0;
-  double weight = 0.0;                                ///< Submerged, of the segments and points [N].
-  double on_bed = 0.0;                                ///< Length that the bed bears [m].
-  double largest_tension = 0.0, least_tension = 0.0;  ///< Along the line [N].
-  std::optional<double> utilisation;                  ///< Largest tension over its segment's breaking load [-].
-  double residual = 0.0;                              ///< Largest unbalanced force over the weight in air [-].
+  double weight = 0.0;                          ///< Submerged weight of segments and point masses [N].
+  double on_bed = 0.0;                          ///< Length in contact with the seabed [m].
+  double max_tension = 0.0, min_tension = 0.0;  ///< Along the line [N].
+  std::optional<double> utilisation;            ///< Maximum of tension over breaking load of the segment [-].
+  double residual = 0.0;                        ///< Maximum unbalanced force over the weight in air [-].
   int iterations = 0;
   LineEndResult first, second;
   std::vector<LineNodeResult> nodes;

@@ -6,24 +6,24 @@
 namespace overbend {
 namespace {
 
-/// True where the value is the largest so far, and is kept.
-bool keep(PassagePeak& peak, double value, const LayStageDescription& stage) {
+/// Returns true, and keeps the value, if it is the maximum so far.
+bool update_peak(PassagePeak& peak, double value, const LayStageDescription& stage) {
   if (value <= peak.value) return false;
   peak = {value, stage.name, stage.passed.value_or(0.0)};
   return true;
 }
 
-double largest_roller(const SupportResult& box) {
-  double largest = 0.0;
+double max_roller_reaction(const SupportResult& box) {
+  double max_reaction = 0.0;
   for (const RowResult& row : box.rows) {
-    for (const RollerResult& roller : row.rollers) largest = std::max(largest, roller.reaction);
+    for (const RollerResult& roller : row.rollers) max_reaction = std::max(max_reaction, roller.reaction);
   }
-  return largest;
+  return max_reaction;
 }
 
 PassageBox& box_named(std::vector<PassageBox>& boxes, const std::string& name) {
-  const auto at = std::find_if(boxes.begin(), boxes.end(), [&](const PassageBox& box) { return box.name == name; });
-  if (at != boxes.end()) return *at;
+  const auto found = std::find_if(boxes.begin(), boxes.end(), [&](const PassageBox& box) { return box.name == name; });
+  if (found != boxes.end()) return *found;
   boxes.emplace_back().name = name;
   return boxes.back();
 }
@@ -31,23 +31,23 @@ PassageBox& box_named(std::vector<PassageBox>& boxes, const std::string& name) {
 void take_boxes(const StaticResults& lay, const LayStageDescription& stage, std::vector<PassageBox>& boxes) {
   for (const SupportResult& support : lay.supports) {
     PassageBox& box = box_named(boxes, support.name);
-    keep(box.roller, largest_roller(support), stage);
-    keep(box.reaction, support.reaction, stage);
-    keep(box.strain, support.strain, stage);
+    update_peak(box.roller, max_roller_reaction(support), stage);
+    update_peak(box.reaction, support.reaction, stage);
+    update_peak(box.strain, support.strain, stage);
   }
 }
 
 void take_structure(const StructureResult& found, const LayStageDescription& stage, PassageResults& passage) {
-  if (keep(passage.reaction, found.reaction, stage)) passage.support = found.support;
-  keep(passage.bending_moment, found.bending_moment, stage);
+  if (update_peak(passage.reaction, found.reaction, stage)) passage.support = found.support;
+  update_peak(passage.bending_moment, found.bending_moment, stage);
   for (const StructureEndResult* end : {&found.upper, &found.lower}) {
-    keep(passage.strain, end->strain, stage);
-    keep(passage.von_mises, end->von_mises, stage);
+    update_peak(passage.strain, end->strain, stage);
+    update_peak(passage.von_mises, end->von_mises, stage);
   }
 }
 
-/// The structure that lies where the stage says; at the tensioner a part of it is not there yet, and its middle
-/// elsewhere.
+/// Returns the structure at the position given by the stage; near the tensioner a part of it is not in the line yet,
+/// and its middle is elsewhere.
 const StructureResult* passing(const StageResult& stage) {
   if (!stage.lay || !stage.stage.passed) return nullptr;
   for (const StructureResult& structure : stage.lay->structures) {
@@ -65,7 +65,7 @@ std::string name_of_passing(const OperationResults& operation) {
 
 }  // namespace
 
-std::optional<PassageResults> passage_of(const OperationResults& operation) {
+std::optional<PassageResults> find_passage_maxima(const OperationResults& operation) {
   if (operation.type != OperationType::passage) return std::nullopt;
   PassageResults passage;
   passage.structure = name_of_passing(operation);

@@ -1,4 +1,4 @@
-/// What is largest while a structure passes along the line: made from the results of the stages.
+/// Maxima during the passage of a structure along the line, from the results of the stages.
 #pragma once
 
 #include <optional>
@@ -9,32 +9,32 @@
 
 namespace overbend {
 
-/// The largest of a quantity over the stages, with the stage in which it occurs.
+/// Maximum of a quantity over the stages, and the stage of its occurrence.
 struct PassagePeak {
   double value = 0.0;
-  std::string stage;    ///< Its name; empty where the quantity is nought in all of them.
-  double passed = 0.0;  ///< Tensioner to the middle of the structure then [m].
+  std::string stage;    ///< Name of that stage; empty if the quantity is zero in all stages.
+  double passed = 0.0;  ///< Distance from the tensioner to the middle of the structure in that stage [m].
 };
 
 struct PassageBox {
   std::string name;
   PassagePeak roller;    ///< Reaction of a single roller [N].
   PassagePeak reaction;  ///< Resultant of the box [N].
-  PassagePeak strain;    ///< Of the line over the box [-].
+  PassagePeak strain;    ///< Maximum strain of the line over the box [-].
 };
 
 struct PassageResults {
   std::string structure;
   std::vector<PassageBox> boxes;  ///< From the tensioner astern.
-  PassagePeak reaction;           ///< Of a roller under the structure [N].
-  std::string support;            ///< Box of that roller.
+  PassagePeak reaction;           ///< Maximum reaction of a roller under the structure [N].
+  std::string support;            ///< Roller box of that maximum.
   PassagePeak bending_moment;     ///< In the structure [N m].
-  PassagePeak strain;             ///< Of the pipe within two diameters of its ends [-].
-  PassagePeak von_mises;          ///< Likewise [Pa].
+  PassagePeak strain;             ///< Strain of the pipe within two diameters of its ends [-].
+  PassagePeak von_mises;          ///< Von Mises stress of the pipe within two diameters of its ends [Pa].
 };
 
-/// Of the stages of a passage that have an equilibrium; nothing of another operation, or where the structure that
-/// passes is in none of them.
-std::optional<PassageResults> passage_of(const OperationResults& operation);
+/// Returns the maxima over the stages of a passage with an equilibrium; nothing for another operation, or if no stage
+/// contains the passing structure.
+std::optional<PassageResults> find_passage_maxima(const OperationResults& operation);
 
 }  // namespace overbend

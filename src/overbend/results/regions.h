@@ -1,4 +1,4 @@
-/// Which part of the line a place belongs to: one rule for tables, extremes, histories and code checks.
+/// Assignment of positions along the line to regions: one rule for tables, extremes, histories and code checks. See
 /// docs/theory/regions.md.
 #pragma once
 
@@ -7,33 +7,35 @@
 
 namespace overbend {
 
-/// Where the regions of a line meet, by arc length from the anchor [m].
+/// Boundaries of the regions of a line, by arc length from the anchor [m].
 struct Regions {
   double touchdown = 0.0;
   double inflection = 0.0;  ///< Upper end of the sagbend.
-  double departure = 0.0;   ///< Last contact with a support, where one carries.
-  bool carried = false;     ///< A support carries the pipe: above the inflection lies the overbend, else the tower.
+  double departure = 0.0;   ///< Last contact with a support, if any.
+  bool carried = false;     ///< True if a support carries the pipe: the region above the inflection is then the
+                            ///< overbend, otherwise the tower.
 
+  /// Returns the region at arc length s from the anchor [m].
   Region of(double s) const {
     if (s < touchdown) return Region::seabed;
     if (s <= inflection && !supported(s)) return Region::sagbend;
     return carried ? Region::overbend : Region::tower;
   }
-  /// Whether the place lies over the supports, where they give the pipe its shape.
+  /// True if the position lies over the supports, which determine the shape of the pipe.
   bool supported(double s) const { return carried && s >= departure; }
 
-  /// Whether the station is the last over the supports before a free end, `below` being the place of the next. It is of
-  /// the free end as well: however close below the last contact, the pipe bears what it does there.
+  /// True if the station is the last over the supports before a free end; `below` is the position of the next one. The
+  /// station belongs to the free end as well: the pipe just below the last contact has the same load effects.
   bool leaves(double below, double s) const {
     return carried && inflection < departure && below < departure && s >= departure;
   }
 
-  /// Whether the station is the first of the suspended pipe, `below` being the place of the next. It is of the seabed
-  /// as well: the pipe that lies there bears at its end what it does at touchdown.
+  /// True if the station is the first of the suspended pipe; `below` is the position of the next one. The station
+  /// belongs to the seabed as well: the end of the pipe on the seabed has the load effects of touchdown.
   bool lands(double below, double s) const { return below < touchdown && s >= touchdown; }
 
-  /// The same for the code checks, which tell the overbend over the supports from its free end.
-  CheckRegion check_of(double s) const {
+  /// Returns the region for the code checks, which distinguish the supported part of the overbend from its free end.
+  CheckRegion code_check_region(double s) const {
     switch (of(s)) {
       case Region::tower:
         return CheckRegion::tower;
@@ -48,7 +50,7 @@ struct Regions {
   }
 };
 
-/// Of a static state.
+/// Returns the regions of a static state.
 inline Regions regions(const StaticResults& statics) {
   return {statics.touchdown.s, statics.inflection_s, statics.departure_s, statics.overbend.has_value()};
 }

@@ -1,4 +1,4 @@
-/// What the results of a static analysis hang on: plain data, SI. docs/theory/sensitivities.md
+/// Sensitivities of the results of a static analysis: plain data, SI. See docs/theory/sensitivities.md.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace overbend {
 struct SensitivityInput {
   std::string key;   ///< "supports.stinger.boxes[2].z"
   std::string name;  ///< "supports.stinger.boxes[stinger 3].z"
-  std::string text;  ///< What it is.
+  std::string text;  ///< Description of the input.
   std::string unit;  ///< SI.
   std::string show;  ///< Unit of the model file for it; empty for a plain number.
   double value = 0.0;
-  double tolerance = 0.0;         ///< Either way.
-  bool own_tolerance = false;     ///< Given in the model file.
-  std::vector<std::string> near;  ///< Supports that open or close within the tolerance.
+  double tolerance = 0.0;         ///< In both directions [unit].
+  bool own_tolerance = false;     ///< True if given in the model file.
+  std::vector<std::string> near;  ///< Supports whose contact opens or closes within the tolerance.
 };
 
 /// A number of the results.
@@ -30,52 +30,55 @@ struct SensitivityOutput {
   std::string text;  ///< "Sagbend: largest bending stress"
   std::string unit;  ///< SI.
   double value = 0.0;
-  bool key = false;  ///< One of those that are looked at first.
+  bool key = false;  ///< True for key results.
 };
 
-/// Of one result by one input, where the contacts stay as they are.
+/// Derivative of one result with one input at constant contacts.
 struct Derivative {
   double value = 0.0;
-  /// The support whose contact changes first within the tolerance, where that counts; empty where it holds either way.
+  /// Support whose contact changes first within the tolerance, if relevant; empty if the derivative holds in both
+  /// directions.
   std::string support;
-  bool closes = false;  ///< That contact closes; else it opens.
-  double until = 0.0;   ///< Value of the input at which it changes.
-  double beyond = 0.0;  ///< The derivative on the other side.
+  bool closes = false;  ///< True if that contact closes, false if it opens.
+  double until = 0.0;   ///< Value of the input at which the contact changes.
+  double beyond = 0.0;  ///< Derivative beyond the change of contact.
 
+  /// True if the derivative changes within the tolerance of the input.
   bool one_sided() const { return !support.empty(); }
 };
 
 struct SensitivityResults {
   std::vector<SensitivityInput> inputs;
   std::vector<SensitivityOutput> results;
-  std::vector<Derivative> derivatives;      ///< Row by row of the results, each with all inputs.
-  std::vector<std::string> without_effect;  ///< Names of inputs on which none of the results hangs.
-  std::vector<std::string> not_done;        ///< Of those that cannot be changed a little.
+  std::vector<Derivative> derivatives;      ///< By rows of the results, each with all inputs.
+  std::vector<std::string> without_effect;  ///< Names of inputs without an effect on any of the results.
+  std::vector<std::string> not_done;        ///< Names of inputs that cannot be varied continuously.
   Assumptions assumptions;
   double wall_time = 0.0;  ///< [s]
 
+  /// Returns the derivative of a result with an input, by their indices.
   const Derivative& at(std::size_t result, std::size_t input) const {
     return derivatives[result * inputs.size() + input];
   }
-  /// How far the result goes when the input goes up (`side` 1) or down (-1) by its tolerance; beyond a contact that
-  /// changes with the derivative there.
+  /// Returns the change of the result when the input increases (`side` 1) or decreases (-1) by its tolerance; beyond a
+  /// change of contact with the derivative there.
   double effect(std::size_t result, std::size_t input, double side) const {
     const Derivative& slope = at(result, input);
-    const double way = side * (slope.until - inputs[input].value), tolerance = inputs[input].tolerance;
-    if (!slope.one_sided() || way < 0.0 || way >= tolerance) return side * slope.value * tolerance;
-    return side * (slope.value * way + slope.beyond * (tolerance - way));
+    const double distance = side * (slope.until - inputs[input].value), tolerance = inputs[input].tolerance;
+    if (!slope.one_sided() || distance < 0.0 || distance >= tolerance) return side * slope.value * tolerance;
+    return side * (slope.value * distance + slope.beyond * (tolerance - distance));
   }
-  /// The larger of both.
-  double largest_effect(std::size_t result, std::size_t input) const {
+  /// Returns the larger magnitude of both directions.
+  double max_effect(std::size_t result, std::size_t input) const {
     return std::max(std::abs(effect(result, input, 1.0)), std::abs(effect(result, input, -1.0)));
   }
-  /// The inputs whose tolerance moves the result most, at most `count`; none that does not move it.
-  std::vector<std::size_t> foremost(std::size_t result, std::size_t count) const {
+  /// Returns the inputs whose tolerance has the largest effect on the result, at most `count`; none without an effect.
+  std::vector<std::size_t> most_influential_inputs(std::size_t result, std::size_t count) const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (largest_effect(result, i) > 0.0) order.push_back(i);
+      if (max_effect(result, i) > 0.0) order.push_back(i);
     }
-    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return largest_effect(result, i); });
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return max_effect(result, i); });
     if (order.size() > count) order.resize(count);
     return order;
   }

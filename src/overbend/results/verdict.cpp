@@ -8,7 +8,7 @@
 #include <cctype>
 
 #include "base/shown_unit.h"
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -19,25 +19,25 @@ std::string lower_first(std::string text) {
   return text;
 }
 
-std::ptrdiff_t count_of(const CheckTable& table, CheckStatus status) {
+std::ptrdiff_t count_checks(const CheckTable& table, CheckStatus status) {
   return std::count_if(table.rows.begin(), table.rows.end(),
                        [&](const CheckRow& row) { return row.governing && row.status == status; });
 }
 
-/// Two decimals, more where they would round an exceeded check to 1.
+/// Formats with two decimals, or more if they would round an exceeded check to 1.
 std::string factor(double utilisation) {
   return utilisation > 1.0 && utilisation < 1.005 ? fixed(utilisation, 4) : fixed(utilisation, 2);
 }
 
 std::string reasons(const CheckTable& table) {
-  const CheckRow* worst = worst_check(table);
+  const CheckRow* worst = find_governing_check(table);
   if (worst == nullptr) return "No check could be judged.";
-  const std::ptrdiff_t exceeded = count_of(table, CheckStatus::exceeded);
-  const std::ptrdiff_t invalid = count_of(table, CheckStatus::outside_validity);
+  const std::ptrdiff_t exceeded = count_checks(table, CheckStatus::exceeded);
+  const std::ptrdiff_t invalid = count_checks(table, CheckStatus::outside_validity);
   std::string text = exceeded == 0
                          ? "No governing check is exceeded."
                          : fmt::format("{} governing check{} exceeded.", exceeded, exceeded == 1 ? " is" : "s are");
-  text += fmt::format(" The largest utilisation is {}: {}, {}{}.", fixed(worst->utilisation, 3), check_words(*worst),
+  text += fmt::format(" The largest utilisation is {}: {}, {}{}.", fixed(worst->utilisation, 3), check_label(*worst),
                       check_place(*worst), worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
   if (invalid > 0) {
     text += fmt::format(" {} outside the validity of {}: neither passed nor failed.", invalid,
@@ -59,14 +59,14 @@ std::string check_place(const CheckRow& row) {
 }
 
 VerdictKind verdict_kind(const CheckTable& table, const Findings& findings) {
-  const CheckRow* worst = worst_check(table);
+  const CheckRow* worst = find_governing_check(table);
   if (worst != nullptr && worst->status == CheckStatus::exceeded) return VerdictKind::exceeded;
   if (worst == nullptr) return VerdictKind::not_judged;
   return count(findings, FindingSeverity::serious) > 0 ? VerdictKind::reserved : VerdictKind::passed;
 }
 
 Json verdict_json(const Verdict& verdict) {
-  return {{"kind", word(verdict.kind)}, {"words", verdict.words}, {"because", verdict.because}};
+  return {{"kind", word(verdict.kind)}, {"words", verdict.headline}, {"because", verdict.because}};
 }
 
 std::string serious_codes(const Findings& findings) {
@@ -77,7 +77,7 @@ std::string serious_codes(const Findings& findings) {
   return fmt::format("{}", fmt::join(codes, ", "));
 }
 
-std::string reservation(const Findings& findings) {
+std::string serious_findings_text(const Findings& findings) {
   const std::size_t serious = count(findings, FindingSeverity::serious);
   if (serious == 0) return "";
   return fmt::format("{} serious finding{}: {}", serious, serious == 1 ? "" : "s", serious_codes(findings));
@@ -85,13 +85,13 @@ std::string reservation(const Findings& findings) {
 
 Verdict make_verdict(const CheckTable& table, const Findings& findings) {
   const VerdictKind kind = verdict_kind(table, findings);
-  const CheckRow* worst = worst_check(table);
-  const std::string reserved = reservation(findings);
+  const CheckRow* worst = find_governing_check(table);
+  const std::string reserved = serious_findings_text(findings);
   switch (kind) {
     case VerdictKind::not_judged:
       return {kind, reserved.empty() ? "NOT JUDGED" : "NOT JUDGED, " + reserved, reasons(table)};
     case VerdictKind::exceeded:
-      return {kind, "EXCEEDED " + factor(worst->utilisation) + ", " + check_words(*worst), reasons(table)};
+      return {kind, "EXCEEDED " + factor(worst->utilisation) + ", " + check_label(*worst), reasons(table)};
     case VerdictKind::reserved:
       return {kind, "PASSED WITH RESERVATIONS: " + reserved, reasons(table)};
     default:
@@ -114,7 +114,7 @@ const std::vector<CheckRegion>& check_regions() {
   return kOrder;
 }
 
-std::string check_words(const CheckRow& row) {
+std::string check_label(const CheckRow& row) {
   const std::string name = lower_first(row.name);
   const bool placed = row.region == CheckRegion::line || row.name.find(word(row.region)) != std::string::npos;
   return placed ? name : name + ", " + word(row.region);

@@ -1,4 +1,4 @@
-/// The verdict on results: of the code checks and the findings together, the same in every output.
+/// The verdict on results, from code checks and findings; the same in every output.
 #pragma once
 
 #include <string>
@@ -11,48 +11,49 @@ namespace overbend {
 
 enum class VerdictKind {
   passed,
-  reserved,  ///< Nothing exceeded, but a finding is serious.
+  reserved,  ///< Nothing exceeded, but at least one serious finding.
   exceeded,
-  not_judged,  ///< Nothing could be judged.
+  not_judged,  ///< No check could be judged.
 };
 
 struct Verdict {
   VerdictKind kind = VerdictKind::not_judged;
-  std::string words;    ///< "PASSED", "EXCEEDED 1.43, clearance at the stinger tip"
-  std::string because;  ///< Sentences: how many, which is the largest.
+  std::string headline;  ///< "PASSED", "EXCEEDED 1.43, clearance at the stinger tip"
+  std::string because;   ///< Sentences: number of checks, maximum utilisation.
 };
 
-/// Exceeded where a governing check is; otherwise reserved where a finding is serious; not judged without any judged
-/// check. Findings that are accepted by name are no reservation.
+/// Returns exceeded if a governing check is; otherwise reserved if a finding is serious; not judged without a judged
+/// check. Findings accepted by code do not count.
 VerdictKind verdict_kind(const CheckTable& table, const Findings& findings);
 Verdict make_verdict(const CheckTable& table, const Findings& findings);
 
-/// `{kind, words, because}`
+/// Returns `{kind, words, because}`.
 Json verdict_json(const Verdict& verdict);
 
-/// What reserves a verdict, for a cell of a table: "pipe-off-rollers, compression"; empty without serious findings.
+/// Returns the serious findings for a table cell: "pipe-off-rollers, compression"; empty without any.
 std::string serious_codes(const Findings& findings);
 
-/// "2 serious findings: pipe-off-rollers, compression"; empty without.
-std::string reservation(const Findings& findings);
+/// Returns "2 serious findings: pipe-off-rollers, compression"; empty without any.
+std::string serious_findings_text(const Findings& findings);
 
-/// False of checks of mooring lines, anchors and lines by themselves, which have no place on the laid pipe.
+/// Returns false for checks of mooring lines, anchors and stand-alone lines, which have no position on the laid pipe.
 bool is_on_pipe(const CheckRow& row);
 
-/// "12.3 m from the tensioner"; "line "west pipe", 33.0 m from its first end"; of moorings and wires the remark, which
-/// names them.
+/// Returns "12.3 m from the tensioner"; "line "west pipe", 33.0 m from its first end"; for moorings and wires the
+/// remark, which names them.
 std::string check_place(const CheckRow& row);
 
-/// The governing and judged check of a region that is used most; null without one.
+/// Returns the judged, governing check of a region with the maximum utilisation; null if there is none.
 const CheckRow* governing_check(const CheckTable& table, CheckRegion region);
 
-/// The regions from the tensioner on, the line as a whole last.
+/// Returns the regions from the tensioner on; the line as a whole is last.
 const std::vector<CheckRegion>& check_regions();
 
-/// "laying criterion I, static strain, overbend"; a check of the line or of the tip that says so needs no place.
-std::string check_words(const CheckRow& row);
+/// Returns "laying criterion I, static strain, overbend"; without the region for a check of the line, or if the name
+/// contains the tip.
+std::string check_label(const CheckRow& row);
 
-/// "Overbend", "Stinger tip", "Line and equipment".
+/// Returns "Overbend", "Stinger tip", "Line and equipment".
 std::string region_title(CheckRegion region);
 
 }  // namespace overbend

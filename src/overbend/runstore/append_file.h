@@ -1,4 +1,4 @@
-/// A file that only grows, for data that a long computation hands over bit by bit.
+/// File that only grows, for data that a long computation writes in small parts.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@
 
 namespace overbend {
 
-/// Owns a descriptor of the operating system.
+/// Owner of a file descriptor of the operating system.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
   explicit FileDescriptor(int id) : id_(id) {}
   ~FileDescriptor();
-  FileDescriptor(FileDescriptor&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-    std::swap(id_, other.id_);
+  FileDescriptor(FileDescriptor&& source) noexcept : id_(std::exchange(source.id_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& source) noexcept {
+    std::swap(id_, source.id_);
     return *this;
   }
   FileDescriptor(const FileDescriptor&) = delete;
@@ -34,27 +34,29 @@ class FileDescriptor {
   int id_ = -1;
 };
 
-/// A file that the system does not let us write or read, with the reason: no fault of the program.
-class FileFault : public std::runtime_error {
+/// Error of the operating system when reading or writing a file, with its reason.
+class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws FileFault: the file, what was tried ("written", "read") and the reason from errno.
-[[noreturn]] void refuse_file(const std::filesystem::path& file, const char* tried);
+/// Throws FileError with the file, the action that failed ("written", "read") and the reason from errno.
+[[noreturn]] void throw_file_error(const std::filesystem::path& file, const char* tried);
 
-/// Checksums of a growing row of numbers, one for each block of 64 KiB and one for the incomplete block. A changed bit
-/// changes the checksum of its block.
+/// Checksums of a growing sequence of numbers: one for each block of 64 KiB and one for the incomplete block. A changed
+/// bit changes the checksum of its block.
 class BlockSums {
  public:
-  static constexpr std::size_t kBlock = 8192;  ///< Numbers.
+  static constexpr std::size_t kBlock = 8192;  ///< Numbers per block.
 
   BlockSums() { sums_.reserve(std::size_t{1} << 14); }  // a gigabyte without another allocation
+  /// Continues the checksums with further numbers.
   void add(std::span<const double> values);
-  /// Of the full blocks, then of the incomplete one.
+  /// Returns the checksums of the full blocks, then that of the incomplete one.
   std::vector<std::uint64_t> all() const;
-  /// Of the block `index`, full or incomplete.
-  std::uint64_t of(std::size_t index) const { return index < sums_.size() ? sums_[index] : begun_; }
+  /// Returns the checksum of the block `index`, full or incomplete.
+  std::uint64_t block_sum(std::size_t index) const { return index < sums_.size() ? sums_[index] : begun_; }
+  /// Returns the checksum of numbers, continued from `onto`.
   static std::uint64_t sum(std::span<const double> values, std::uint64_t onto = kChecksumStart);
 
  private:
@@ -63,30 +65,32 @@ class BlockSums {
   std::size_t held_ = 0;  ///< Numbers in the incomplete block.
 };
 
-/// Appends through a buffer of fixed size, so that appending allocates nothing. What is in the buffer is lost with the
-/// process; what was flushed only with the machine; what was synced not at all. What is read again is compared with the
-/// checksums of what was appended. All functions throw std::runtime_error with the reason when the disk refuses or
-/// gives back something else.
+/// Appends through a buffer of fixed size, without allocation. Buffered data is lost if the process dies; flushed data
+/// only if the machine fails; synced data in neither case. Data read back is verified with the checksums of the
+/// appended data. All functions throw std::runtime_error with the reason if the disk reports an error or returns other
+/// data.
 class AppendFile {
  public:
   AppendFile() = default;
-  /// Opens or makes the file and cuts it to `keep` bytes. A file that is shorter, or whose content has not the
-  /// checksums `sums` (of sums(), when it had that length), is refused as damaged and left as it is.
+  /// Opens or creates the file and truncates it to `keep` bytes. Rejects a file as damaged, and leaves it unchanged, if
+  /// it is shorter or does not have the checksums `sums` (of sums() at that length).
   AppendFile(std::filesystem::path file, std::uint64_t keep, const std::vector<std::uint64_t>& sums);
 
+  /// Appends numbers to the buffer, which is flushed when full.
   void append(std::span<const double> values);
-  void flush();
-  void sync();
-  /// Bytes, with those in the buffer.
+  void flush();  ///< Writes the buffer to the file.
+  void sync();   ///< Flushes, and waits until the data are on disk.
+  /// Size [bytes], including the buffer.
   std::uint64_t size() const { return written_ + filled_; }
-  /// Reads numbers from `offset` [bytes] on; the file must have been flushed.
+  /// Reads numbers starting at `offset` [bytes]; the file must have been flushed.
   void read(std::uint64_t offset, std::span<double> values) const;
+  /// Returns the checksums of all numbers appended so far; see BlockSums::all().
   std::vector<std::uint64_t> sums() const { return sums_.all(); }
 
  private:
   void read_raw(std::uint64_t offset, std::span<double> values) const;
   void verify(const std::vector<std::uint64_t>& sums);
-  [[noreturn]] void refuse_damaged(std::uint64_t offset) const;
+  [[noreturn]] void throw_damaged(std::uint64_t offset) const;
 
   std::filesystem::path file_;
   FileDescriptor descriptor_;
@@ -96,20 +100,20 @@ class AppendFile {
   BlockSums sums_;
 };
 
-/// Writes all bytes from `offset` on: at their place, so that a retry after a fault does not write them
-/// twice. Throws std::runtime_error that names `file`.
+/// Writes all bytes at `offset`, so that a retry after an error does not write them twice. Throws std::runtime_error
+/// that names `file`.
 void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file);
 
 /// Writes a whole file. Throws std::runtime_error.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-/// The same with text.
+/// Same with text.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// Writes a whole file to the disk (not only to the system's cache). Throws std::runtime_error.
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-/// Makes renames in the folder safe on disk. Throws std::runtime_error.
+/// Makes renames in the folder durable on disk. Throws std::runtime_error.
 void sync_folder(const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -21,7 +21,7 @@ std::uint64_t checksum(std::string_view bytes) {
   return hash;
 }
 
-/// Values one after the other as they lie in memory; lengths before lists.
+/// Writes values in sequence with their representation in memory; lengths precede lists.
 class Encoder {
  public:
   explicit Encoder(std::string_view start) : bytes_(start) {}
@@ -46,7 +46,7 @@ class Encoder {
   std::string bytes_;
 };
 
-/// Back again; false lengths throw instead of asking for memory.
+/// Inverse of Encoder; wrong lengths throw instead of allocating memory.
 class Decoder {
  public:
   explicit Decoder(std::string_view bytes) : bytes_(bytes) {}
@@ -59,7 +59,7 @@ class Decoder {
     const std::string_view data = take(values.size() * sizeof(Number));
     if (!values.empty()) std::memcpy(values.data(), data.data(), data.size());
   }
-  /// A length of a list whose elements take at least `size` bytes each.
+  /// Reads the length of a list whose elements take at least `size` bytes each.
   std::size_t count(std::size_t size) {
     std::uint64_t value = 0;
     number(value);
@@ -91,7 +91,7 @@ void encode(const RunCheckpoint& c, Encoder& out) {
     out.text(column.description);
     out.number(std::uint64_t{column.extreme});
     out.number(std::uint64_t{column.spectrum});
-    out.number(std::uint64_t{column.smallest});
+    out.number(std::uint64_t{column.is_minimum});
   }
   out.number(static_cast<std::uint64_t>(c.snapshot.stations));
   out.number(static_cast<std::uint64_t>(c.snapshot.line_points));
@@ -106,19 +106,19 @@ void encode(const RunCheckpoint& c, Encoder& out) {
 }
 
 void decode_column(Decoder& in, HistoryColumn& column) {
-  std::uint64_t extreme = 0, spectrum = 0, smallest = 0;
+  std::uint64_t extreme = 0, spectrum = 0, minimum = 0;
   in.text(column.name);
   in.text(column.units);
   in.text(column.description);
   in.number(extreme);
   in.number(spectrum);
-  in.number(smallest);
+  in.number(minimum);
   column.extreme = extreme != 0;
   column.spectrum = spectrum != 0;
-  column.smallest = smallest != 0;
+  column.is_minimum = minimum != 0;
 }
 
-/// All after the version.
+/// Decodes all data after the version.
 void decode(Decoder& in, RunCheckpoint& c) {
   std::uint64_t stations = 0, line_points = 0;
   in.text(c.model_hash);
@@ -139,15 +139,15 @@ void decode(Decoder& in, RunCheckpoint& c) {
   in.expect_end();
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
+std::string read_bytes(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream.is_open() || stream.bad()) throw std::runtime_error("the file '" + file.string() + "' cannot be read");
   return bytes;
 }
 
-/// What lies between the mark and the checksum.
-std::string_view content_of(std::string_view bytes) {
+/// Returns the content between the file mark and the checksum.
+std::string_view verified_content(std::string_view bytes) {
   if (!bytes.starts_with(kMagic)) throw std::runtime_error("it is not a checkpoint file");
   if (bytes.size() < kMagic.size() + sizeof(std::uint64_t)) throw std::runtime_error("it is truncated");
   const std::string_view summed = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
@@ -163,22 +163,22 @@ void write_checkpoint(const RunCheckpoint& checkpoint, const std::filesystem::pa
   Encoder out(kMagic);
   encode(checkpoint, out);
   out.number(checksum(out.bytes()));
-  const std::filesystem::path beside = file.string() + ".new";
-  write_synced(beside, std::as_bytes(std::span(out.bytes())));
-  std::filesystem::rename(beside, file);
+  const std::filesystem::path temporary = file.string() + ".new";
+  write_synced(temporary, std::as_bytes(std::span(out.bytes())));
+  std::filesystem::rename(temporary, file);
   sync_folder(file.parent_path());
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = read_bytes(file);
   RunCheckpoint checkpoint;
   try {
-    Decoder in(content_of(bytes));
+    Decoder in(verified_content(bytes));
     in.text(checkpoint.version);
-    // Another version may have laid out differently what follows.
+    // The layout of the data that follows may differ between versions.
     if (checkpoint.version == program_identity()) decode(in, checkpoint);
-  } catch (const std::runtime_error& fault) {
-    throw std::runtime_error("the checkpoint '" + file.string() + "' is damaged: " + fault.what());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("the checkpoint '" + file.string() + "' is damaged: " + error.what());
   }
   if (checkpoint.version != program_identity()) {
     throw std::runtime_error("the checkpoint '" + file.string() + "' is of version " + checkpoint.version +

@@ -1,4 +1,4 @@
-/// The file from which a dynamic run can be resumed.
+/// Checkpoint file from which a dynamic run can be resumed.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// Content of a checkpoint: the state, how much of the stored data belongs to it, and whose run it is.
+/// Content of a checkpoint: the state, the lengths of the stored data that belong to it, and the identity of the run.
 struct RunCheckpoint {
   std::string version;     ///< See program_identity().
   std::string model_hash;  ///< See text_hash().
@@ -22,13 +22,13 @@ struct RunCheckpoint {
   DynamicCheckpoint state;
 };
 
-/// Writes beside and renames, so that `file` is the old checkpoint or the new one at any instant, on disk too. Throws
-/// std::runtime_error when the disk refuses.
+/// Writes a temporary file and renames it, so that `file` is the old or the new checkpoint at any time, also on disk.
+/// Throws std::runtime_error if the disk reports an error.
 void write_checkpoint(const RunCheckpoint& checkpoint, const std::filesystem::path& file);
 
-/// Gives back what write_checkpoint wrote, bit for bit. Throws std::runtime_error when the file cannot be read, is
-/// damaged (by a checksum over all of it) or comes from another version or build of the program or another instruction
-/// set, which would go on with other bits.
+/// Returns the content written by write_checkpoint, bit for bit. Throws std::runtime_error if the file cannot be read,
+/// is damaged (checksum over the whole file) or comes from another version, build or instruction set, whose results
+/// differ in their bits.
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
 
 }  // namespace overbend

@@ -19,11 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kPulse = std::chrono::seconds(15);
-constexpr auto kDead = std::chrono::seconds(120);  ///< Without a pulse; caches of network folders lag by a minute.
+constexpr auto kTouchInterval = std::chrono::seconds(15);
+constexpr auto kWorkerTimeout = std::chrono::seconds(120);  ///< Time without a touch after which a process counts as
+                                                            ///< dead; caches of network folders lag by a minute.
 
-/// Machine, start of its system, and view of its processes: process numbers mean the same within one of these.
-std::string place() {
+/// Machine, its boot and its process namespace: process numbers are comparable only within one of these.
+std::string process_namespace() {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
   std::ifstream boot("/proc/sys/kernel/random/boot_id");
@@ -39,8 +40,8 @@ std::string place() {
   return text;
 }
 
-/// When a process was begun, in the system's ticks: tells processes of one number apart. Empty where there is none.
-std::string begun(long process) {
+/// Start time of a process in system ticks, which distinguishes processes with the same number. Empty if there is none.
+std::string process_start_ticks(long process) {
   std::ifstream stream(fmt::format("/proc/{}/stat", process));
   std::string line;
   if (!std::getline(stream, line)) return {};
@@ -48,27 +49,28 @@ std::string begun(long process) {
   if (name_end == std::string::npos) return {};
   std::istringstream rest(line.substr(name_end + 1));
   std::string word;
-  constexpr int kStart = 20;  // the 22nd of the line, proc(5)
+  constexpr int kStart = 20;  // field 22 of the line, proc(5)
   for (int i = 0; i < kStart; ++i) rest >> word;
   return word;
 }
 
-std::string text_of(const fs::path& file) {
+std::string read_first_line(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   std::getline(stream, text);
   return text;
 }
 
-/// Makes the file as another name of `source`, which has this text already: a process killed at any instant leaves a
-/// whole claim or none. False where there is one. On a file system without links it is made empty and then written.
-bool make_alone(const fs::path& file, const std::string& text, const fs::path& source) {
+/// Creates the file as a hard link to `source`, which already contains the text: a process killed at any time leaves a
+/// complete claim or none. Returns false if the file exists. On a file system without links it is created empty and
+/// then written.
+bool create_exclusively(const fs::path& file, const std::string& text, const fs::path& source) {
   if (link(source.c_str(), file.c_str()) == 0) return true;
   if (errno == EEXIST) return false;
   const FileDescriptor made(open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
   if (made.id() < 0) {
     if (errno == EEXIST) return false;
-    refuse_file(file, "written");
+    throw_file_error(file, "written");
   }
   const std::string line = text + "\n";
   write_at(0, std::as_bytes(std::span(line)), made.id(), file);
@@ -82,12 +84,12 @@ fs::path claim_path(const fs::path& stem, int generation) {
 }  // namespace
 
 WorkerFile::WorkerFile(const fs::path& folder) : folder_(folder) {
-  name_ = fmt::format("{}.{}.{}", place(), getpid(), begun(getpid()));
+  name_ = fmt::format("{}.{}.{}", process_namespace(), getpid(), process_start_ticks(getpid()));
   file_ = folder_ / name_;
-  std::error_code fault;
-  fs::create_directories(folder_, fault);
+  std::error_code error;
+  fs::create_directories(folder_, error);
   write_text(file_, name_ + "\n");
-  pulse_ = std::thread([this] { stay_alive(); });
+  touch_thread_ = std::thread([this] { touch_periodically(); });
 }
 
 WorkerFile::~WorkerFile() {
@@ -96,47 +98,47 @@ WorkerFile::~WorkerFile() {
     ended_ = true;
   }
   ending_.notify_all();
-  pulse_.join();
+  touch_thread_.join();
   std::error_code ignored;
   fs::remove(file_, ignored);
 }
 
-void WorkerFile::stay_alive() {
+void WorkerFile::touch_periodically() {
   std::unique_lock<std::mutex> hold(mutex_);
-  while (!ending_.wait_for(hold, kPulse, [this] { return ended_; })) {
+  while (!ending_.wait_for(hold, kTouchInterval, [this] { return ended_; })) {
     utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);
   }
 }
 
-bool WorkerFile::touched_lately(const fs::path& file) const {
+bool WorkerFile::touched_recently(const fs::path& file) const {
   utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);
-  std::error_code fault;
-  const auto own = fs::last_write_time(file_, fault);
-  if (fault) return true;
-  const auto other = fs::last_write_time(file, fault);
-  return !fault && own - other < kDead;
+  std::error_code error;
+  const auto reference_time = fs::last_write_time(file_, error);
+  if (error) return true;
+  const auto file_time = fs::last_write_time(file, error);
+  return !error && reference_time - file_time < kWorkerTimeout;
 }
 
-bool WorkerFile::lives(const std::string& worker) const {
+bool WorkerFile::is_alive(const std::string& worker) const {
   if (worker == name_) return true;
-  const std::string here = place() + ".";
-  if (!worker.starts_with(here)) return touched_lately(folder_ / worker);
-  const std::size_t point = worker.find('.', here.size());
+  const std::string prefix = process_namespace() + ".";
+  if (!worker.starts_with(prefix)) return touched_recently(folder_ / worker);
+  const std::size_t point = worker.find('.', prefix.size());
   if (point == std::string::npos) return false;
-  const long process = std::strtol(worker.c_str() + here.size(), nullptr, 10);
-  const std::string ticks = begun(process);
+  const long process = std::strtol(worker.c_str() + prefix.size(), nullptr, 10);
+  const std::string ticks = process_start_ticks(process);
   return !ticks.empty() && ticks == worker.substr(point + 1);
 }
 
 bool WorkerFile::claim(const fs::path& stem) const {
   for (int generation = 0;; ++generation) {
     const fs::path file = claim_path(stem, generation);
-    if (make_alone(file, name_, file_)) return true;
+    if (create_exclusively(file, name_, file_)) return true;
     std::error_code ignored;
-    if (fs::exists(claim_path(stem, generation + 1), ignored)) continue;  // taken over from a dead one before
-    const std::string worker = text_of(file);
-    // One without text was made just now, or by a process killed in between, on a file system without links.
-    if (worker.empty() ? touched_lately(file) : lives(worker)) return false;
+    if (fs::exists(claim_path(stem, generation + 1), ignored)) continue;  // already taken over from a dead worker
+    const std::string worker = read_first_line(file);
+    // An empty file was created just now, or by a process killed before writing, on a file system without links.
+    if (worker.empty() ? touched_recently(file) : is_alive(worker)) return false;
   }
 }
 

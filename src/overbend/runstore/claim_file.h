@@ -1,4 +1,4 @@
-/// Who works at what, among processes that share a folder, also one of a network: by files that are made exclusively,
+/// Distribution of tasks among processes that share a folder, also a network folder: exclusive creation of files,
 /// without locks.
 #pragma once
 
@@ -10,38 +10,39 @@
 
 namespace overbend {
 
-/// This process as others see it: a file that is touched now and then while it lives.
+/// File that represents this process to others and is touched periodically while the process lives.
 ///
-/// Others on the same machine ask the system whether it lives; on another machine one whose file has not been touched
-/// for two minutes counts as dead, by the clock of the file system alone.
+/// Processes on the same machine ask the system whether it lives. On another machine, a process whose file has not been
+/// touched for two minutes counts as dead, by the clock of the file system alone.
 class WorkerFile {
  public:
-  /// Makes the file in `folder`, and the folder. Throws FileFault (runstore/append_file.h).
+  /// Creates the file in `folder`, and the folder. Throws FileError (runstore/append_file.h).
   explicit WorkerFile(const std::filesystem::path& folder);
   ~WorkerFile();
   WorkerFile(const WorkerFile&) = delete;
   WorkerFile& operator=(const WorkerFile&) = delete;
 
-  /// Takes the task whose claims are files `stem`.0, `stem`.1, ...: false where a worker that lives has it. The claim
-  /// of a dead worker stays, and the next number is made: exactly one process can. Throws FileFault.
+  /// Claims the task whose claim files are `stem`.0, `stem`.1, ...: returns false if a living worker has it. The claim
+  /// of a dead worker remains and the next number is created, which exactly one process can do. Throws FileError.
   bool claim(const std::filesystem::path& stem) const;
 
   const std::string& name() const { return name_; }
 
  private:
-  void stay_alive();
-  bool lives(const std::string& worker) const;
-  bool touched_lately(const std::filesystem::path& file) const;
+  void touch_periodically();
+  bool is_alive(const std::string& worker) const;
+  bool touched_recently(const std::filesystem::path& file) const;
 
   std::filesystem::path folder_, file_;
   std::string name_;
   std::mutex mutex_;
   std::condition_variable ending_;
   bool ended_ = false;
-  std::thread pulse_;
+  std::thread touch_thread_;
 };
 
-/// Removes what claim() made, once the task is done for good: whoever claims it anew must look whether it is.
+/// Removes the files of claim() after the task is done. A process that claims the task again must check whether it is
+/// done.
 void release_claims(const std::filesystem::path& stem) noexcept;
 
 }  // namespace overbend

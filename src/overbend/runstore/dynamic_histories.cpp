@@ -10,22 +10,22 @@
 namespace overbend {
 namespace {
 
-constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// The first row from t = 0 on; rounding of the clock does not drop it.
+/// First row with t >= 0, with a tolerance for rounding of the clock.
 std::size_t start_of_statistics(std::span<const double> time) {
   const double tolerance = time.size() < 2 ? 0.0 : 1e-6 * (time[1] - time[0]);
   return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), -tolerance) - time.begin());
 }
 
-/// Two passes, so that a small spread about a large mean keeps its digits.
-Spread spread_of(std::span<const double> all) {
+/// Two passes, so that a small deviation from a large mean keeps its digits.
+SummaryStatistics compute_statistics(std::span<const double> all) {
   if (all.empty()) return {};
   std::vector<double> values;
   std::copy_if(all.begin(), all.end(), std::back_inserter(values), [](double value) { return !std::isnan(value); });
-  if (values.empty()) return {kAbsent, kAbsent, kAbsent, kAbsent};
+  if (values.empty()) return {kMissing, kMissing, kMissing, kMissing};
   const auto count = static_cast<double>(values.size());
-  Spread spread{values[0], values[0], 0.0, 0.0};
+  SummaryStatistics spread{values[0], values[0], 0.0, 0.0};
   for (const double value : values) {
     spread.min = std::min(spread.min, value);
     spread.max = std::max(spread.max, value);
@@ -38,9 +38,9 @@ Spread spread_of(std::span<const double> all) {
   return spread;
 }
 
-/// Least and greatest of those that are there.
-std::pair<double, double> range_of(std::span<const double> values) {
-  double low = kAbsent, high = kAbsent;
+/// Minimum and maximum of the values that are not missing.
+std::pair<double, double> min_and_max(std::span<const double> values) {
+  double low = kMissing, high = kMissing;
   for (const double value : values) {
     low = std::fmin(low, value);
     high = std::fmax(high, value);
@@ -54,11 +54,11 @@ HistorySummary summarise_history(const HistoryColumn& column, std::span<const do
                                  std::span<const double> values) {
   require(time.size() == values.size(), "a history has a value for each time");
   HistorySummary summary{column.name, column.units, column.description, {}, {}, {}};
-  summary.over_time = spread_of(values.subspan(start_of_statistics(time)));
-  const std::size_t stretches = std::min(kMostStretches, values.size());
+  summary.over_time = compute_statistics(values.subspan(start_of_statistics(time)));
+  const std::size_t stretches = std::min(kMaxIntervals, values.size());
   for (std::size_t i = 0; i < stretches; ++i) {
     const std::size_t begin = i * values.size() / stretches, end = (i + 1) * values.size() / stretches;
-    const auto [low, high] = range_of(values.subspan(begin, end - begin));
+    const auto [low, high] = min_and_max(values.subspan(begin, end - begin));
     summary.low.push_back(low);
     summary.high.push_back(high);
   }

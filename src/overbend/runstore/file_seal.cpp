@@ -23,50 +23,50 @@ namespace {
 
 struct Seal {
   std::array<char, 8> mark = {'o', 'v', 'e', 'r', 'b', 'e', 'n', 'd'};
-  std::uint64_t length = 0;  ///< Of what lies before [bytes].
+  std::uint64_t length = 0;  ///< Length of the content before the seal [bytes].
   std::uint64_t sum = kChecksumStart;
 };
 static_assert(sizeof(Seal) == 24);
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+[[noreturn]] void throw_seal_error(const fs::path& file, const std::string& why) {
   throw std::runtime_error("the file '" + file.string() + "' " + why);
 }
 
-/// Checksum of the first `length` bytes; the last word is filled up with zeros.
+/// Checksum of the first `length` bytes; the last word is padded with zeros.
 std::uint64_t checksum(std::istream& stream, std::uint64_t length) {
   std::uint64_t sum = kChecksumStart;
-  std::vector<std::uint64_t> words(std::min<std::uint64_t>(length / sizeof(std::uint64_t) + 1, 1U << 17U));
+  std::vector<std::uint64_t> buffer(std::min<std::uint64_t>(length / sizeof(std::uint64_t) + 1, 1U << 17U));
   while (length > 0 && stream) {
     check_interruption();
-    const std::uint64_t count = std::min<std::uint64_t>(length, words.size() * sizeof(std::uint64_t));
-    words[(count - 1) / sizeof(std::uint64_t)] = 0;
-    stream.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(count));
-    for (std::uint64_t i = 0; i < (count + 7) / 8; ++i) sum = add_to_checksum(sum, words[i]);
+    const std::uint64_t count = std::min<std::uint64_t>(length, buffer.size() * sizeof(std::uint64_t));
+    buffer[(count - 1) / sizeof(std::uint64_t)] = 0;
+    stream.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(count));
+    for (std::uint64_t i = 0; i < (count + 7) / 8; ++i) sum = add_to_checksum(sum, buffer[i]);
     length -= count;
   }
   return sum;
 }
 
-/// Tells a file from what it was before.
+/// Identifies a file and its version.
 struct Identity {
   dev_t device;
   ino_t number;
   off_t length;
-  std::int64_t seconds, nanoseconds;  ///< Of the last change.
+  std::int64_t seconds, nanoseconds;  ///< Time of the last change.
   bool operator==(const Identity&) const = default;
 };
 
 std::optional<Identity> identity(const fs::path& file) {
-  struct stat at {};
-  if (::stat(file.c_str(), &at) != 0) return std::nullopt;
-  return Identity{at.st_dev, at.st_ino, at.st_size, at.st_ctim.tv_sec, at.st_ctim.tv_nsec};
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return Identity{status.st_dev, status.st_ino, status.st_size, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
 }
 
 void verify(const fs::path& file) {
-  std::error_code fault;
-  if (fs::is_directory(file, fault)) refuse(file, "is a folder");
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw_seal_error(file, "is a folder");
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) refuse(file, fs::exists(file, fault) ? "cannot be read" : "is not there");
+  if (!stream) throw_seal_error(file, fs::exists(file, error) ? "cannot be read" : "does not exist");
   const auto size = static_cast<std::uint64_t>(stream.tellg());
   const Seal expected;
   Seal seal;
@@ -75,11 +75,11 @@ void verify(const fs::path& file) {
     stream.read(reinterpret_cast<char*>(&seal), sizeof seal);
   }
   if (!stream || size < sizeof seal || seal.mark != expected.mark) {
-    refuse(file, "has no checksum at its end: it was cut short or changed, or comes from an older version");
+    throw_seal_error(file, "has no checksum at its end: it was cut short or changed, or comes from an older version");
   }
   stream.seekg(0);
   if (seal.length != size - sizeof seal || checksum(stream, seal.length) != seal.sum || !stream) {
-    refuse(file, "is damaged: its content is not what the program wrote");
+    throw_seal_error(file, "is damaged: its content is not what the program wrote");
   }
 }
 
@@ -93,24 +93,24 @@ void seal_file(const fs::path& file) {
   std::ofstream end(file, std::ios::binary | std::ios::app);
   end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
   end.close();
-  if (!stream || !end) refuse_file(file, "written");
+  if (!stream || !end) throw_file_error(file, "written");
 }
 
 void unseal_file(const fs::path& file) {
-  std::error_code fault;
-  fs::resize_file(file, fs::file_size(file) - sizeof(Seal), fault);
-  if (fault) refuse_file(file, "written");
+  std::error_code error;
+  fs::resize_file(file, fs::file_size(file) - sizeof(Seal), error);
+  if (error) throw_file_error(file, "written");
 }
 
 void require_sealed(const fs::path& file) {
-  static std::mutex mutex;  // the page asks for one file again and again, and it may be of gigabytes
-  static std::optional<Identity> whole;
+  static std::mutex mutex;  // the page requests one file repeatedly, and it may have gigabytes
+  static std::optional<Identity> verified;
   const std::lock_guard<std::mutex> hold(mutex);
-  const std::optional<Identity> now = identity(file);
-  if (now && whole == now) return;
+  const std::optional<Identity> current = identity(file);
+  if (current && verified == current) return;
   verify(file);
-  // A file changed within the last tick of its clock could be changed again without showing it.
-  if (now && now->seconds + 2 < std::time(nullptr)) whole = now;
+  // A file changed within the last tick of its clock could change again without a new time stamp.
+  if (current && current->seconds + 2 < std::time(nullptr)) verified = current;
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// A user's own file given a new content, whole or not at all.
+/// Atomic replacement of the content of a user's file.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,13 @@
 
 namespace overbend {
 
-/// Puts `text` in the place of the file's content, or makes the file. Written to a file of an unpredictable name in the
-/// same folder, to the disk, then renamed. Mode, owner and group of an existing file are kept; a symbolic link stays
-/// and what it leads to is replaced. `last_look` is called when only the renaming is left to do; what it throws leaves
-/// everything as it was.
+/// Replaces the content of the file by `text`, or creates the file. The text is written to a file with an unpredictable
+/// name in the same folder, synced to disk, then renamed. Mode, owner and group of an existing file are kept; a
+/// symbolic link is kept and its target replaced. `last_look` is called just before the rename; if it throws, nothing
+/// is changed.
 ///
-/// Throws std::runtime_error with the reason where that cannot be done: no plain file, a link that leads nowhere, a
-/// write-protected file, one of an owner that cannot be kept, a disk that refuses.
+/// Throws std::runtime_error with the reason if that fails: not a regular file, a broken link, a write-protected file,
+/// an owner that cannot be kept, a disk error.
 void replace_file(const std::filesystem::path& file, std::string_view text,
                   const std::function<void()>& last_look = nullptr);
 

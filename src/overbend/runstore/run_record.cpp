@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "base/simd_words.h"
+#include "base/isa_names.h"
 #include "base/source_digest.h"
 #include "base/version.h"
 
@@ -37,7 +37,7 @@ std::string compiler_name() {
 }
 
 std::string program_identity() {
-  return fmt::format("{} (sources {}, {}, {})", kVersion, source_digest(), compiler_name(), word_of(best_isa()));
+  return fmt::format("{} (sources {}, {}, {})", kVersion, source_digest(), compiler_name(), enum_name(best_isa()));
 }
 
 }  // namespace overbend

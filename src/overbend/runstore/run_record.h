@@ -1,11 +1,11 @@
-/// Where and from what results came: what makes a run traceable.
+/// Origin of results, which makes a run traceable.
 #pragma once
 
 #include <string>
 
 namespace overbend {
 
-/// FNV-1a, 64 bit, as "fnv1a64:" and 16 hexadecimal digits. Tells texts apart; no protection against intent.
+/// FNV-1a, 64 bit, as "fnv1a64:" and 16 hexadecimal digits. Distinguishes texts; no protection against intent.
 std::string text_hash(const std::string& text);
 
 /// Operating system, its release and the processor's architecture.
@@ -14,8 +14,8 @@ std::string machine_name();
 /// Compiler and its version.
 std::string compiler_name();
 
-/// Who computes: version, digest of the sources that take part in computing, compiler and instruction set. Two programs
-/// of the same identity give the same bits.
+/// Identity of the program: version, digest of the sources that take part in computing, compiler and instruction set.
+/// Two programs of the same identity give the same bits.
 std::string program_identity();
 
 }  // namespace overbend

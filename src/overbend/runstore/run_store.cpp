@@ -24,19 +24,19 @@ constexpr std::size_t kCacheNumbers = std::size_t{4} << 20;  // 32 MB
 constexpr std::size_t kImpactNumbers = 8;
 constexpr std::size_t kPoseNumbers = 12;
 constexpr std::size_t kStationNumbers = 5;
-constexpr std::size_t kPointNumbers = 4;  ///< Of a mooring line.
+constexpr std::size_t kPointNumbers = 4;  ///< Per point of a mooring line.
 
-/// Held until the descriptor closes, also when the process is killed.
+/// Locks the run until the descriptor closes, also when the process is killed.
 FileDescriptor lock(const fs::path& folder) {
   const fs::path file = folder / "lock";
   FileDescriptor descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-  if (descriptor.id() < 0) refuse_file(file, "written");
+  if (descriptor.id() < 0) throw_file_error(file, "written");
   if (::flock(descriptor.id(), LOCK_EX | LOCK_NB) == 0) return descriptor;
-  if (errno != EWOULDBLOCK) refuse_file(file, "locked");
+  if (errno != EWOULDBLOCK) throw_file_error(file, "locked");
   throw std::runtime_error("another run is active in the folder '" + folder.parent_path().string() + "'");
 }
 
-/// Whether a process holds the lock. Does not throw.
+/// True if a process holds the lock. Does not throw.
 bool is_locked(const fs::path& folder) {
   const FileDescriptor descriptor(::open((folder / "lock").c_str(), O_RDONLY | O_CLOEXEC));
   return descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -45,11 +45,11 @@ bool is_locked(const fs::path& folder) {
 bool same_columns(const std::vector<HistoryColumn>& a, const std::vector<HistoryColumn>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const HistoryColumn& p, const HistoryColumn& q) {
     return p.name == q.name && p.units == q.units && p.extreme == q.extreme && p.spectrum == q.spectrum &&
-           p.smallest == q.smallest;
+           p.is_minimum == q.is_minimum;
   });
 }
 
-std::array<double, kImpactNumbers> numbers_of(const Impact& i) {
+std::array<double, kImpactNumbers> impact_numbers(const Impact& i) {
   return {static_cast<double>(i.roller),
           i.time,
           i.approach_velocity,
@@ -60,7 +60,7 @@ std::array<double, kImpactNumbers> numbers_of(const Impact& i) {
           i.line_load};
 }
 
-Impact impact_of(const double* n) {
+Impact make_impact(const double* n) {
   return {static_cast<int>(n[0]), n[1], n[2], n[3], n[4], n[5], n[6], n[7]};
 }
 
@@ -80,19 +80,19 @@ void require_same_input(const RunCheckpoint& stored, const std::string& hash, st
 
 struct RunStore::Files {
   fs::path folder;       ///< Absolute.
-  bool made = false;     ///< The folder of results is ours.
-  FileDescriptor guard;  ///< The lock.
-  RunCheckpoint record;  ///< Its state is empty: it belongs to the computation.
+  bool made = false;     ///< True if this run created the folder of results.
+  FileDescriptor guard;  ///< Lock of the folder.
+  RunCheckpoint record;  ///< Its state is empty: the solver holds it.
   bool begun = false;
   AppendFile rows, snapshots, impacts;
-  std::vector<double> cache;  ///< Columns `cached` and following, column after column.
+  std::vector<double> cache;  ///< Columns from `cached` on, column after column.
   std::size_t cached = 0, cached_rows = 0;
   std::vector<HistoryColumn> all;            ///< Recorded and derived; empty while none is derived.
   std::vector<std::vector<double>> derived;  ///< Their values.
 
   fs::path checkpoint() const { return folder / "checkpoint"; }
   void open();
-  void require_begun() const { require(begun, "a run takes in nothing before it has begun"); }
+  void require_begun() const { require(begun, "a run has begun before data are added"); }
   std::size_t columns() const { return record.columns.size(); }
   std::size_t snapshot_numbers() const {
     return 1 + kStationNumbers * static_cast<std::size_t>(record.snapshot.stations) + kPoseNumbers +
@@ -110,7 +110,7 @@ void RunStore::Files::open() {
   begun = true;
 }
 
-/// As many columns from `first` on as the cache may hold, at least one.
+/// Loads as many columns from `first` on as the cache holds, at least one.
 void RunStore::Files::fill_cache(std::size_t first) {
   rows.flush();
   const std::size_t count = row_count(), width = columns();
@@ -148,13 +148,13 @@ RunStore RunStore::create(const fs::path& output_dir, const std::string& model_t
   auto files = std::make_unique<Files>();
   files->folder = fs::absolute(output_dir) / kFolder;
   files->made = !fs::exists(output_dir);
-  std::error_code fault;
-  fs::create_directories(files->folder, fault);
-  if (fault) {
-    throw std::runtime_error("the folder '" + output_dir.string() + "' cannot be written: " + fault.message());
+  std::error_code error;
+  fs::create_directories(files->folder, error);
+  if (error) {
+    throw std::runtime_error("the folder '" + output_dir.string() + "' cannot be written: " + error.message());
   }
   files->guard = lock(files->folder);
-  // The checkpoint goes first: without it the rest is no run, wherever this is interrupted.
+  // The checkpoint goes first: without it the other files are not a run if this is interrupted.
   for (const char* name : {"checkpoint", "checkpoint.new", "rows", "snapshots", "impacts"}) {
     fs::remove(files->folder / name);
   }
@@ -172,8 +172,8 @@ std::optional<StoredRun> RunStore::find(const fs::path& output_dir) {
   const bool active = is_locked(output_dir / kFolder);
   try {
     return StoredRun{read_checkpoint(file).state.time, "", active};
-  } catch (const std::exception& fault) {
-    return StoredRun{0.0, fault.what(), active};
+  } catch (const std::exception& error) {
+    return StoredRun{0.0, error.what(), active};
   }
 }
 
@@ -217,7 +217,7 @@ void RunStore::snapshot(double time, std::span<const double> values) {
 
 void RunStore::impact(const Impact& impact) {
   files_->require_begun();
-  files_->impacts.append(numbers_of(impact));
+  files_->impacts.append(impact_numbers(impact));
 }
 
 void RunStore::checkpoint(const DynamicCheckpoint& state) {
@@ -289,7 +289,7 @@ std::vector<double> RunStore::snapshot_block(std::int64_t first, std::int64_t co
 std::vector<Impact> RunStore::impact_block(std::int64_t first, std::int64_t count) const {
   const std::vector<double> numbers = files_->block(files_->impacts, kImpactNumbers, first, count);
   std::vector<Impact> impacts;
-  for (std::size_t i = 0; i < numbers.size(); i += kImpactNumbers) impacts.push_back(impact_of(&numbers[i]));
+  for (std::size_t i = 0; i < numbers.size(); i += kImpactNumbers) impacts.push_back(make_impact(&numbers[i]));
   return impacts;
 }
 

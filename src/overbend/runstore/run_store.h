@@ -1,4 +1,4 @@
-/// Where a dynamic run lives on disk while it runs.
+/// Storage of a dynamic run on disk while it runs.
 #pragma once
 
 #include <filesystem>
@@ -11,32 +11,32 @@
 
 namespace overbend {
 
-/// A run that was started and not finished.
+/// Run that was started and not finished.
 struct StoredRun {
-  double time = 0.0;    ///< Of its last checkpoint [s].
-  std::string fault;    ///< Why it cannot be resumed; empty if no reason is known.
-  bool active = false;  ///< A process is at work on it.
+  double time = 0.0;    ///< Time of its last checkpoint [s].
+  std::string error;    ///< Reason why it cannot be resumed; empty if none is known.
+  bool active = false;  ///< True if a process is working on it.
 };
 
 struct ResumedRun;
 
-/// The hidden folder `.run` inside the folder of results: rows, snapshots and impacts in flat files of little-endian
-/// doubles, and the last checkpoint with the lengths of those files. Memory does not grow with the run. Whenever the
-/// process dies, the folder contains a run at its last checkpoint. One process at a time may hold it. Unless
-/// it says otherwise a function throws std::runtime_error with the reason when the disk refuses.
+/// Hidden folder `.run` inside the folder of results: rows, snapshots and impacts in flat files of little-endian
+/// doubles, and the last checkpoint with the lengths of those files. Memory does not grow with the run. If the process
+/// dies at any time, the folder contains the run at its last checkpoint. One process at a time may hold it. Unless
+/// stated otherwise, functions throw std::runtime_error with the reason if the disk reports an error.
 class RunStore : public DynamicSink {
  public:
-  /// Starts a new run; an older one in the folder is discarded. Makes the folder of results where it is missing. Throws
-  /// std::runtime_error also when another process holds the run. What is not the model's text but part of the input
-  /// (tables of motion) belongs into `model_text` as well: the run can be resumed with the same text only.
+  /// Starts a new run and discards an older one in the folder. Creates the folder of results if it is missing. Also
+  /// throws std::runtime_error if another process holds the run. Input that is not part of the model's text (tables of
+  /// motion) has to be included in `model_text`: the run can be resumed with the same text only.
   static RunStore create(const std::filesystem::path& output_dir, const std::string& model_text, std::uint64_t seed);
 
-  /// What there is to take up; nullopt when there is nothing. Does not throw.
+  /// Returns the stored run; nullopt if there is none. Does not throw.
   static std::optional<StoredRun> find(const std::filesystem::path& output_dir);
 
-  /// Takes up the run at its last checkpoint and drops what came after; nullopt when there is nothing to take up.
-  /// Throws std::runtime_error when the model or the seed is another, the version of the program is another, the
-  /// checkpoint or a data file is damaged, or another process holds the run; the folder is then unchanged.
+  /// Resumes the run at its last checkpoint and drops later data; nullopt if there is none. Throws std::runtime_error
+  /// if the model, the seed or the version of the program differs, the checkpoint or a data file is damaged, or another
+  /// process holds the run; the folder is then unchanged.
   static std::optional<ResumedRun> resume(const std::filesystem::path& output_dir, const std::string& model_text,
                                           std::uint64_t seed);
 
@@ -46,36 +46,36 @@ class RunStore : public DynamicSink {
   RunStore& operator=(const RunStore&) = delete;
   ~RunStore() override;
 
-  /// After resume() it may be called again, with the same columns and size; else std::runtime_error.
+  /// May be called again after resume() with the same columns and size; otherwise throws std::runtime_error.
   void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override;
-  void row(std::span<const double> values) override;  ///< Allocates nothing.
+  void row(std::span<const double> values) override;  ///< Does not allocate.
   void snapshot(double time, std::span<const double> values) override;
   void impact(const Impact& impact) override;
   void checkpoint(const DynamicCheckpoint& state) override;
 
-  /// Adds a column that is made from the others when the run has ended; it has a value for each row, follows the
-  /// recorded ones and is not on disk: a resumed run makes it anew. No row may be handed over afterwards.
+  /// Adds a column computed from the others at the end of the run, with one value per row. It follows the recorded
+  /// columns and is not stored on disk: a resumed run computes it again. No rows may be added afterwards.
   void derive(const HistoryColumn& column, std::vector<double> values);
 
   const std::vector<HistoryColumn>& columns() const;  ///< Recorded, then derived.
-  int stations() const;
-  int line_points() const;  ///< Of mooring lines, in a snapshot.
+  int stations() const;                               ///< Number of stations in a snapshot.
+  int line_points() const;                            ///< Number of mooring line points in a snapshot.
   std::int64_t rows() const;
   std::int64_t snapshots() const;
   std::int64_t impacts() const;
 
-  /// One column of the table of histories, all rows. Neighbouring columns are read at once and kept (at most 32 MB
-  /// beside the column itself), so that asking for all in turn does not read the file as often as there are columns.
+  /// Returns one column of the histories, all rows. Neighbouring columns are read together and cached (at most 32 MB in
+  /// addition to the column itself), so that reading all columns in turn does not read the file once per column.
   std::vector<double> column(std::size_t index) const;
 
-  /// Snapshots `first` to `first + count`, one after the other: each its time and then the values handed over.
+  /// Returns snapshots `first` to `first + count` in sequence: each its time and then its values.
   std::vector<double> snapshot_block(std::int64_t first, std::int64_t count) const;
-  /// Numbers of one snapshot, with its time.
+  /// Number of values of one snapshot, including its time.
   std::int64_t snapshot_size() const;
   std::vector<Impact> impact_block(std::int64_t first, std::int64_t count) const;
 
   /// Removes the run's folder, when the results are written or the run is not worth keeping, and the folder of results
-  /// if create() made it and nothing else is in it. Does not throw. Nothing may be handed over afterwards.
+  /// if create() made it and it is otherwise empty. Does not throw. No data may be added afterwards.
   void remove() noexcept;
 
  private:
@@ -84,7 +84,7 @@ class RunStore : public DynamicSink {
   std::unique_ptr<Files> files_;
 };
 
-/// A resumed run: the state it continues from, and the store with its previous data.
+/// Resumed run: the state it continues from, and the store with its previous data.
 struct ResumedRun {
   RunStore store;
   DynamicCheckpoint state;

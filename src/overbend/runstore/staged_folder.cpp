@@ -18,16 +18,16 @@ namespace {
 
 constexpr const char* kStem = ".overbend-";
 
-[[noreturn]] void refuse(const fs::path& folder, const std::string& reason) {
+[[noreturn]] void throw_unusable_folder(const fs::path& folder, const std::string& reason) {
   throw UnusableFolder("the folder '" + folder.string() + "' cannot be written: " + reason);
 }
 
-/// The topmost part of the path that does not exist; empty when all of it does.
+/// Topmost part of the path that does not exist; empty if all parts exist.
 fs::path topmost_missing(const fs::path& folder) {
   fs::path missing;
   for (fs::path part = folder; !part.empty(); part = part.parent_path()) {
-    std::error_code fault;
-    if (fs::exists(fs::symlink_status(part, fault))) break;
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(part, error))) break;
     missing = part;
     if (part == part.parent_path()) break;
   }
@@ -40,15 +40,15 @@ bool on_one_file_system(const fs::path& a, const fs::path& b) {
   return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 && of_a.st_dev == of_b.st_dev;
 }
 
-/// Whether the current folder is `folder` or lies in it.
-bool stands_in(const fs::path& folder) {
-  std::error_code fault;
-  const fs::path here = fs::current_path(fault);
-  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), here.begin(), here.end());
-  return fault || end == folder.end();
+/// True if the current folder is `folder` or inside it.
+bool contains_current_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path current = fs::current_path(error);
+  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), current.begin(), current.end());
+  return error || end == folder.end();
 }
 
-/// Locked as long as its descriptor is open; none where somebody else has it.
+/// Locks the folder while its descriptor is open; returns no descriptor if another process holds the lock.
 FileDescriptor lock_folder(const fs::path& folder) {
   FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_EX | LOCK_NB) != 0) return {};
@@ -62,8 +62,8 @@ bool is_staging_name(const std::string& name) {
 }  // namespace
 
 void clear_leftovers(const fs::path& parent) noexcept {
-  std::error_code fault;
-  for (fs::directory_iterator entry(parent, fault), end; !fault && entry != end; entry.increment(fault)) {
+  std::error_code error;
+  for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code ignored;
     if (!is_staging_name(entry->path().filename().string()) || !entry->is_directory(ignored)) continue;
     if (const FileDescriptor guard = lock_folder(entry->path()); guard.id() >= 0) clear_marked(entry->path());
@@ -73,13 +73,13 @@ void clear_leftovers(const fs::path& parent) noexcept {
 StagedFolder::StagedFolder(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
   if (!folder_.has_filename()) folder_ = folder_.parent_path();  // "results/" is "results"
   made_ = topmost_missing(folder_);
-  std::error_code fault;
-  fs::create_directories(folder_, fault);
-  if (fault || !fs::is_directory(folder_)) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error || !fs::is_directory(folder_)) {
     remove_traces();
-    refuse(folder, fault ? fault.message() : "it is not a folder");
+    throw_unusable_folder(folder, error ? error.message() : "it is not a folder");
   }
-  if (made_.empty()) folder_ = fs::canonical(folder_);  // behind links: the folder is exchanged, not the link
+  if (made_.empty()) folder_ = fs::canonical(folder_);  // resolve links: the folder is exchanged, not the link
   try {
     make_staging();
   } catch (const UnusableFolder&) {
@@ -96,18 +96,20 @@ void StagedFolder::make_staging() {
   const fs::path parent = folder_.parent_path();
   clear_leftovers(parent);
   clear_leftovers(folder_);
-  if (::access(folder_.c_str(), W_OK | X_OK) != 0) refuse(folder_, std::generic_category().message(errno));
-  for (const bool beside : {true, false}) {
-    if (beside && (stands_in(folder_) || !on_one_file_system(folder_, parent))) continue;
-    std::string pattern = ((beside ? parent : folder_) / (std::string(kStem) + "XXXXXX")).string();
+  if (::access(folder_.c_str(), W_OK | X_OK) != 0) {
+    throw_unusable_folder(folder_, std::generic_category().message(errno));
+  }
+  for (const bool next_to_target : {true, false}) {
+    if (next_to_target && (contains_current_folder(folder_) || !on_one_file_system(folder_, parent))) continue;
+    std::string pattern = ((next_to_target ? parent : folder_) / (std::string(kStem) + "XXXXXX")).string();
     if (mkdtemp(pattern.data()) == nullptr) continue;
     staging_ = pattern;
-    beside_ = beside;
+    next_to_target_ = next_to_target;
     lock_ = lock_folder(staging_);
-    if (!mark_staged(staging_)) refuse(folder_, std::generic_category().message(errno));
+    if (!mark_staged(staging_)) throw_unusable_folder(folder_, std::generic_category().message(errno));
     return;
   }
-  refuse(folder_, std::generic_category().message(errno));
+  throw_unusable_folder(folder_, std::generic_category().message(errno));
 }
 
 void StagedFolder::commit(const std::string& last, const std::vector<std::string>& folders) {
@@ -115,26 +117,27 @@ void StagedFolder::commit(const std::string& last, const std::vector<std::string
   for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
     const std::string name = entry.path().filename().string();
     if (is_mark(name)) continue;
-    if (fs::is_directory(folder_ / name)) refuse(folder_, "'" + name + "' in it is a folder");
+    if (fs::is_directory(folder_ / name)) throw_unusable_folder(folder_, "'" + name + "' in it is a folder");
     names.push_back(name);
   }
   const WrittenFiles before = read_written(folder_);
-  if (const auto foreign = file_of_the_user(folder_, names)) refuse(folder_, *foreign);
+  if (const auto foreign = find_user_file_conflict(folder_, names)) throw_unusable_folder(folder_, *foreign);
   write_written(staging_, {names, folders});
-  names.insert(names.begin(), kWrittenFiles);  // first, where they go one by one: what follows is known as ours
+  // first, for renaming one by one: the files that follow are known as ours
+  names.insert(names.begin(), kWrittenFiles);
   std::vector<std::string> mine = names;
   mine.insert(mine.end(), before.files.begin(), before.files.end());
-  if (!exchange(mine)) move_in(names, last, before.files);
+  if (!exchange(mine)) rename_one_by_one(names, last, before.files);
   made_.clear();
   for (const std::string& name : before.folders) {
     if (std::find(folders.begin(), folders.end(), name) == folders.end()) remove_results(folder_ / name);
   }
 }
 
-/// The new folder gets the user's files as further names of the same files, takes the old one's place, and gets from it
-/// what can have no second name: its folders. False, with nothing changed, where that cannot be done.
+/// Links the user's files into the new folder, exchanges it with the old one, and moves the user's folders, which
+/// cannot be linked. Returns false, with nothing changed, if that is not possible.
 bool StagedFolder::exchange(const std::vector<std::string>& mine) {
-  if (!beside_) return false;
+  if (!next_to_target_) return false;
   std::vector<std::string> shared;
   const auto undo = [&] {
     std::error_code ignored;
@@ -143,7 +146,7 @@ bool StagedFolder::exchange(const std::vector<std::string>& mine) {
     mark_staged(staging_);
     return false;
   };
-  if (!share_others(folder_, staging_, mine, shared)) return undo();
+  if (!link_user_files(folder_, staging_, mine, shared)) return undo();
   struct stat old {};
   if (::stat(folder_.c_str(), &old) != 0) return undo();
   if (::chown(staging_.c_str(), old.st_uid, old.st_gid) != 0 && old.st_uid != ::geteuid()) return undo();
@@ -154,9 +157,9 @@ bool StagedFolder::exchange(const std::vector<std::string>& mine) {
   return true;
 }
 
-/// One by one, moving existing files aside; all are restored if one fails.
-void StagedFolder::move_in(std::vector<std::string> names, const std::string& last,
-                           const std::vector<std::string>& before) {
+/// Renames one by one, moving existing files aside; all are restored if one fails.
+void StagedFolder::rename_one_by_one(std::vector<std::string> names, const std::string& last,
+                                     const std::vector<std::string>& before) {
   std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name != last; });
   const fs::path aside = staging_ / ".aside";
   struct Move {
@@ -177,21 +180,21 @@ void StagedFolder::move_in(std::vector<std::string> names, const std::string& la
       put_aside(name);
       move(staging_ / name, folder_ / name);
     }
-  } catch (const fs::filesystem_error& fault) {
+  } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
     for (auto undone = done.rbegin(); undone != done.rend(); ++undone) {
       fs::rename(undone->to, undone->from, ignored);
-      if (ignored) unmark_staged(staging_);  // what could not be put back is not thrown away
+      if (ignored) unmark_staged(staging_);  // keep files that could not be restored
     }
-    refuse(folder_, fault.code().message());
+    throw_unusable_folder(folder_, error.code().message());
   }
 }
 
 void StagedFolder::remove_traces() noexcept {
-  std::error_code ignored;  // nothing can be done about it, and the first error is the one to report
+  std::error_code ignored;  // the first error is the one to report
   if (!staging_.empty() && is_marked_staged(staging_)) fs::remove_all(staging_, ignored);
   if (!made_.empty()) {
-    // Folders of ours only, from the innermost out: remove() leaves alone what somebody else has filled meanwhile.
+    // Only folders created here, from the innermost out: remove() keeps those that have other content by now.
     for (fs::path part = folder_; part != made_.parent_path(); part = part.parent_path()) fs::remove(part, ignored);
   }
 }

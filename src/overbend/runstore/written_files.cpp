@@ -26,16 +26,16 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code fault;
-  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     names.push_back(entry->path().filename().string());
   }
   return names;
 }
 
 bool is_folder(const fs::path& path) {
-  std::error_code fault;
-  return fs::is_directory(fs::symlink_status(path, fault));
+  std::error_code error;
+  return fs::is_directory(fs::symlink_status(path, error));
 }
 
 bool write_mark(const fs::path& file, const std::string& text) {
@@ -45,20 +45,20 @@ bool write_mark(const fs::path& file, const std::string& text) {
   return static_cast<bool>(stream);
 }
 
-/// What is not the program's, to the folder that took this one's place; false where something stays behind.
-bool bring_over(const fs::path& old, const fs::path& place) {
+/// Moves all files not written by the program to the folder that replaced this one; returns false if one remains.
+bool move_user_files(const fs::path& old, const fs::path& place) {
   std::vector<std::string> written = read_written(old).files;
-  const std::vector<std::string> now = read_written(place).files;
-  written.insert(written.end(), now.begin(), now.end());
-  bool whole = true;
+  const std::vector<std::string> listed = read_written(place).files;
+  written.insert(written.end(), listed.begin(), listed.end());
+  bool complete = true;
   for (const std::string& name : names_in(old)) {
-    std::error_code fault;
+    std::error_code error;
     if (is_mark(name) || name == kWrittenFiles || holds(written, name)) continue;
-    if (!is_folder(old / name) && fs::equivalent(old / name, place / name, fault)) continue;  // shared
-    fs::rename(old / name, place / name, fault);
-    whole = whole && !fault;
+    if (!is_folder(old / name) && fs::equivalent(old / name, place / name, error)) continue;  // shared
+    fs::rename(old / name, place / name, error);
+    complete = complete && !error;
   }
-  return whole;
+  return complete;
 }
 
 }  // namespace
@@ -74,14 +74,14 @@ WrittenFiles read_written(const fs::path& folder) {
   return written;
 }
 
-std::optional<std::string> file_of_the_user(const fs::path& folder, const std::vector<std::string>& names) {
+std::optional<std::string> find_user_file_conflict(const fs::path& folder, const std::vector<std::string>& names) {
   const std::vector<std::string> written = read_written(folder).files;
   for (const std::string& name : names) {
-    std::error_code fault;
-    if (holds(written, name) || !fs::exists(fs::symlink_status(folder / name, fault))) continue;
-    if (fs::exists(folder / "study.json", fault)) return "it holds a study; give another folder";
-    return "'" + name + "' in it is none of earlier results (" + kWrittenFiles +
-           " does not list it); move it away, or give another folder";
+    std::error_code error;
+    if (holds(written, name) || !fs::exists(fs::symlink_status(folder / name, error))) continue;
+    if (fs::exists(folder / "study.json", error)) return "it contains a study; give another folder";
+    return "'" + name + "' in it was not written by the program (" + kWrittenFiles +
+           " does not list it); move it, or give another folder";
   }
   return std::nullopt;
 }
@@ -118,8 +118,8 @@ bool is_mark(const std::string& name) {
   return name == kStaged || name == kOld;
 }
 
-bool share_others(const fs::path& from, const fs::path& to, const std::vector<std::string>& mine,
-                  std::vector<std::string>& shared) {
+bool link_user_files(const fs::path& from, const fs::path& to, const std::vector<std::string>& mine,
+                     std::vector<std::string>& shared) {
   for (const std::string& name : names_in(from)) {
     if (is_mark(name) || holds(mine, name) || is_folder(from / name)) continue;
     if (::linkat(AT_FDCWD, (from / name).c_str(), AT_FDCWD, (to / name).c_str(), 0) != 0) return false;
@@ -138,7 +138,7 @@ void clear_marked(const fs::path& folder) {
   std::string place;
   if (!std::getline(mark, place) || !is_folder(place)) return;
   if (fs::equivalent(folder, place, ignored)) return;
-  if (bring_over(folder, place)) fs::remove_all(folder, ignored);
+  if (move_user_files(folder, place)) fs::remove_all(folder, ignored);
 }
 
 }  // namespace overbend

@@ -1,4 +1,5 @@
-/// What in a folder of results the program wrote and what is the user's, and the marks of folders on their way there.
+/// Record of the files that the program wrote to a folder of results, as opposed to the user's, and marks of folders
+/// during an exchange.
 #pragma once
 
 #include <filesystem>
@@ -8,39 +9,43 @@
 
 namespace overbend {
 
-/// The list in a folder of results of what the program put there.
+/// Name of the file, in a folder of results, that lists what the program wrote.
 inline constexpr const char* kWrittenFiles = ".overbend-files";
 
 struct WrittenFiles {
   std::vector<std::string> files;    ///< Names.
-  std::vector<std::string> folders;  ///< Names of folders of results within.
+  std::vector<std::string> folders;  ///< Names of result folders inside the folder.
 };
 
-/// Why files of these names cannot be put there: one is there that the program did not write. Nothing else: nothing.
-std::optional<std::string> file_of_the_user(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// Returns an error message if one of these names exists in the folder but was not written by the program; nullopt
+/// otherwise.
+std::optional<std::string> find_user_file_conflict(const std::filesystem::path& folder,
+                                                   const std::vector<std::string>& names);
 
-/// Empty where there is no list. Names that lead out of the folder are passed over.
+/// Reads the list; empty if there is none. Names that lead out of the folder are ignored.
 WrittenFiles read_written(const std::filesystem::path& folder);
-/// Throws std::runtime_error when it cannot be written.
+/// Throws std::runtime_error if it cannot be written.
 void write_written(const std::filesystem::path& folder, const WrittenFiles& written);
 
-/// A staged folder: nothing in it is anybody's but the program's.
+/// Sets, removes or tests the mark of a staged folder, which contains only the program's files.
 bool mark_staged(const std::filesystem::path& folder);
 bool unmark_staged(const std::filesystem::path& folder);
 bool is_marked_staged(const std::filesystem::path& folder);
 
-/// A folder about to be exchanged for a new one at `place`.
+/// Marks a folder that is about to be exchanged for a new one at `place`.
 bool mark_old(const std::filesystem::path& folder, const std::filesystem::path& place);
+/// Removes that mark.
 void unmark_old(const std::filesystem::path& folder);
+/// True if `name` is that of one of these marks.
 bool is_mark(const std::string& name);
 
-/// Gives what is in `from`, but folders and the names `mine`, a second name in `to`. The names are added to `shared`;
-/// false where one could not be.
-bool share_others(const std::filesystem::path& from, const std::filesystem::path& to,
-                  const std::vector<std::string>& mine, std::vector<std::string>& shared);
+/// Links the files of `from`, except folders and the names `mine`, into `to`. The names are added to `shared`; returns
+/// false if a link fails.
+bool link_user_files(const std::filesystem::path& from, const std::filesystem::path& to,
+                     const std::vector<std::string>& mine, std::vector<std::string>& shared);
 
-/// Removes a marked folder: a staged one with all that is in it, an exchanged one after what is the user's has been
-/// brought to the new. Another one is left alone.
+/// Removes a marked folder: a staged one with its content, an exchanged one after the user's files have been moved to
+/// the new folder. An unmarked folder is left unchanged.
 void clear_marked(const std::filesystem::path& folder);
 
 }  // namespace overbend

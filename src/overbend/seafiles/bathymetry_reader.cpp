@@ -13,15 +13,15 @@
 namespace overbend {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  ///< Coordinates this close are one [m].
-constexpr double kMostCells = 4'000'000;
-constexpr double kDeepest = 12'000.0;     ///< As of the key environment.water_depth [m].
-constexpr double kUsualNoData = -9999.0;  ///< Of an ASCII grid whose head names none.
+constexpr double kSamePlace = 1e-6;  ///< Distance below which coordinates are equal [m].
+constexpr double kMaxCells = 4'000'000;
+constexpr double kMaxWaterDepth = 12'000.0;  ///< Upper limit of the key environment.water_depth [m].
+constexpr double kUsualNoData = -9999.0;     ///< Value of an ASCII grid without NODATA_value.
 constexpr const char* kNoDataHint = "a value for places without data? Leave these rows out, or name it as NODATA_value";
 
-class Complaints {
+class DiagnosticSink {
  public:
-  Complaints(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
+  DiagnosticSink(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
   void add(int line, std::string key, std::string found, std::string expected, std::string hint = {}) {
     good = false;
     diagnostics_.add(
@@ -50,17 +50,17 @@ bool is_head(const TextRow& row) {
   return true;
 }
 
-/// Land above the water, a depth below 0, is part of a coast; what stands for no value is not.
-void check_depth(double depth, int line, Complaints& complaints) {
+/// Accepts land above the water (negative depth) but rejects values that stand for missing data.
+void check_depth(double depth, int line, DiagnosticSink& complaints) {
   constexpr double kHighest = 9000.0;
   constexpr double kNoValues[] = {-999.0, -999.9, -999.25, -9999.0, -32767.0, -32768.0};
   const bool none = std::ranges::any_of(kNoValues, [&](double value) { return depth == value || depth == -value; });
-  if (!none && depth <= kDeepest && depth >= -kHighest) return;
-  complaints.add(line, "depth", format_number(depth), "a depth of at most " + format_number(kDeepest) + " m",
+  if (!none && depth <= kMaxWaterDepth && depth >= -kHighest) return;
+  complaints.add(line, "depth", format_number(depth), "a depth of at most " + format_number(kMaxWaterDepth) + " m",
                  kNoDataHint);
 }
 
-void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
+void take(const TextRow& row, Bathymetry& depths, DiagnosticSink& complaints) {
   if (row.cells.size() != 3) {
     complaints.add(row.line, "", std::to_string(row.cells.size()) + " columns", "3, as in the header");
     return;
@@ -81,8 +81,8 @@ void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
   depths.depth.push_back(values[2]);
 }
 
-/// The coordinates that occur, each once.
-std::vector<double> occurring(std::vector<double> values) {
+/// Returns the sorted distinct coordinates.
+std::vector<double> distinct_coordinates(std::vector<double> values) {
   std::ranges::sort(values);
   std::vector<double> once;
   for (const double value : values) {
@@ -91,23 +91,24 @@ std::vector<double> occurring(std::vector<double> values) {
   return once;
 }
 
-std::size_t place_of(const std::vector<double>& once, double value) {
+std::size_t index_of_coordinate(const std::vector<double>& once, double value) {
   const auto after = std::ranges::lower_bound(once, value - kSamePlace);
   return static_cast<std::size_t>(after - once.begin());
 }
 
-/// Puts points that lie on all crossings of a grid into its order.
+/// Sorts points that fill a regular grid into grid order.
 void order_grid(Bathymetry& depths) {
-  const std::vector<double> east = occurring(depths.east), north = occurring(depths.north);
+  const std::vector<double> east = distinct_coordinates(depths.east), north = distinct_coordinates(depths.north);
   const std::size_t count = east.size() * north.size();
   if (count != depths.depth.size() || east.size() < 2 || north.size() < 2) return;
   std::vector<double> ordered(count, 0.0);
   std::vector<bool> filled(count, false);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = place_of(north, depths.north[i]) * east.size() + place_of(east, depths.east[i]);
-    if (filled[at]) return;  // twice the same place: some crossing is missing
-    filled[at] = true;
-    ordered[at] = depths.depth[i];
+    const std::size_t index =
+        index_of_coordinate(north, depths.north[i]) * east.size() + index_of_coordinate(east, depths.east[i]);
+    if (filled[index]) return;  // duplicate point: at least one crossing is missing
+    filled[index] = true;
+    ordered[index] = depths.depth[i];
   }
   for (std::size_t i = 0; i < count; ++i) {
     depths.east[i] = east[i % east.size()];
@@ -118,31 +119,31 @@ void order_grid(Bathymetry& depths) {
   depths.rows = static_cast<int>(north.size());
 }
 
-/// Degrees in place of metres: an area of a few millimetres for every metre.
-void check_size(const Bathymetry& depths, Complaints& complaints) {
-  constexpr double kSmallest = 10.0, kFinest = 0.05;  // [m]
+/// Detects coordinates in degrees instead of metres by the size of the area and of its cells.
+void check_size(const Bathymetry& depths, DiagnosticSink& complaints) {
+  constexpr double kMinExtent = 10.0, kMinCell = 0.05;  // [m]
   const auto [west, east] = std::ranges::minmax(depths.east);
   const auto [south, north] = std::ranges::minmax(depths.north);
-  const double cell = depths.columns > 0 ? (east - west) / (depths.columns - 1) : kSmallest;
-  if (std::max(east - west, north - south) >= kSmallest && cell >= kFinest) return;
+  const double cell = depths.columns > 0 ? (east - west) / (depths.columns - 1) : kMinExtent;
+  if (std::max(east - west, north - south) >= kMinExtent && cell >= kMinCell) return;
   const bool degrees = std::abs(west) <= 360.0 && std::abs(south) <= 90.0;
   complaints.add(0, "",
                  "an area of " + format_number(east - west, 4) + " m by " + format_number(north - south, 4) + " m" +
                      (depths.columns > 0 ? ", in cells of " + format_quantity(cell, "m", "mm", 3) : std::string()),
-                 "an area in which a pipe can be laid, with places in m",
+                 "an area large enough to lay a pipe in, with coordinates in m",
                  degrees ? "longitude and latitude in degrees? Project them to metres first" : "");
 }
 
-/// Scattered points have to span an area, which has to have water.
-void check_area(const Bathymetry& depths, Complaints& complaints) {
+/// Checks that scattered points span an area and that some depth is positive.
+void check_area(const Bathymetry& depths, DiagnosticSink& complaints) {
   if (!complaints.good) return;
   if (std::ranges::none_of(depths.depth, [](double depth) { return depth > 0.0; })) {
     complaints.add(0, "", "no depth above 0", "depths below the mean water level, positive downwards",
-                   "heights are taken from an ESRI ASCII grid alone");
+                   "only an ESRI ASCII grid may contain heights");
     return;
   }
   if (depths.columns > 0) return check_size(depths, complaints);
-  if (occurring(depths.east).size() < 2 || occurring(depths.north).size() < 2) {
+  if (distinct_coordinates(depths.east).size() < 2 || distinct_coordinates(depths.north).size() < 2) {
     complaints.add(0, "", "points on one line", "depths over an area",
                    "a line of depths is environment.seabed.profile");
   } else {
@@ -150,16 +151,16 @@ void check_area(const Bathymetry& depths, Complaints& complaints) {
   }
 }
 
-/// What the head of an ASCII grid says.
+/// Header of an ESRI ASCII grid.
 struct GridHead {
   double columns = 0.0, rows = 0.0, east = 0.0, north = 0.0, cell = 0.0;
   double no_data = kUsualNoData;
   std::size_t lines = 0;
-  /// The head and the cells may spell it with other digits.
+  /// True if the value is NODATA; header and cells may write it with different numbers of digits.
   bool empty(double value) const { return std::abs(value - no_data) <= 1e-6 * std::abs(no_data); }
 };
 
-std::optional<GridHead> grid_head(const TextTable& table, Complaints& complaints) {
+std::optional<GridHead> grid_head(const TextTable& table, DiagnosticSink& complaints) {
   std::map<std::string, double> keys;
   GridHead head;
   for (const TextRow& row : table.rows) {
@@ -184,8 +185,8 @@ std::optional<GridHead> grid_head(const TextTable& table, Complaints& complaints
   head.east = centre ? keys["xllcenter"] : keys["xllcorner"] + 0.5 * head.cell;
   head.north = centre ? keys["yllcenter"] : keys["yllcorner"] + 0.5 * head.cell;
   if (keys.contains("nodata_value")) head.no_data = keys["nodata_value"];
-  const bool whole = head.columns == std::floor(head.columns) && head.rows == std::floor(head.rows);
-  if (!whole || head.columns < 2.0 || head.rows < 2.0 || head.columns * head.rows > kMostCells || head.cell <= 0.0) {
+  const bool integral = head.columns == std::floor(head.columns) && head.rows == std::floor(head.rows);
+  if (!integral || head.columns < 2.0 || head.rows < 2.0 || head.columns * head.rows > kMaxCells || head.cell <= 0.0) {
     complaints.add(0, "",
                    "a grid of " + format_number(head.columns) + " by " + format_number(head.rows) + " cells of " +
                        format_number(head.cell) + " m",
@@ -195,8 +196,8 @@ std::optional<GridHead> grid_head(const TextTable& table, Complaints& complaints
   return head;
 }
 
-/// The cells' values, from the north-west corner row by row.
-std::vector<double> grid_values(const TextTable& table, const GridHead& head, Complaints& complaints) {
+/// Returns the cell values row by row from the north-west corner.
+std::vector<double> grid_values(const TextTable& table, const GridHead& head, DiagnosticSink& complaints) {
   std::vector<double> values;
   for (std::size_t i = head.lines; i < table.rows.size(); ++i) {
     for (const std::string_view cell : table.rows[i].cells) {
@@ -214,21 +215,21 @@ std::vector<double> grid_values(const TextTable& table, const GridHead& head, Co
   return values;
 }
 
-Bathymetry placed(const GridHead& head, const std::vector<double>& values, double sign) {
+Bathymetry make_bathymetry(const GridHead& head, const std::vector<double>& values, double sign) {
   Bathymetry depths;
   const auto columns = static_cast<std::size_t>(head.columns), rows = static_cast<std::size_t>(head.rows);
-  bool whole = true;
+  bool complete = true;
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double value = values[(rows - 1 - row) * columns + column];
-      whole = whole && !head.empty(value);
+      complete = complete && !head.empty(value);
       if (head.empty(value)) continue;
       depths.east.push_back(head.east + static_cast<double>(column) * head.cell);
       depths.north.push_back(head.north + static_cast<double>(row) * head.cell);
       depths.depth.push_back(sign * value);
     }
   }
-  if (whole) {
+  if (complete) {
     depths.columns = static_cast<int>(columns);
     depths.rows = static_cast<int>(rows);
   }
@@ -238,7 +239,7 @@ Bathymetry placed(const GridHead& head, const std::vector<double>& values, doubl
 }  // namespace
 
 std::optional<Bathymetry> read_depth_table(const std::string& text, const std::string& path, Diagnostics& diagnostics) {
-  Complaints complaints(path, diagnostics);
+  DiagnosticSink complaints(path, diagnostics);
   const TextTable table = split_table(text, ',');
   if (table.rows.empty() || !is_head(table.rows.front())) {
     complaints.add(table.rows.empty() ? 0 : table.rows.front().line, "", "another header", "'east,north,depth'",
@@ -257,7 +258,7 @@ std::optional<Bathymetry> read_depth_table(const std::string& text, const std::s
 }
 
 std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::string& path, Diagnostics& diagnostics) {
-  Complaints complaints(path, diagnostics);
+  DiagnosticSink complaints(path, diagnostics);
   const TextTable table = split_table(text, ' ');
   const auto head = grid_head(table, complaints);
   if (!head) return std::nullopt;
@@ -265,7 +266,7 @@ std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::st
   if (!complaints.good) return std::nullopt;
   const auto below = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value < 0.0; });
   const auto above = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value > 0.0; });
-  Bathymetry depths = placed(*head, values, below > above ? -1.0 : 1.0);
+  Bathymetry depths = make_bathymetry(*head, values, below > above ? -1.0 : 1.0);
   for (const double depth : depths.depth) {
     if (complaints.good) check_depth(depth, 0, complaints);
   }
@@ -276,8 +277,8 @@ std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::st
 std::optional<Bathymetry> read_bathymetry(const std::string& path, Diagnostics& diagnostics) {
   const std::string ending = lower(std::filesystem::path(path).extension().string());
   if (ending == ".tif" || ending == ".tiff") {
-    Complaints(path, diagnostics)
-        .add(0, "", "a GeoTIFF, which needs GDAL, which is not built in", "a CSV file or an ESRI ASCII grid (.asc)",
+    DiagnosticSink(path, diagnostics)
+        .add(0, "", "a GeoTIFF, which cannot be read without GDAL", "a CSV file or an ESRI ASCII grid (.asc)",
              "gdal_translate -of AAIGrid FILE.tif FILE.asc converts it");
     return std::nullopt;
   }

@@ -8,22 +8,22 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/heading_table_builder.h"
-#include "seafiles/moved_coefficients.h"
 #include "seafiles/netcdf_arrays.h"
+#include "seafiles/reference_point.h"
 
 namespace overbend {
 namespace {
 
 constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
-/// What was found in place of what; one per file, for a fault ends the reading.
-struct Fault : std::runtime_error {
-  Fault(std::string found_, std::string expected_, std::string hint_ = {})
+/// Error in the file; the first one ends the reading.
+struct ReadError : std::runtime_error {
+  ReadError(std::string found_, std::string expected_, std::string hint_ = {})
       : std::runtime_error(found_), found(std::move(found_)), expected(std::move(expected_)), hint(std::move(hint_)) {}
   std::string found, expected, hint;
 };
 
-/// A variable that is read by the names of its dimensions, in whatever order they stand.
+/// A variable addressed by the names of its dimensions, independent of their order in the file.
 class Variable {
  public:
   Variable(NetcdfArray array, const std::string& name, const std::vector<std::string>& dimensions)
@@ -34,28 +34,28 @@ class Variable {
         counts_(dimensions.size(), 0) {
     std::size_t stride = 1, known = 0;
     for (std::size_t k = array_.sizes.size(); k-- > 0;) {
-      const auto at = std::find(dimensions.begin(), dimensions.end(), array_.dimensions[k]);
-      if (at != dimensions.end()) {
-        strides_[static_cast<std::size_t>(at - dimensions.begin())] = stride;
-        counts_[static_cast<std::size_t>(at - dimensions.begin())] = array_.sizes[k];
+      const auto found = std::find(dimensions.begin(), dimensions.end(), array_.dimensions[k]);
+      if (found != dimensions.end()) {
+        strides_[static_cast<std::size_t>(found - dimensions.begin())] = stride;
+        counts_[static_cast<std::size_t>(found - dimensions.begin())] = array_.sizes[k];
         ++known;
       } else if (array_.sizes[k] != 1) {
-        throw Fault("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
-                    "only " + join_words(dimensions, "and"));
+        throw ReadError("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
+                        "only " + join_items(dimensions, "and"));
       }
       stride *= array_.sizes[k];
     }
     if (known != dimensions.size()) {
-      throw Fault(std::to_string(known) + " of the dimensions of " + name, join_words(dimensions, "and"));
+      throw ReadError(std::to_string(known) + " of the dimensions of " + name, join_items(dimensions, "and"));
     }
   }
-  /// Value by indices in the order of the names.
+  /// Returns the value at `indices`, in the order of the dimension names passed to the constructor.
   double at(std::initializer_list<std::size_t> indices) const {
     std::size_t place = 0, k = 0;
     for (const std::size_t index : indices) {
       if (index >= counts_[k]) {
-        throw Fault(std::to_string(counts_[k]) + " values of " + name_ + " along " + dimensions_[k],
-                    "as many as that has");
+        throw ReadError(std::to_string(counts_[k]) + " values of " + name_ + " along " + dimensions_[k],
+                        "one for each entry of that dimension");
       }
       place += index * strides_[k++];
     }
@@ -69,34 +69,34 @@ class Variable {
   std::vector<std::size_t> strides_, counts_;
 };
 
-NetcdfArray needed(const NetcdfFile& file, const std::string& name) {
+NetcdfArray require_numbers(const NetcdfFile& file, const std::string& name) {
   auto array = file.numbers(name);
   if (!array && file.has(name)) {
-    throw Fault(name + " without real numbers", "a file of Capytaine with complex values separated");
+    throw ReadError(name + " without real numbers", "a Capytaine file with complex values separated");
   }
-  if (!array) throw Fault("no variable " + name, "a file of Capytaine, which has it");
+  if (!array) throw ReadError("no variable " + name, "a Capytaine file with this variable");
   return *array;
 }
 
 Variable variable(const NetcdfFile& file, const std::string& name, const std::vector<std::string>& dimensions) {
-  return {needed(file, name), name, dimensions};
+  return {require_numbers(file, name), name, dimensions};
 }
 
-/// Modes of the degrees of freedom: "Heave", "hull__Heave".
-std::vector<int> modes_of(const NetcdfFile& file, const std::string& name) {
+/// Returns the mode indices (0 surge to 5 yaw) of degrees of freedom such as "Heave" or "hull__Heave".
+std::vector<int> read_modes(const NetcdfFile& file, const std::string& name) {
   std::vector<int> modes;
-  for (const std::string& word : file.words(name)) {
+  for (const std::string& word : file.texts(name)) {
     const std::size_t body = word.rfind("__");
     const std::string plain = lower_case(body == std::string::npos ? word : word.substr(body + 2));
-    const auto at = std::find(std::begin(kModes), std::end(kModes), plain);
-    const int mode = static_cast<int>(at - std::begin(kModes));
-    if (at == std::end(kModes) || std::find(modes.begin(), modes.end(), mode) != modes.end()) {
-      throw Fault("'" + for_display(word) + "' in " + name, "surge to yaw of one body, each once");
+    const auto found = std::find(std::begin(kModes), std::end(kModes), plain);
+    const int mode = static_cast<int>(found - std::begin(kModes));
+    if (found == std::end(kModes) || std::find(modes.begin(), modes.end(), mode) != modes.end()) {
+      throw ReadError("'" + for_display(word) + "' in " + name, "surge to yaw of one body, each once");
     }
     modes.push_back(mode);
   }
   if (modes.empty()) {
-    throw Fault("no words in " + name, "names of degrees of freedom");
+    throw ReadError("no text in " + name, "names of degrees of freedom");
   }
   return modes;
 }
@@ -104,20 +104,20 @@ std::vector<int> modes_of(const NetcdfFile& file, const std::string& name) {
 void check_constant(const NetcdfFile& file, const std::string& name, double expected) {
   const auto array = file.numbers(name);
   if (array && array->values.size() == 1 && std::abs(array->values[0] / expected - 1.0) > 1e-3) {
-    throw Fault(name + " = " + format_number(array->values[0]), "that of the model, " + format_number(expected));
+    throw ReadError(name + " = " + format_number(array->values[0]), "that of the model, " + format_number(expected));
   }
 }
 
 constexpr double kSameDepth = 0.05, kSameMass = 0.02;  // relative
 constexpr double kSamePoint = 0.05;                    // [m]
 
-/// A variable of one number.
+/// Returns a variable that holds a single number.
 std::optional<double> single(const NetcdfFile& file, const std::string& name) {
   const auto array = file.numbers(name);
   return array && array->values.size() == 1 ? std::optional(array->values[0]) : std::nullopt;
 }
 
-/// A variable of three finite numbers.
+/// Returns a variable that holds three finite numbers, as a point [m].
 std::optional<Vec3> point(const NetcdfFile& file, const std::string& name) {
   const auto array = file.numbers(name);
   if (!array || array->values.size() != 3) return std::nullopt;
@@ -131,9 +131,9 @@ class CapytaineReader {
       : source_(source),
         diagnostics_(diagnostics),
         file_(source.path),
-        omega_(needed(file_, "omega").values),
-        radiating_(modes_of(file_, "radiating_dof")),
-        influenced_(modes_of(file_, "influenced_dof")) {}
+        omega_(require_numbers(file_, "omega").values),
+        radiating_(read_modes(file_, "radiating_dof")),
+        influenced_(read_modes(file_, "influenced_dof")) {}
 
   HydrodynamicData read() {
     check_constant(file_, "rho", source_.water_density);
@@ -151,16 +151,16 @@ class CapytaineReader {
   }
 
  private:
-  /// The state of water and hull that the file says it is for.
+  /// Checks forward speed, water depth and mass of the file against the model.
   void check_condition() {
     if (const auto speed = single(file_, "forward_speed"); speed && std::abs(*speed) > 1e-6) {
-      throw Fault("forward_speed = " + format_number(*speed) + " m/s", "a hull without forward speed");
+      throw ReadError("forward_speed = " + format_number(*speed) + " m/s", "a hull without forward speed");
     }
     const auto depth = single(file_, "water_depth");
     if (depth && source_.water_depth > 0.0 && !deep(*depth, source_.water_depth) &&
         std::abs(*depth / source_.water_depth - 1.0) > kSameDepth) {
       warn("the file is for a water depth of " + format_number(*depth) + " m, the model has " +
-           format_number(source_.water_depth) + " m: long waves move the hull otherwise");
+           format_number(source_.water_depth) + " m; the response to long waves depends on the depth");
     }
     check_mass();
   }
@@ -184,22 +184,24 @@ class CapytaineReader {
     diagnostics_.add({Severity::warning, source_.path, 0, 0, "", std::move(remark), "", ""});
   }
 
-  /// Both so deep that long waves of a sea do not feel the bottom.
+  /// True if the longest waves of a sea are deep-water waves in both depths [m].
   static bool deep(double a, double b) {
-    constexpr double kLongestWave = 2.0 * kPi / 20.0;  // [rad/s]
-    return std::min(a, b) * kLongestWave * kLongestWave / 9.81 > kPi;
+    constexpr double kMinFrequency = 2.0 * kPi / 20.0;  // [rad/s]
+    return std::min(a, b) * kMinFrequency * kMinFrequency / 9.81 > kPi;
   }
 
-  /// Moves values about a rotation centre to the centre of gravity of the model. The stiffness contains the weight at
-  /// the file's centre of mass, which therefore has to be the model's.
+  /// Moves coefficients from the file's rotation centre to the centre of gravity of the model. The stiffness includes
+  /// the weight at the file's centre of mass, which therefore must be the model's.
   void refer_to_centre_of_gravity() {
     const auto rotation = point(file_, "rotation_center"), mass = point(file_, "center_of_mass");
     const Vec3& gravity = source_.origin_V;
     if (mass && (source_.file_origin + *mass - gravity).norm() > kSamePoint) {
-      throw Fault("center_of_mass " + words(*mass) + (rotation ? " and rotation_center " + words(*rotation) : "") +
-                      " in the axes of the file, whose origin is at " + words(source_.file_origin) + " of the vessel",
-                  "the model's centre_of_gravity, " + words(gravity) + ": the file's stiffness has the weight there",
-                  "where the file has another origin, convention.file_origin says where it is");
+      throw ReadError(
+          "center_of_mass " + point_text(*mass) + (rotation ? " and rotation_center " + point_text(*rotation) : "") +
+              " in the axes of the file, whose origin is at " + point_text(source_.file_origin) + " of the vessel",
+          "the model's centre_of_gravity, " + point_text(gravity) +
+              ": the file's stiffness includes the weight at this point",
+          "if the axes of the file have another origin, set convention.file_origin");
     }
     if (!rotation && !source_.reference) return;
     const Vec3 reference = source_.reference ? *source_.reference : Vec3(source_.file_origin + *rotation);
@@ -209,7 +211,7 @@ class CapytaineReader {
     move_coefficients(data_, {reference, source_.file_origin}, source_.water_depth);
   }
 
-  static std::string words(const Vec3& p) {
+  static std::string point_text(const Vec3& p) {
     return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ") m";
   }
 
@@ -229,14 +231,14 @@ class CapytaineReader {
       sort_in(point);
     }
     if (data_.radiation.size() < 4) {
-      throw Fault(std::to_string(data_.radiation.size()) + " finite frequencies", "four or more");
+      throw ReadError(std::to_string(data_.radiation.size()) + " finite frequencies", "four or more");
     }
     std::sort(data_.radiation.begin(), data_.radiation.end(),
               [](const RadiationPoint& a, const RadiationPoint& b) { return a.omega < b.omega; });
     for (std::size_t k = 1; k < data_.radiation.size(); ++k) {
       const double before = data_.radiation[k - 1].omega, omega = data_.radiation[k].omega;
       if (omega - before < 1e-5 * omega) {
-        throw Fault("omega " + format_number(omega, 9) + " twice", "each frequency once");
+        throw ReadError("omega " + format_number(omega, 9) + " twice", "each frequency once");
       }
     }
   }
@@ -251,16 +253,18 @@ class CapytaineReader {
     } else if (point.omega > 0.0 && point.added_mass.allFinite() && point.damping.allFinite()) {
       data_.radiation.push_back(point);
     } else if (point.omega < 0.0) {
-      throw Fault("omega " + format_number(point.omega), "frequencies of 0 or more");
+      throw ReadError("omega " + format_number(point.omega), "frequencies of 0 or more");
     } else {
-      throw Fault("added mass or damping that is no number at omega " + format_number(point.omega), "finite numbers");
+      throw ReadError("added mass or damping that is not finite at omega " + format_number(point.omega),
+                      "finite numbers");
     }
   }
 
-  /// Real and imaginary part stand along "complex". Frequencies without a wave (zero, infinite) are passed over.
+  /// Reads the wave excitation. The dimension "complex" holds real and imaginary parts; zero and infinite frequency are
+  /// skipped.
   void read_excitation() {
     const std::vector<std::string> dimensions = {"complex", "omega", "wave_direction", "influenced_dof"};
-    const std::vector<double> headings = needed(file_, "wave_direction").values;
+    const std::vector<double> headings = require_numbers(file_, "wave_direction").values;
     std::vector<Variable> parts;
     if (file_.numbers("diffraction_force")) {
       parts.push_back(variable(file_, "diffraction_force", dimensions));
@@ -280,16 +284,16 @@ class CapytaineReader {
             force += std::complex<double>(part.at({0, k, b, i}), -part.at({1, k, b, i}));
           }
           if (!std::isfinite(force.real()) || !std::isfinite(force.imag())) {
-            throw Fault("an excitation that is no number at omega " + format_number(omega_[k]), "finite numbers");
+            throw ReadError("an excitation that is not finite at omega " + format_number(omega_[k]), "finite numbers");
           }
           values.add(omega_[k], headings[b], influenced_[i], force);
         }
       }
     }
-    std::string fault;
-    auto built = values.build(source_.mirror_headings, fault);
+    std::string error;
+    auto built = values.build(source_.mirror_headings, error);
     if (!built) {
-      throw Fault(fault, "one value for every pair of frequency and heading");
+      throw ReadError(error, "one value for every pair of frequency and heading");
     }
     data_.excitation = std::move(built->table);
     data_.force = std::move(built->values);
@@ -297,8 +301,8 @@ class CapytaineReader {
 
   void read_hydrostatics() {
     if (!file_.has("hydrostatic_stiffness")) {
-      throw Fault("no hydrostatic_stiffness, so no hydrostatics of the hull",
-                  "a file with them: run Capytaine with hydrostatics, fill_dataset(..., hydrostatics=True)");
+      throw ReadError("no hydrostatic_stiffness",
+                      "a file with hydrostatics: run Capytaine with fill_dataset(..., hydrostatics=True)");
     }
     const Variable stiffness = variable(file_, "hydrostatic_stiffness", {"influenced_dof", "radiating_dof"});
     for (std::size_t i = 0; i < influenced_.size(); ++i) {
@@ -319,16 +323,16 @@ class CapytaineReader {
 }  // namespace
 
 std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& found, const std::string& expected, const std::string& hint = {}) {
+  const auto reject = [&](const std::string& found, const std::string& expected, const std::string& hint = {}) {
     diagnostics.add({Severity::error, source.path, 0, 0, "", found, expected, hint});
     return std::nullopt;
   };
   try {
     return CapytaineReader(source, diagnostics).read();
-  } catch (const Fault& fault) {
-    return refuse(fault.found, fault.expected, fault.hint);
-  } catch (const std::runtime_error& fault) {
-    return refuse(fault.what(), "a netCDF file of Capytaine");
+  } catch (const ReadError& error) {
+    return reject(error.found, error.expected, error.hint);
+  } catch (const std::runtime_error& error) {
+    return reject(error.what(), "a netCDF file from Capytaine");
   }
 }
 

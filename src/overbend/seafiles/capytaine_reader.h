@@ -1,4 +1,4 @@
-/// Capytaine's netCDF files into HydrodynamicData; include seafiles/hydrodynamics_reader.h instead.
+/// Reads netCDF files of Capytaine into HydrodynamicData; include seafiles/hydrodynamics_reader.h instead.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,15 @@
 
 namespace overbend {
 
-/// Reads a dataset that Capytaine has exported with complex values separated: omega, radiating_dof, influenced_dof,
+/// Reads a dataset exported by Capytaine with complex values separated: omega, radiating_dof, influenced_dof,
 /// added_mass, radiation_damping, wave_direction [rad], Froude_Krylov_force and diffraction_force (or excitation_force)
 /// of one body, hydrostatic_stiffness. Its time factor is exp(-i omega t), so forces are conjugated. Numbers are in SI
-/// already; rho and g of the file must be those of the source within 0.1 %. There is no mean drift in such files.
+/// units; rho and g of the file must agree with `source` within 0.1 %. These files contain no mean drift.
 ///
-/// Values about a `rotation_center` that the file states are moved to the centre of gravity, phases from the origin of
-/// the file's axes too. `center_of_mass` has to be the model's, and `forward_speed` zero; another `water_depth` or mass
-/// (`inertia_matrix`) than the model's is a warning.
+/// Values about the file's `rotation_center` are moved to the centre of gravity, and phases are moved from the origin
+/// of the file's axes. `center_of_mass` must equal the model's, and `forward_speed` must be zero. A `water_depth` or
+/// mass
+/// (`inertia_matrix`) that differs from the model's is a warning.
 std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -13,8 +13,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kWidestGap =
-    60.0;  ///< [deg] Between neighbours of a coarse table of 30 deg where one row is left out.
+constexpr double kMaxGap = 60.0;  ///< Largest accepted gap: a table every 30 deg with one row missing [deg].
 constexpr std::array kHeader = {"angle_deg", "cx", "cy", "cz"};
 
 class CoefficientReader {
@@ -64,30 +63,34 @@ class CoefficientReader {
     check_size(row.line, values);
   }
 
-  /// Forces in place of coefficients.
+  /// Warns if the values look like forces instead of coefficients.
   void check_size(int line, const std::array<double, 4>& values) {
-    constexpr double kLargest = 10.0;
-    const double largest = std::max({std::abs(values[1]), std::abs(values[2]), std::abs(values[3])});
-    if (largest <= kLargest || told_size_) return;
-    told_size_ = true;
+    constexpr double kMaxCoefficient = 10.0;
+    const double max_coefficient = std::max({std::abs(values[1]), std::abs(values[2]), std::abs(values[3])});
+    if (max_coefficient <= kMaxCoefficient || size_reported_) return;
+    size_reported_ = true;
     diagnostics_.add({Severity::warning, path_, line, 0, "",
-                      "a coefficient of " + format_number(largest) + ": those of ships are below 3; are these forces?",
+                      "a coefficient of " + format_number(max_coefficient) +
+                          "; coefficients of ships are below 3. Are these forces?",
                       "", ""});
   }
 
   void check_circle() {
-    if (rows_.size() < 3) return complain(0, "", std::to_string(rows_.size()) + " rows", "a table all round");
+    if (rows_.size() < 3) {
+      return complain(0, "", std::to_string(rows_.size()) + " rows", "a table over the full circle");
+    }
     const double first = rows_.front().angle / kDegree, last = rows_.back().angle / kDegree;
     half_ = std::abs(first) < 1e-6 && std::abs(last - 180.0) < 1e-6;
     double gap = half_ ? 0.0 : first + 360.0 - last;
     for (std::size_t i = 1; i < rows_.size(); ++i) gap = std::max(gap, (rows_[i].angle - rows_[i - 1].angle) / kDegree);
     if (last - first > 360.0 + 1e-6) complain(0, kHeader[0], "more than one turn", "angles within 360 deg");
-    if (gap > kWidestGap + 1e-6) {
-      complain(0, kHeader[0], "a gap of " + format_number(gap) + " deg", "rows all round, or from 0 to 180 deg");
+    if (gap > kMaxGap + 1e-6) {
+      complain(0, kHeader[0], "a gap of " + format_number(gap) + " deg",
+               "rows over the full circle, or from 0 to 180 deg");
     }
   }
 
-  /// The other side of a symmetric hull.
+  /// Adds the other side of a symmetric hull.
   void mirror() {
     for (std::size_t i = rows_.size() - 1; i-- > 1;) {
       const CoefficientRow& row = rows_[i];
@@ -98,7 +101,7 @@ class CoefficientReader {
   std::string path_;
   Diagnostics& diagnostics_;
   std::vector<CoefficientRow> rows_;
-  bool good_ = true, half_ = false, told_size_ = false;
+  bool good_ = true, half_ = false, size_reported_ = false;
 };
 
 }  // namespace

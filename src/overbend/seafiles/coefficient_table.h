@@ -1,4 +1,4 @@
-/// Coefficients of current forces by direction.
+/// Current or wind force coefficients by direction.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace overbend {
 
-/// CSV with the columns angle_deg,cx,cy,cz: angles increase and go round without a gap above 60 deg, or to 180 deg from
-/// 0 for the other side to mirror (cy and cz change sign there). Remarks begin with '#'. Errors go to `diagnostics` and
-/// nothing is returned.
+/// Reads a CSV file with the columns angle_deg,cx,cy,cz. Angles increase over the full circle without a gap above
+/// 60 deg, or from 0 to 180 deg; the other side is then mirrored (cy and cz change sign). Comments begin with '#'. On
+/// error, reports to `diagnostics` and returns an empty list.
 std::vector<CoefficientRow> read_coefficient_table(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace overbend

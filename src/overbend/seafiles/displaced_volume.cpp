@@ -10,10 +10,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kAlong = 1.0 * kDegree;  // of a heading and the hull's axis
-constexpr double kLongest = 0.6;          // k L / 2: half the hull is a tenth of the wave
+constexpr double kAlong = 1.0 * kDegree;  // angle between a heading and the hull's axis
+constexpr double kMaxPhase = 0.6;         // k L / 2: half the hull length is a tenth of the wave length
 
-/// Index of a heading along the hull.
+/// Returns the index of a heading along the hull.
 std::optional<std::size_t> along_hull(const std::vector<double>& headings) {
   for (std::size_t j = 0; j < headings.size(); ++j) {
     if (std::abs(std::sin(headings[j])) < std::sin(kAlong)) return j;
@@ -21,7 +21,7 @@ std::optional<std::size_t> along_hull(const std::vector<double>& headings) {
   return std::nullopt;
 }
 
-/// Mean acceleration of the water over length and draught, per amplitude.
+/// Returns the water acceleration averaged over length and draught, per wave amplitude [1/s2].
 double mean_acceleration(double k, double gravity, const HullSize& hull) {
   const double half = 0.5 * k * hull.length, deep = k * hull.depth;
   const double draught = std::min(hull.draught, hull.depth), kt = k * draught;
@@ -48,7 +48,7 @@ std::optional<VolumeEstimate> displaced_volume(const HydrodynamicData& data, con
   for (std::size_t i = 0; i < 2; ++i) {
     const double omega = data.excitation.omega[i];
     k[i] = linear_wave_number(omega, hull.depth);
-    if (0.5 * k[i] * hull.length > kLongest) return std::nullopt;
+    if (0.5 * k[i] * hull.length > kMaxPhase) return std::nullopt;
     const double force = std::abs(data.force[data.excitation.index(i, *heading)](0));
     const double mass = force / mean_acceleration(k[i], data.gravity, hull) - surge_added_mass(data, omega);
     volumes[i] = mass / data.water_density;

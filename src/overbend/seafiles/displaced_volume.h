@@ -1,4 +1,4 @@
-/// Volume that a hull displaces, from the forces of long waves on it.
+/// Displaced volume of a hull, estimated from its excitation in long waves.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 namespace overbend {
 
 struct HullSize {
-  double length = 0.0, draught = 0.0, depth = 0.0;  ///< Of the hull, of the water [m].
+  double length = 0.0, draught = 0.0, depth = 0.0;  ///< Length and draught of the hull, water depth [m].
 };
 
 struct VolumeEstimate {
   double volume = 0.0;       ///< [m3]
-  double uncertainty = 0.0;  ///< By how much the longest wave alone differs, relative.
+  double uncertainty = 0.0;  ///< Relative difference to the estimate from the longest wave alone.
 };
 
-/// In waves far longer than the hull the surge force is that of the accelerated water on the displaced and the added
-/// mass: |X| = rho (V + A / rho) times the mean acceleration over length and draught. Of the two longest waves along
-/// the hull, extrapolated to infinite length, where what is left out vanishes with the square of the wave number;
-/// nothing where the file has none that is long enough.
+/// Estimates the displaced volume [m3]. In waves much longer than the hull, the surge force is |X| = rho (V + A / rho)
+/// times the water acceleration averaged over length and draught, with the surge added mass A. The estimates from the
+/// two longest waves along the hull are extrapolated to infinite length (error proportional to the square of the wave
+/// number). Returns nothing if the file has no wave that is long enough.
 std::optional<VolumeEstimate> displaced_volume(const HydrodynamicData& data, const HullSize& hull);
 
 }  // namespace overbend

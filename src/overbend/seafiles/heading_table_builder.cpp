@@ -11,8 +11,8 @@ namespace overbend {
 namespace {
 
 constexpr double kSameHeading = 1e-6;  // [rad]
-constexpr double kSameValue = 1e-4;    // of the largest force or moment: files print six digits
-constexpr double kSameSide = 2e-2;     // likewise, of both sides: panel meshes are not quite symmetric
+constexpr double kSameValue = 1e-4;    // relative to the maximum force or moment: files print six digits
+constexpr double kSameSide = 2e-2;     // relative, between both sides: panel meshes are not exactly symmetric
 constexpr std::array<double, 6> kMirrored = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
 
 double wrapped(double heading) {
@@ -20,7 +20,7 @@ double wrapped(double heading) {
   return turned > kTurn - kSameHeading ? 0.0 : turned;
 }
 
-/// Sorted, without those that are the same within `tolerance`.
+/// Returns the sorted values without those that are equal within `tolerance`.
 std::vector<double> distinct(std::vector<double> values, double tolerance) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end(), [&](double a, double b) { return b - a <= tolerance; }),
@@ -28,13 +28,13 @@ std::vector<double> distinct(std::vector<double> values, double tolerance) {
   return values;
 }
 
-/// Index of the value, which is there, within `tolerance`.
+/// Returns the index of a value that is present within `tolerance`.
 std::size_t place(const std::vector<double>& sorted, double value, double tolerance) {
-  const auto at = std::lower_bound(sorted.begin(), sorted.end(), value - tolerance);
-  return static_cast<std::size_t>(at - sorted.begin());
+  const auto found = std::lower_bound(sorted.begin(), sorted.end(), value - tolerance);
+  return static_cast<std::size_t>(found - sorted.begin());
 }
 
-std::string words(double omega, double heading) {
+std::string pair_label(double omega, double heading) {
   return "period " + format_number(kTurn / omega) + " s, heading " + format_number(heading * 360.0 / kTurn) + " deg";
 }
 
@@ -45,16 +45,18 @@ void HeadingTableBuilder::add(double omega, double heading, int mode, std::compl
 }
 
 Vec6 HeadingTableBuilder::tolerances(double of_mode, double of_kind) const {
-  Vec6 largest = Vec6::Zero();
-  for (const Entry& entry : entries_) largest(entry.mode) = std::max(largest(entry.mode), std::abs(entry.value));
-  const double force = largest.head<3>().maxCoeff(), moment = largest.tail<3>().maxCoeff();
-  Vec6 tolerance = of_mode * largest;
+  Vec6 max_magnitude = Vec6::Zero();
+  for (const Entry& entry : entries_) {
+    max_magnitude(entry.mode) = std::max(max_magnitude(entry.mode), std::abs(entry.value));
+  }
+  const double force = max_magnitude.head<3>().maxCoeff(), moment = max_magnitude.tail<3>().maxCoeff();
+  Vec6 tolerance = of_mode * max_magnitude;
   tolerance.head<3>() = tolerance.head<3>().cwiseMax(of_kind * force);
   tolerance.tail<3>() = tolerance.tail<3>().cwiseMax(of_kind * moment);
   return tolerance;
 }
 
-std::vector<HeadingTableBuilder::Entry> HeadingTableBuilder::with_other_side() const {
+std::vector<HeadingTableBuilder::Entry> HeadingTableBuilder::with_mirrored_entries() const {
   std::vector<Entry> entries = entries_;
   for (const Entry& entry : entries_) {
     const double sign = kMirrored[static_cast<std::size_t>(entry.mode)];
@@ -63,8 +65,8 @@ std::vector<HeadingTableBuilder::Entry> HeadingTableBuilder::with_other_side() c
   return entries;
 }
 
-std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror, std::string& fault) const {
-  const std::vector<Entry> entries = mirror ? with_other_side() : entries_;
+std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror, std::string& error) const {
+  const std::vector<Entry> entries = mirror ? with_mirrored_entries() : entries_;
   Built built;
   for (const Entry& entry : entries) {
     built.table.omega.push_back(entry.omega);
@@ -77,31 +79,31 @@ std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror
   std::vector<std::array<bool, 6>> given(built.values.size(), std::array<bool, 6>{}), mirrored = given;
   std::array<bool, 6> any{};
   for (const Entry& entry : entries) {
-    const std::size_t at = built.table.index(place(built.table.omega, entry.omega, 0.0),
-                                             place(built.table.heading, entry.heading, kSameHeading));
+    const std::size_t index = built.table.index(place(built.table.omega, entry.omega, 0.0),
+                                                place(built.table.heading, entry.heading, kSameHeading));
     const auto mode = static_cast<std::size_t>(entry.mode);
-    std::complex<double>& value = built.values[at](entry.mode);
-    const double difference = given[at][mode] ? std::abs(value - entry.value) : 0.0;
+    std::complex<double>& value = built.values[index](entry.mode);
+    const double difference = given[index][mode] ? std::abs(value - entry.value) : 0.0;
     if (difference > (entry.image ? alike : repeated)(entry.mode)) {
-      fault = (entry.image ? "a hull that is not symmetric, as headings: mirrored has it, but differs by " +
+      error = (entry.image ? "a hull that is not symmetric although headings is mirrored: the two sides differ by " +
                                  format_number(100.0 * difference / (alike(entry.mode) / kSameSide), 2) +
-                                 " % of the largest value from its mirror image at "
+                                 " % of the maximum at "
                            : "two different values at ") +
-              words(entry.omega, entry.heading) + ", mode " + std::to_string(mode + 1);
+              pair_label(entry.omega, entry.heading) + ", mode " + std::to_string(mode + 1);
       return std::nullopt;
     }
-    if (!given[at][mode]) {
+    if (!given[index][mode]) {
       value = entry.value;
-    } else if (entry.image && !mirrored[at][mode]) {
-      value = 0.5 * (value + entry.value);  // the mean of both sides: what is odd vanishes on the centreline
+    } else if (entry.image && !mirrored[index][mode]) {
+      value = 0.5 * (value + entry.value);  // mean of both sides; odd modes vanish on the centreline
     }
-    given[at][mode] = any[mode] = true;
-    mirrored[at][mode] = entry.image;
+    given[index][mode] = any[mode] = true;
+    mirrored[index][mode] = entry.image;
   }
   for (std::size_t i = 0; i < built.table.omega.size(); ++i) {
     for (std::size_t j = 0; j < built.table.heading.size(); ++j) {
       if (given[built.table.index(i, j)] != any) {
-        fault = "no values, or not of every mode, at " + words(built.table.omega[i], built.table.heading[j]);
+        error = "values missing for some or all modes at " + pair_label(built.table.omega[i], built.table.heading[j]);
         return std::nullopt;
       }
     }

@@ -1,4 +1,4 @@
-/// Values by frequency and heading, collected one by one in any order.
+/// Builds a table by frequency and heading from values in any order.
 #pragma once
 
 #include <array>
@@ -13,32 +13,33 @@ namespace overbend {
 
 class HeadingTableBuilder {
  public:
-  /// Six complex values by HeadingTable::index.
+  /// Table with six complex values (surge to yaw) per pair, indexed by HeadingTable::index.
   struct Built {
     HeadingTable table;
     std::vector<CVec6> values;
   };
 
-  /// `heading` [rad] is turned into [0, 2 pi). `mode` 0 to 5.
+  /// Adds a value at `omega` [rad/s] and `heading` [rad], which is wrapped to [0, 2 pi); `mode` is 0 (surge) to 5
+  /// (yaw).
   void add(double omega, double heading, int mode, std::complex<double> value);
   bool empty() const { return entries_.empty(); }
-  /// The sorted table. Where it has holes or contradictory values `fault` says so and nothing is returned. With
-  /// `mirror` headings that the file lacks are those of the other side of a hull that is symmetric about its
-  /// centreline: surge, heave and pitch even, sway, roll and yaw odd. A heading that the file has on both sides is the
-  /// mean of its value and of the image of the other within a per cent of the mode's largest; beyond, the hull is not
-  /// symmetric.
-  std::optional<Built> build(bool mirror, std::string& fault) const;
+  /// Returns the sorted table. If values are missing or contradictory, returns nothing and sets `error`. With `mirror`,
+  /// missing headings are completed by symmetry about the centreline: surge, heave and pitch are even, sway, roll and
+  /// yaw odd. A heading present on both sides gets the mean of its value and the mirrored one if they agree within 2 %
+  /// of the mode's maximum; otherwise the hull is not symmetric and an error is reported.
+  std::optional<Built> build(bool mirror, std::string& error) const;
 
  private:
   struct Entry {
     double omega = 0.0, heading = 0.0;
     int mode = 0;
     std::complex<double> value;
-    bool image = false;  ///< Of the other side, not in the file.
+    bool image = false;  ///< Mirrored from the other side, not in the file.
   };
-  /// By mode: a share of its largest value, at least one of the largest force or moment.
+  /// Returns tolerances by mode: the fraction `of_mode` of the mode's maximum, and at least the fraction `of_kind` of
+  /// the maximum force or moment.
   Vec6 tolerances(double of_mode, double of_kind) const;
-  std::vector<Entry> with_other_side() const;
+  std::vector<Entry> with_mirrored_entries() const;
 
   std::vector<Entry> entries_;
 };

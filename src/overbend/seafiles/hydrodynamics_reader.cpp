@@ -4,7 +4,7 @@
 #include <initializer_list>
 
 #include "seafiles/capytaine_reader.h"
-#include "seafiles/moved_coefficients.h"
+#include "seafiles/reference_point.h"
 #include "seafiles/wamit_radiation.h"
 #include "seafiles/wamit_waves.h"
 
@@ -12,12 +12,12 @@ namespace overbend {
 namespace {
 
 bool is_file(const std::string& path) {
-  std::error_code fault;
-  return std::filesystem::is_regular_file(path, fault);
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error);
 }
 
-/// The first of these files that is there; the first of all where there is none.
-std::string first_there(const std::string& stem, std::initializer_list<const char*> endings) {
+/// Returns the first of these files that exists; the first name if none exists.
+std::string first_existing(const std::string& stem, std::initializer_list<const char*> endings) {
   for (const char* ending : endings) {
     if (is_file(stem + ending)) {
       return stem + ending;
@@ -34,9 +34,9 @@ std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Di
   data.water_density = source.water_density;
   data.gravity = source.gravity;
   bool good = wamit::read_radiation(stem + ".1", source, data, diagnostics);
-  good = wamit::read_excitation(first_there(stem, {".3", ".2"}), source, data, diagnostics) && good;
+  good = wamit::read_excitation(first_existing(stem, {".3", ".2"}), source, data, diagnostics) && good;
   good = wamit::read_hydrostatics(stem + ".hst", source, data, diagnostics) && good;
-  const std::string drift = first_there(stem, {".8", ".9", ".7"});
+  const std::string drift = first_existing(stem, {".8", ".9", ".7"});
   if (is_file(drift)) {
     good = wamit::read_drift(drift, source, data, diagnostics) && good;
   }
@@ -60,9 +60,9 @@ bool check_wave_column(const HydrodynamicsSource& source, const std::vector<doub
 
 std::string hydrodynamics_stem(const std::string& path) {
   for (const char* ending : {".1", ".2", ".3", ".4", ".7", ".8", ".9", ".hst"}) {
-    const std::filesystem::path whole(path);
-    if (whole.extension() == ending && is_file(path)) {
-      return (whole.parent_path() / whole.stem()).string();
+    const std::filesystem::path file_path(path);
+    if (file_path.extension() == ending && is_file(path)) {
+      return (file_path.parent_path() / file_path.stem()).string();
     }
   }
   return path;

@@ -1,4 +1,4 @@
-/// Potential-flow coefficients of a hull from the files of a panel program (model/description/hydrodynamic_data.h).
+/// Reads hydrodynamic coefficients of a hull from files of a panel program (model/description/hydrodynamic_data.h).
 #pragma once
 
 #include <optional>
@@ -11,52 +11,51 @@
 
 namespace overbend {
 
-/// Which files, and what gives their numbers back their dimension.
+/// Files to read, and the quantities that convert their non-dimensional numbers to SI.
 struct HydrodynamicsSource {
-  /// Stem of WAMIT's files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst; the name of any of them will do),
-  /// or a Capytaine file that ends in `.nc` (seafiles/capytaine_reader.h).
+  /// Stem of the WAMIT files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst; the name of any of these files
+  /// is accepted too), or a Capytaine file that ends in `.nc` (seafiles/capytaine_reader.h).
   std::string path;
   double water_density = 1025.0;  ///< [kg/m3]
   double gravity = 9.81;          ///< [m/s2]
   double length_scale = 1.0;      ///< ULEN of WAMIT [m].
-  double water_depth = 0.0;       ///< Of the model; 0: not known [m].
-  double mass = 0.0;              ///< Likewise [kg].
-  Vec3 origin_V = Vec3::Zero();   ///< Centre of gravity, which the coefficients will be about, frame V [m].
-  /// Point that the values of the file are about, frame V [m]. Where neither this nor the file says it, they are taken
-  /// to be about the centre of gravity.
+  double water_depth = 0.0;       ///< Water depth of the model; 0: unknown [m].
+  double mass = 0.0;              ///< Mass of the model's vessel; 0: unknown [kg].
+  Vec3 origin_V = Vec3::Zero();   ///< Centre of gravity, reference point of the coefficients returned, frame V [m].
+  /// Reference point of the values in the file, frame V [m]. If neither this nor the file states it, the centre of
+  /// gravity is assumed.
   std::optional<Vec3> reference = {};
-  Vec3 file_origin = Vec3::Zero();  ///< Origin of the axes in which the file has its points, frame V [m].
-  std::optional<WaveColumn> frequencies =
-      {};  ///< What the first column of WAMIT's files holds; periods where not stated.
-  /// Mean drift at lower frequencies is set to zero: panel programs give noise there [rad/s].
+  Vec3 file_origin = Vec3::Zero();             ///< Origin of the axes of the file, frame V [m].
+  std::optional<WaveColumn> frequencies = {};  ///< Contents of the first column of WAMIT files; default: periods.
+  /// Frequency below which mean drift is set to zero, because panel programs give noise there [rad/s].
   double drift_from = 0.0;
-  /// The hull is symmetric about its centreline: headings that the files lack are taken from the other side.
+  /// True if the hull is symmetric about its centreline: missing headings are taken from the other side.
   bool mirror_headings = false;
 };
 
-/// `data/bgl1/bgl1` of that and of data/bgl1/bgl1.1. A dot in the stem itself stays: only known endings are cut.
+/// Returns the stem `data/bgl1/bgl1` for itself and for data/bgl1/bgl1.1. Only known endings are removed, so the stem
+/// may contain dots.
 std::string hydrodynamics_stem(const std::string& path);
 
-/// How the first column of WAMIT's files is read.
+/// Returns the settings for reading the first column of WAMIT files.
 WaveColumnSettings wave_column(const HydrodynamicsSource& source);
-/// Checks it over the rows of a file; false after an error.
+/// Checks the first column of a file; returns false after an error.
 bool check_wave_column(const HydrodynamicsSource& source, const std::vector<double>& values, const std::string& file,
                        Diagnostics& diagnostics);
 
-/// Reads the coefficients. Of WAMIT's files:
+/// Reads the coefficients. WAMIT files:
 ///
-/// - `.1` PER I J A B: added mass and radiation damping. PER = 0 is infinite frequency, PER = -1 zero frequency (of
-///   frequencies in place of periods the other way round); neither need be there (without the former `has_infinite` is
-///   false). A pair that stands once (I J without J I) stands
-///   for both; those that do not stand are zero;
-/// - `.3` PER BETA I MOD PHA RE IM: wave excitation; where it is missing `.2` (Haskind) of the same layout;
-/// - `.8` PER BETA1 BETA2 I MOD PHA RE IM: mean drift from momentum; where it is missing `.9`, then `.7` (pressure,
-///   control surface); pairs of different headings are passed over. There may be none: `drift` is then empty;
+/// - `.1` PER I J A B: added mass and radiation damping. PER = 0 is infinite frequency, PER = -1 zero frequency (the
+///   reverse if the column holds frequencies); both are optional (without the former `has_infinite` is false). If only
+///   one of I J and J I is present, it is used for both; pairs that are missing are zero;
+/// - `.3` PER BETA I MOD PHA RE IM: wave excitation; if missing, `.2` (Haskind) of the same layout;
+/// - `.8` PER BETA1 BETA2 I MOD PHA RE IM: mean drift from momentum; if missing, `.9`, then `.7` (pressure, control
+///   surface); pairs of different headings are skipped. If there is none, `drift` is empty;
 /// - `.hst` I J C: hydrostatic stiffness.
 ///
-/// Lines of free text before the first number are passed over. Headings are turned into [0, 2 pi) and sorted; where 360
-/// deg repeats 0 it must agree. Periods may stand in any order. Each bad file is one error with line, found and
-/// expected, in `diagnostics`; nothing is returned then.
+/// Lines of free text before the first number are skipped. Headings are wrapped to [0, 2 pi) and sorted; values at 0
+/// and 360 deg must agree. Periods may be in any order. Each bad file gives one error with line, found and expected in
+/// `diagnostics`; nothing is returned then.
 std::optional<HydrodynamicData> read_hydrodynamics(const HydrodynamicsSource& source, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-constexpr int kMostComplaints = 10;
+constexpr int kMaxErrors = 10;
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names = {"time_s"};
@@ -30,7 +30,7 @@ class HistoryReader {
     }
     read_header(table.rows.front());
     if (complaints_ > 0) return std::nullopt;
-    for (std::size_t i = 1; i < table.rows.size() && complaints_ < kMostComplaints; ++i) read_row(table.rows[i]);
+    for (std::size_t i = 1; i < table.rows.size() && complaints_ < kMaxErrors; ++i) read_row(table.rows[i]);
     const std::size_t instants = record_.history.time.size();
     if (complaints_ == 0 && instants < 2) {
       complain(table.rows.back().line, std::to_string(instants) + " instants", "at least two");
@@ -55,13 +55,13 @@ class HistoryReader {
       }
       const auto column = static_cast<std::size_t>(known - names_.begin());
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
-        complain(header.line, "the column '" + *known + "' a second time", "it once");
+        complain(header.line, "the column '" + *known + "' twice", "each column once");
       }
       columns_.push_back(column);
       if (column > 0) record_.given[column - 1] = true;
     }
     if (std::find(columns_.begin(), columns_.end(), 0U) == columns_.end()) {
-      complain(header.line, "a header without time_s", "time_s and the degrees of freedom that move");
+      complain(header.line, "a header without time_s", "time_s and the degrees of freedom");
     }
   }
 
@@ -87,7 +87,8 @@ class HistoryReader {
     }
     MotionHistory& history = record_.history;
     if (!history.time.empty() && time <= history.time.back()) {
-      complain(row.line, "a time of " + for_display(row.cells[time_column()]) + " s", "more than in the row before");
+      complain(row.line, "a time of " + for_display(row.cells[time_column()]) + " s",
+               "a later time than in the previous row");
       return;
     }
     history.time.push_back(time);
@@ -102,7 +103,7 @@ class HistoryReader {
   std::string file_;
   Diagnostics& diagnostics_;
   const std::vector<std::string> names_ = column_names();
-  std::vector<std::size_t> columns_;  ///< Place in `names_` of each column of the file.
+  std::vector<std::size_t> columns_;  ///< Index in `names_` for each column of the file.
   MotionRecord record_;
   int complaints_ = 0;
 };

@@ -16,13 +16,13 @@ const std::array<const char*, 6> kMotionColumns = {"surge_m", "sway_m", "heave_m
 
 namespace {
 
-/// Bounds of one freedom, in the unit of its column.
+/// Bounds of one degree of freedom, in the unit of its column.
 struct Bounds {
-  double possible;      ///< Beyond is an error; of angles before they are made continuous.
-  double usual;         ///< Beyond is a warning.
-  double mean;          ///< Distance of the mean from zero that is a warning.
-  double rate;          ///< Per second: no vessel moves faster.
-  double acceleration;  ///< Per second squared.
+  double possible;      ///< Larger magnitudes are an error; checked before angles are made continuous.
+  double usual;         ///< Larger magnitudes are a warning.
+  double mean;          ///< Magnitude of the mean that gives a warning.
+  double rate;          ///< Largest possible rate [1/s].
+  double acceleration;  ///< Largest possible acceleration [1/s2].
 };
 constexpr std::array<Bounds, 6> kBounds = {{{1e4, 1e3, 10.0, 10.0, 9.81},
                                             {1e4, 1e3, 10.0, 10.0, 9.81},
@@ -39,7 +39,7 @@ const char* unit_name(std::size_t freedom) {
   return is_angle(freedom) ? "deg" : "m";
 }
 
-/// Values of one freedom in the unit of its column.
+/// Returns the values of one degree of freedom in the unit of its column.
 std::vector<double> column(const MotionHistory& history, std::size_t freedom) {
   std::vector<double> values(history.freedoms.size());
   std::transform(history.freedoms.begin(), history.freedoms.end(), values.begin(),
@@ -47,8 +47,8 @@ std::vector<double> column(const MotionHistory& history, std::size_t freedom) {
   return values;
 }
 
-const char* sentinel_words(double value) {
-  return is_sentinel(value) ? kNoValueWords : "";
+const char* sentinel_text(double value) {
+  return is_sentinel(value) ? kMissingValueText : "";
 }
 
 std::string shown(double value, std::size_t freedom) {
@@ -79,17 +79,17 @@ class RecordChecker {
     const std::vector<double> steps = differences(time_);
     const double usual = median(steps);
     check_gap(steps, usual);
-    const double longest = quantile(steps, 0.95), shortest = quantile(steps, 0.05);
-    if (longest > 1.5 * shortest) {
-      warn(0, fmt::format("the time step changes between {:.4g} s and {:.4g} s; the spline through the rows takes both",
-                          shortest, longest));
+    const double long_step = quantile(steps, 0.95), short_step = quantile(steps, 0.05);
+    if (long_step > 1.5 * short_step) {
+      warn(0, fmt::format("the time step varies between {:.4g} s and {:.4g} s; the spline uses the rows as they are",
+                          short_step, long_step));
     }
     if (usual > 5.0) {
-      warn(0, fmt::format("rows {:.4g} s apart cannot describe the motion in waves; is the time in s?", usual));
+      warn(0, fmt::format("rows {:.4g} s apart cannot resolve the motion in waves; is the time in s?", usual));
     }
   }
 
-  /// A record with a hole: the spline over it is not the vessel's motion.
+  /// Warns about gaps, over which the spline is not the vessel's motion.
   void check_gap(const std::vector<double>& steps, double usual) {
     constexpr double kGap = 3.0;  // usual steps
     const auto widest = static_cast<std::size_t>(std::max_element(steps.begin(), steps.end()) - steps.begin());
@@ -106,32 +106,32 @@ class RecordChecker {
     const std::vector<double> values = column(record_.history, freedom);
     check_size(freedom, values);
     check_mean(freedom, values);
-    check_leaps(freedom, values);
+    check_jumps(freedom, values);
     check_runs(freedom, values);
     check_resolution(freedom, values);
   }
 
   void check_size(std::size_t freedom, const std::vector<double>& values) {
-    const std::size_t row = largest(values);
+    const std::size_t row = max_magnitude_row(values);
     if (std::abs(values[row]) <= kBounds[freedom].usual) return;
     warn(row, fmt::format("{} is {} at t = {:.6g} s{}; is the unit right?", kMotionColumns[freedom],
-                          shown(values[row], freedom), time_[row], sentinel_words(values[row])));
+                          shown(values[row], freedom), time_[row], sentinel_text(values[row])));
   }
 
   void check_mean(std::size_t freedom, const std::vector<double>& values) {
     const double average = mean(values);
     const bool away = std::abs(average) > kBounds[freedom].mean;
     if (freedom == 5 && (away || record_.compass)) {
-      warn(0, fmt::format("yaw_deg is {:.5g} deg on average{}", average, compass_words(average)),
+      warn(0, fmt::format("yaw_deg is {:.5g} deg on average{}", average, compass_text(average)),
            FindingCode::recorded_yaw_is_heading);
     } else if (away) {
-      warn(0, fmt::format("{} is {} on average: the vessel is away from its nominal place by so much throughout; the "
-                          "record is of the motion about that place",
+      warn(0, fmt::format("the mean of {} is {}; a record describes the motion about the nominal position, so "
+                          "the vessel has this offset throughout",
                           kMotionColumns[freedom], shown(average, freedom)));
     }
   }
 
-  std::string compass_words(double average) const {
+  std::string compass_text(double average) const {
     constexpr double kNear = 15.0;
     const double heading = heading_ * kToDegrees;
     const bool near = std::abs(std::remainder(average - heading, 360.0)) < kNear;
@@ -140,32 +140,33 @@ class RecordChecker {
                        near ? "; it seems to be the compass heading itself" : "; is it a compass heading?");
   }
 
-  /// Leaps from one row to the next, and bends that no vessel can follow.
-  void check_leaps(std::size_t freedom, const std::vector<double>& values) {
-    const std::vector<Leap> leaps = find_leaps(time_, values, {kBounds[freedom].rate, kBounds[freedom].acceleration});
+  /// Warns about jumps from one row to the next and accelerations that no vessel can have.
+  void check_jumps(std::size_t freedom, const std::vector<double>& values) {
+    const std::vector<RecordJump> leaps =
+        find_jumps(time_, values, {kBounds[freedom].rate, kBounds[freedom].acceleration});
     if (leaps.empty()) return;
-    const Leap& worst = worst_leap(leaps);
+    const RecordJump& worst = worst_jump(leaps);
     const std::size_t row = worst.row;
     const double step = time_[row] - time_[row - 1], change = values[row] - values[row - 1];
     warn(row,
-         fmt::format("{} leaps by {} in {:.4g} s, from {:.5g} to {:.5g} at t = {:.6g} s{}{}; the vessel, and with it "
-                     "the pipe, is thrown by it",
+         fmt::format("{} jumps by {} in {:.4g} s, from {:.5g} to {:.5g} at t = {:.6g} s{}{}; the jump loads the "
+                     "vessel and the pipe impulsively",
                      kMotionColumns[freedom], shown(change, freedom), step, values[row - 1], values[row], time_[row],
-                     sentinel_words(is_sentinel(values[row - 1]) ? values[row - 1] : values[row]),
-                     leap_words(worst, freedom, leaps.size())),
+                     sentinel_text(is_sentinel(values[row - 1]) ? values[row - 1] : values[row]),
+                     jump_text(worst, freedom, leaps.size())),
          FindingCode::recorded_motion_leaps);
   }
 
-  /// The largest; of a spike the row that stands out, not the one behind it.
-  static const Leap& worst_leap(const std::vector<Leap>& leaps) {
-    const auto worst =
-        std::max_element(leaps.begin(), leaps.end(), [](const Leap& a, const Leap& b) { return a.rate < b.rate; });
+  /// Returns the largest jump; for a spike, the row that stands out, not the one after it.
+  static const RecordJump& worst_jump(const std::vector<RecordJump>& leaps) {
+    const auto worst = std::max_element(leaps.begin(), leaps.end(),
+                                        [](const RecordJump& a, const RecordJump& b) { return a.rate < b.rate; });
     const bool spike =
         worst != leaps.begin() && (worst - 1)->row + 1 == worst->row && (worst - 1)->rate > 0.5 * worst->rate;
     return spike ? *(worst - 1) : *worst;
   }
 
-  static std::string leap_words(const Leap& worst, std::size_t freedom, std::size_t count) {
+  static std::string jump_text(const RecordJump& worst, std::size_t freedom, std::size_t count) {
     std::string text = fmt::format(", an acceleration of {:.3g} {}/s^2", worst.acceleration, unit_name(freedom));
     if (worst.of_usual > 2.0) text += fmt::format(" and {:.0f} times the usual step", worst.of_usual);
     return count > 1 ? text + fmt::format("; {} such rows", count) : text;
@@ -176,32 +177,32 @@ class RecordChecker {
     const std::optional<EqualRun> run = find_frozen_run(time_, values);
     if (!run) return;
     warn(run->first,
-         fmt::format("{} is {} in {} rows, from t = {:.6g} s to {:.6g} s, while it moves before or "
-                     "after{}: did the recorder stop?",
+         fmt::format("{} stays at {} for {} rows, from t = {:.6g} s to {:.6g} s, while it varies before or "
+                     "after{}; did the recorder stop?",
                      kMotionColumns[freedom], shown(values[run->first], freedom), run->last - run->first + 1,
-                     time_[run->first], time_[run->last], sentinel_words(values[run->first])));
+                     time_[run->first], time_[run->last], sentinel_text(values[run->first])));
   }
 
-  /// A channel of a lower rate, whose values are held: the spline through the rows goes up and down its stairs.
+  /// Warns about a channel sampled at a lower rate whose values are held: the spline would follow the steps.
   bool check_stairs(std::size_t freedom, const std::vector<double>& values) {
     constexpr double kShare = 0.45;  // of rows
     const double share = held_share(values);
     if (share < kShare || crossing_period(time_, values) <= 0.0) return false;
-    warn(0, fmt::format("{} repeats the value before in {:.0f} % of its rows: its recorder is slower than the time "
-                        "column; leave the repeated rows out",
+    warn(0, fmt::format("{} repeats the previous value in {:.0f} % of its rows: it was sampled more slowly than the "
+                        "time column; remove the repeated rows",
                         kMotionColumns[freedom], 100.0 * share));
     return true;
   }
 
   void check_resolution(std::size_t freedom, const std::vector<double>& values) {
-    constexpr double kFewest = 5.0;  // rows in a period, for a spline that is within some per cent
+    constexpr double kFewest = 5.0;  // rows per period for a spline within a few per cent
     const double period = crossing_period(time_, values), rows = period / median(differences(time_));
     if (period <= 0.0 || rows >= kFewest || !finely_written(values)) return;
-    warn(0, fmt::format("{} has {:.2g} rows in its mean period of {:.3g} s: peaks are cut off", kMotionColumns[freedom],
-                        rows, period));
+    warn(0, fmt::format("{} has only {:.2g} rows per mean period of {:.3g} s: peaks are cut off",
+                        kMotionColumns[freedom], rows, period));
   }
 
-  /// Rows of zeros in every column: what recorders and tables write where they have no value.
+  /// Warns about rows of zeros in every column, which recorders write for missing values.
   void check_blank_rows() {
     constexpr double kRare = 1e-6;
     const auto& rows = record_.history.freedoms;
@@ -213,26 +214,26 @@ class RecordChecker {
     if (first == rows.end() || blank(rows.front())) return;  // a record that begins at rest
     const auto row = static_cast<std::size_t>(first - rows.begin());
     const auto more = std::count_if(first + 1, rows.end(), blank);
-    warn(row, fmt::format("all columns are 0 at t = {:.6g} s{}: did the recorder stop?", time_[row],
+    warn(row, fmt::format("all columns are 0 at t = {:.6g} s{}; did the recorder stop?", time_[row],
                           more > 0 ? fmt::format(" and in {} later rows", more) : std::string()));
   }
 
-  /// Radians under headings that say degrees: angles of some hundredths in a motion that is felt.
+  /// Warns about angles that are probably in radians: a few hundredths while heave is significant.
   void check_angles() {
-    constexpr double kSmall = 0.2, kFelt = 0.3;  // deg, m of heave's deviation
+    constexpr double kSmall = 0.2, kWaveInfluenceDepths = 0.3;  // deg, m of heave's deviation
     double angle = 0.0;
     for (std::size_t k = 3; k < 5; ++k) angle = std::max(angle, deviation(column(record_.history, k)));
     const double heave = deviation(column(record_.history, 2));
-    const double largest_angle = std::max(largest_size(3), largest_size(4));
-    if (angle == 0.0 || largest_angle > kSmall || heave < kFelt) return;
+    const double max_angle = std::max(max_abs_value(3), max_abs_value(4));
+    if (angle == 0.0 || max_angle > kSmall || heave < kWaveInfluenceDepths) return;
     warn(0, fmt::format("roll and pitch stay below {:.2g} deg while heave has a standard deviation of {:.2g} m; are "
                         "they in radians?",
-                        largest_angle, heave));
+                        max_angle, heave));
   }
 
-  double largest_size(std::size_t freedom) const {
+  double max_abs_value(std::size_t freedom) const {
     const std::vector<double> values = column(record_.history, freedom);
-    return std::abs(values[largest(values)]);
+    return std::abs(values[max_magnitude_row(values)]);
   }
 
   const MotionRecord& record_;
@@ -246,15 +247,15 @@ class RecordChecker {
 void check_motion_values(const MotionRecord& record, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < kBounds.size(); ++k) {
     const std::vector<double> values = column(record.history, k);
-    const std::size_t row = largest(values);
+    const std::size_t row = max_magnitude_row(values);
     const double value = values[row];
     if (std::abs(value) <= kBounds[k].possible) continue;
     diagnostics.add(
         {Severity::error, record.history.source, record.lines[row], 0, "",
          fmt::format("{} of {} at t = {:.6g} s{}", kMotionColumns[k], shown(value, k), record.history.time[row],
-                     sentinel_words(value)),
-         fmt::format("a motion about the vessel's nominal place, below {:g} {}", kBounds[k].possible, unit_name(k)),
-         is_sentinel(value) ? "leave such rows out, or put values between their neighbours" : ""});
+                     sentinel_text(value)),
+         fmt::format("a motion about the vessel's nominal position, below {:g} {}", kBounds[k].possible, unit_name(k)),
+         is_sentinel(value) ? "remove such rows, or interpolate between their neighbours" : ""});
   }
 }
 
@@ -273,8 +274,8 @@ void unwrap_angles(MotionRecord& record) {
       row[k] += kTurn * turns;
       sum += row[k];
     }
-    const double whole = std::round(sum / static_cast<double>(history.freedoms.size()) / kTurn);
-    for (auto& row : history.freedoms) row[k] -= kTurn * whole;
+    const double mean_turns = std::round(sum / static_cast<double>(history.freedoms.size()) / kTurn);
+    for (auto& row : history.freedoms) row[k] -= kTurn * mean_turns;
   }
 }
 

@@ -13,11 +13,11 @@
 namespace overbend {
 namespace {
 
-/// The first bytes; fewer of a shorter file.
+/// Returns the first four bytes, or fewer for a shorter file.
 std::string read_head(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> head{};
-  if (!file) throw std::runtime_error("no file that can be read");
+  if (!file) throw std::runtime_error("a file that cannot be read");
   file.read(head.data(), head.size());
   return {head.data(), static_cast<std::size_t>(file.gcount())};
 }
@@ -51,13 +51,13 @@ void unpack(std::vector<double>& values, const NetcdfPacking& packing) {
   }
 }
 
-std::vector<std::string> split_words(const std::string& letters, std::size_t length) {
-  std::vector<std::string> words;
+std::vector<std::string> split_texts(const std::string& letters, std::size_t length) {
+  std::vector<std::string> texts;
   for (std::size_t i = 0; length > 0 && i + length <= letters.size(); i += length) {
     const std::string_view word = std::string_view(letters).substr(i, length);
-    words.emplace_back(trim(word.substr(0, word.find('\0'))));
+    texts.emplace_back(trim(word.substr(0, word.find('\0'))));
   }
-  return words;
+  return texts;
 }
 
 NetcdfFile::NetcdfFile(const std::string& path) : contents_(read_contents(path)) {}
@@ -65,7 +65,7 @@ NetcdfFile::NetcdfFile(const std::string& path) : contents_(read_contents(path))
 const NetcdfVariable* NetcdfFile::find(const std::string& name) const {
   const auto found = contents_.find(name);
   if (found == contents_.end()) return nullptr;
-  if (!found->second.fault.empty()) throw std::runtime_error("the variable " + name + ", which " + found->second.fault);
+  if (!found->second.error.empty()) throw std::runtime_error("a variable " + name + " that " + found->second.error);
   return &found->second;
 }
 
@@ -75,9 +75,9 @@ std::optional<NetcdfArray> NetcdfFile::numbers(const std::string& name) const {
   return variable->array;
 }
 
-std::vector<std::string> NetcdfFile::words(const std::string& name) const {
+std::vector<std::string> NetcdfFile::texts(const std::string& name) const {
   const NetcdfVariable* variable = find(name);
-  return variable == nullptr ? std::vector<std::string>() : variable->words;
+  return variable == nullptr ? std::vector<std::string>() : variable->texts;
 }
 
 }  // namespace overbend

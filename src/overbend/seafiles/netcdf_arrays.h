@@ -1,5 +1,4 @@
-/// Arrays of a netCDF file, classic or netCDF-4 (which is HDF5): numbers with the names of their dimensions, and lists
-/// of words.
+/// Arrays of a netCDF file, classic or netCDF-4 (HDF5): numbers with named dimensions, and lists of text.
 #pragma once
 
 #include <cstddef>
@@ -10,51 +9,52 @@
 
 namespace overbend {
 
-/// Row by row, the last dimension fastest.
+/// Values in row-major order: the last dimension varies fastest.
 struct NetcdfArray {
   std::vector<std::string> dimensions;  ///< Names; empty for a single number.
   std::vector<std::size_t> sizes;
   std::vector<double> values;
 };
 
-/// A variable as it was read: numbers, or words, or what is neither.
+/// A variable as read: numbers, text or another type.
 struct NetcdfVariable {
-  enum class Kind { numbers, words, other };
+  enum class Kind { numbers, texts, other };
   Kind kind = Kind::other;
-  NetcdfArray array;  ///< Of words without values.
-  std::vector<std::string> words;
-  std::string fault;  ///< Why its values could not be read; empty where they could.
+  NetcdfArray array;  ///< Without values for text.
+  std::vector<std::string> texts;
+  std::string error;  ///< Reason why the values could not be read; empty if they were read.
 };
 
 using NetcdfContents = std::map<std::string, NetcdfVariable>;
 
-/// More values than any variable that is needed has.
+/// Maximum number of values of a variable, far above what is needed.
 inline constexpr std::size_t kMaxNetcdfValues = std::size_t{1} << 26U;
 
-/// The number of values; nothing where there are more than kMaxNetcdfValues.
+/// Returns the number of values; nothing if there are more than kMaxNetcdfValues.
 std::optional<std::size_t> count_values(const std::vector<std::size_t>& sizes);
 
-/// Numbers as they are meant by the attributes scale_factor, add_offset and _FillValue (which becomes NaN).
+/// Attributes scale_factor, add_offset and _FillValue.
 struct NetcdfPacking {
   std::optional<double> scale, offset, fill;
 };
+/// Applies scale and offset to `values`; the fill value becomes NaN.
 void unpack(std::vector<double>& values, const NetcdfPacking& packing);
 
-/// Words of `length` letters one after the other; each ends at its first zero.
-std::vector<std::string> split_words(const std::string& letters, std::size_t length);
+/// Splits consecutive texts of `length` characters; each ends at its first null character.
+std::vector<std::string> split_texts(const std::string& letters, std::size_t length);
 
-/// A file whose variables were all read.
+/// A file with all its variables in memory.
 class NetcdfFile {
  public:
-  /// Throws std::runtime_error where it cannot be read.
+  /// Throws std::runtime_error if the file cannot be read.
   explicit NetcdfFile(const std::string& path);
 
   bool has(const std::string& name) const { return contents_.contains(name); }
-  /// Nothing where there is no such variable or it holds no real numbers. Throws std::runtime_error where it is
-  /// damaged.
+  /// Returns a variable of real numbers; nothing if there is none. Throws std::runtime_error if it is damaged.
   std::optional<NetcdfArray> numbers(const std::string& name) const;
-  /// Words of a one-dimensional variable; empty where there is none. Throws likewise.
-  std::vector<std::string> words(const std::string& name) const;
+  /// Returns the texts of a one-dimensional variable; empty if there is none. Throws std::runtime_error if it is
+  /// damaged.
+  std::vector<std::string> texts(const std::string& name) const;
 
  private:
   const NetcdfVariable* find(const std::string& name) const;

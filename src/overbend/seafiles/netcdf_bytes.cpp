@@ -49,7 +49,7 @@ class Reader {
   template <class Item>
   std::vector<Item> numbers() {
     const std::uint64_t count = number();
-    if (count > rest_.size() / sizeof(Item)) refuse();
+    if (count > rest_.size() / sizeof(Item)) reject();
     std::vector<Item> items(static_cast<std::size_t>(count));
     if (count > 0) std::memcpy(items.data(), raw(count * sizeof(Item)), items.size() * sizeof(Item));
     return items;
@@ -59,13 +59,13 @@ class Reader {
     for (std::uint64_t count = number(); count > 0; --count) items.push_back(text());
     return items;
   }
-  [[noreturn]] static void refuse() {
-    throw std::runtime_error("a damaged netCDF-4 file: what was read of it makes no sense");
+  [[noreturn]] static void reject() {
+    throw std::runtime_error("a damaged netCDF-4 file: its contents are inconsistent");
   }
 
  private:
   const char* raw(std::uint64_t length) {
-    if (length > rest_.size()) refuse();
+    if (length > rest_.size()) reject();
     const char* data = rest_.data();
     rest_.remove_prefix(static_cast<std::size_t>(length));
     return data;
@@ -74,9 +74,9 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Everybody who looks values up relies on it.
-bool is_sound(const NetcdfVariable& variable) {
-  if (variable.kind != NetcdfVariable::Kind::numbers || !variable.fault.empty()) return true;
+/// True if the number of values matches the sizes, as every user of the array assumes.
+bool is_valid_tree(const NetcdfVariable& variable) {
+  if (variable.kind != NetcdfVariable::Kind::numbers || !variable.error.empty()) return true;
   const NetcdfArray& array = variable.array;
   return array.dimensions.size() == array.sizes.size() && count_values(array.sizes) == array.values.size();
 }
@@ -91,8 +91,8 @@ std::string serialise_contents(const NetcdfContents& contents) {
     out.put(variable.array.dimensions);
     out.put(variable.array.sizes);
     out.put(variable.array.values);
-    out.put(variable.words);
-    out.put(variable.fault);
+    out.put(variable.texts);
+    out.put(variable.error);
   }
   return out.take();
 }
@@ -104,14 +104,14 @@ NetcdfContents parse_contents(std::string_view bytes) {
     const std::string name = in.text();
     NetcdfVariable variable;
     const std::uint64_t kind = in.number();
-    if (kind > static_cast<std::uint64_t>(NetcdfVariable::Kind::other)) Reader::refuse();
+    if (kind > static_cast<std::uint64_t>(NetcdfVariable::Kind::other)) Reader::reject();
     variable.kind = static_cast<NetcdfVariable::Kind>(kind);
     variable.array.dimensions = in.texts();
     variable.array.sizes = in.numbers<std::size_t>();
     variable.array.values = in.numbers<double>();
-    variable.words = in.texts();
-    variable.fault = in.text();
-    if (!is_sound(variable)) Reader::refuse();
+    variable.texts = in.texts();
+    variable.error = in.text();
+    if (!is_valid_tree(variable)) Reader::reject();
     contents.insert_or_assign(name, std::move(variable));
   }
   return contents;

@@ -1,4 +1,4 @@
-/// Serialised contents of a netCDF file.
+/// Serialisation of the contents of a netCDF file, for transfer between processes.
 #pragma once
 
 #include <string>
@@ -7,9 +7,11 @@
 
 namespace overbend {
 
+/// Returns the contents as bytes.
 std::string serialise_contents(const NetcdfContents& contents);
 
-/// Checks every length and count: the writer read a file that may be damaged. Throws std::runtime_error.
+/// Parses the bytes. Checks every length and count, because the writing process may have read a damaged file. Throws
+/// std::runtime_error.
 NetcdfContents parse_contents(std::string_view bytes);
 
 }  // namespace overbend

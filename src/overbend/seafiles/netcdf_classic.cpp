@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint64_t kMaxHead = std::uint64_t{16} << 20U;  ///< [bytes]
 constexpr std::uint64_t kNoRecord = ~std::uint64_t{0};
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void reject(const std::string& why) {
   throw std::runtime_error("a damaged netCDF file: " + why);
 }
 
-/// Types of values, by their numbers in a file.
+/// Types of values, with the numbers used in files.
 enum class Type : std::uint32_t {
   byte = 1,
   letter,
@@ -40,7 +40,7 @@ std::size_t value_size(Type type) {
   return kSizes[static_cast<std::size_t>(type) - 1];
 }
 
-/// Big-endian bytes as a number without sign.
+/// Returns big-endian bytes as an unsigned number.
 std::uint64_t whole(std::string_view bytes) {
   std::uint64_t value = 0;
   for (const char byte : bytes) value = value << 8U | static_cast<unsigned char>(byte);
@@ -77,15 +77,15 @@ std::vector<double> numbers(Type type, std::string_view bytes) {
 
 struct Dimension {
   std::string name;
-  std::uint64_t size = 0;  ///< 0: as many as there are records.
+  std::uint64_t size = 0;  ///< 0: the record dimension.
 };
 
-/// A variable as the head describes it.
+/// Description of a variable in the header.
 struct Described {
   std::string name;
   std::vector<std::size_t> dimensions;
   Type type = Type::byte;
-  std::uint64_t begin = 0;  ///< Of its values in the file [bytes].
+  std::uint64_t begin = 0;  ///< Offset of its values in the file [bytes].
   NetcdfPacking packing;
 };
 
@@ -94,8 +94,8 @@ struct Head {
   std::vector<Dimension> dimensions;
   std::vector<Described> variables;
 
-  bool is_record_variable(const Described& one) const {
-    return !one.dimensions.empty() && dimensions[one.dimensions.front()].size == 0;
+  bool is_record_variable(const Described& described) const {
+    return !described.dimensions.empty() && dimensions[described.dimensions.front()].size == 0;
   }
 };
 
@@ -104,9 +104,9 @@ class HeadReader {
   explicit HeadReader(std::string_view bytes) : rest_(bytes) {}
 
   Head read() {
-    if (!take(3).starts_with("CDF")) refuse("it does not begin with CDF");
+    if (!take(3).starts_with("CDF")) reject("it does not start with CDF");
     version_ = static_cast<unsigned>(whole(take(1)));
-    if (version_ != 1 && version_ != 2 && version_ != 5) refuse("its format is number " + std::to_string(version_));
+    if (version_ != 1 && version_ != 2 && version_ != 5) reject("its format version is " + std::to_string(version_));
     head_.records = count();
     if (head_.records == (version_ == 5 ? kNoRecord : 0xffffffffU)) head_.records = kNoRecord;
     each(kDimensions, [&] { head_.dimensions.push_back(dimension()); });
@@ -114,20 +114,20 @@ class HeadReader {
     each(kVariables, [&] { head_.variables.push_back(variable()); });
     return std::move(head_);
   }
-  /// Bytes behind the head.
+  /// Returns the number of bytes after the header.
   std::size_t left() const { return rest_.size(); }
 
  private:
   static constexpr std::uint64_t kDimensions = 10, kVariables = 11, kAttributes = 12;
 
   std::string_view take(std::uint64_t length) {
-    if (length > rest_.size()) refuse("its head ends early");
+    if (length > rest_.size()) reject("its header is truncated");
     const std::string_view bytes = rest_.substr(0, length);
     rest_.remove_prefix(length);
     return bytes;
   }
   std::uint64_t count() { return whole(take(version_ == 5 ? 8 : 4)); }
-  /// Bytes, and those that fill up to a multiple of four.
+  /// Takes `length` bytes and skips the padding to a multiple of four.
   std::string_view padded(std::uint64_t length) {
     const std::string_view bytes = take(length);
     take((4 - length % 4) % 4);
@@ -135,18 +135,20 @@ class HeadReader {
   }
   std::string name() { return std::string(padded(count())); }
 
-  /// Every item of a list, whose mark may be left out where it is empty; an item takes four bytes at least.
+  /// Reads every item of a list. The tag of an empty list may be zero; an item takes at least four bytes.
   template <class Item>
   void each(std::uint64_t mark, const Item& item) {
     const std::uint64_t found = whole(take(4)), items = count();
-    if (found != mark && (found != 0 || items != 0)) refuse("a list in its head has the mark " + std::to_string(found));
-    if (items > rest_.size() / 4) refuse("a list in its head has " + std::to_string(items) + " items");
+    if (found != mark && (found != 0 || items != 0)) {
+      reject("a list in its header has the tag " + std::to_string(found));
+    }
+    if (items > rest_.size() / 4) reject("a list in its header has " + std::to_string(items) + " items");
     for (std::uint64_t i = 0; i < items; ++i) item();
   }
 
   Type type() {
     const std::uint64_t found = whole(take(4));
-    if (found < 1 || found > (version_ == 5 ? 11U : 6U)) refuse("a value has the type " + std::to_string(found));
+    if (found < 1 || found > (version_ == 5 ? 11U : 6U)) reject("a value has the type " + std::to_string(found));
     return static_cast<Type>(found);
   }
 
@@ -159,7 +161,7 @@ class HeadReader {
     const std::string called = name();
     const Type kind = type();
     const std::uint64_t length = count();
-    if (length > rest_.size()) refuse("an attribute has " + std::to_string(length) + " values");
+    if (length > rest_.size()) reject("an attribute has " + std::to_string(length) + " values");
     const std::string_view bytes = padded(length * value_size(kind));
     if (packing == nullptr || kind == Type::letter || length != 1) return;
     const double value = number(kind, bytes);
@@ -169,22 +171,22 @@ class HeadReader {
   }
 
   Described variable() {
-    Described one;
-    one.name = name();
+    Described described;
+    described.name = name();
     const std::uint64_t rank = count();
-    if (rank > rest_.size() / 4) refuse("a variable has " + std::to_string(rank) + " dimensions");
-    for (std::uint64_t i = 0; i < rank; ++i) one.dimensions.push_back(dimension_number(i));
-    each(kAttributes, [&] { attribute(&one.packing); });
-    one.type = type();
-    count();  // its size, which follows from dimensions and type
-    one.begin = whole(take(version_ == 1 ? 4 : 8));
-    return one;
+    if (rank > rest_.size() / 4) reject("a variable has " + std::to_string(rank) + " dimensions");
+    for (std::uint64_t i = 0; i < rank; ++i) described.dimensions.push_back(dimension_number(i));
+    each(kAttributes, [&] { attribute(&described.packing); });
+    described.type = type();
+    count();  // the stored size is redundant
+    described.begin = whole(take(version_ == 1 ? 4 : 8));
+    return described;
   }
 
   std::size_t dimension_number(std::uint64_t place) {
     const std::uint64_t number = count();
-    if (number >= head_.dimensions.size()) refuse("a variable has the dimension number " + std::to_string(number));
-    if (head_.dimensions[number].size == 0 && place > 0) refuse("records are not the first dimension of a variable");
+    if (number >= head_.dimensions.size()) reject("a variable has the dimension number " + std::to_string(number));
+    if (head_.dimensions[number].size == 0 && place > 0) reject("records are not the first dimension of a variable");
     return static_cast<std::size_t>(number);
   }
 
@@ -193,7 +195,7 @@ class HeadReader {
   Head head_;
 };
 
-/// Where the values of a variable lie: pieces of one length, evenly spaced.
+/// Location of the values of a variable: pieces of equal length, evenly spaced.
 struct Extent {
   std::uint64_t begin = 0, piece = 0, pieces = 1, spacing = 0;  ///< [bytes]
 };
@@ -202,79 +204,80 @@ class Values {
  public:
   Values(std::ifstream& file, std::uint64_t length, const Head& head) : file_(file), length_(length), head_(head) {
     std::size_t is_record_variable = 0;
-    for (const Described& one : head.variables) {
-      if (!head.is_record_variable(one)) continue;
-      const std::uint64_t piece = record_bytes(one);
+    for (const Described& described : head.variables) {
+      if (!head.is_record_variable(described)) continue;
+      const std::uint64_t piece = record_bytes(described);
       ++is_record_variable;
       only_ = piece;
       record_ = std::min(length_ + 1, record_ + (piece + 3) / 4 * 4);
     }
-    if (is_record_variable == 1) record_ = only_;  // of one variable alone records are not filled up
+    if (is_record_variable == 1) record_ = only_;  // records of a single variable are not padded
   }
 
-  /// Values of several variables in one place are a sign of damage, which would else go unseen.
+  /// Rejects files in which values of variables overlap: a sign of damage that would otherwise go unnoticed.
   void require_apart(std::uint64_t head) const {
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> places;  // from, to; of the first record
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> places;  // begin and end in the first record [bytes]
     std::uint64_t first = length_, last = 0;
-    for (const Described& one : head_.variables) {
-      const std::uint64_t piece = record_bytes(one);
-      if (piece == 0 || piece > length_ || one.begin > length_) continue;  // the latter are beyond the end
-      places.emplace_back(one.begin, one.begin + piece);
-      if (!head_.is_record_variable(one)) continue;
-      first = std::min(first, one.begin);
-      last = std::max(last, one.begin + piece);
+    for (const Described& described : head_.variables) {
+      const std::uint64_t piece = record_bytes(described);
+      if (piece == 0 || piece > length_ || described.begin > length_) continue;  // beyond the end of the file
+      places.emplace_back(described.begin, described.begin + piece);
+      if (!head_.is_record_variable(described)) continue;
+      first = std::min(first, described.begin);
+      last = std::max(last, described.begin + piece);
     }
     std::sort(places.begin(), places.end());
     std::uint64_t free = head;
     for (const auto& [from, to] : places) {
-      if (from < free) refuse("values of its variables overlap");
+      if (from < free) reject("values of its variables overlap");
       free = to;
     }
-    if (last > first && last - first > record_) refuse("its records overlap");
+    if (last > first && last - first > record_) reject("its records overlap");
   }
 
-  NetcdfVariable read(const Described& one) {
+  NetcdfVariable read(const Described& described) {
     NetcdfVariable variable;
-    const Extent extent = find_extent(one);
+    const Extent extent = find_extent(described);
     NetcdfArray& array = variable.array;
-    for (std::size_t k = 0; k < one.dimensions.size(); ++k) {
-      const Dimension& dimension = head_.dimensions[one.dimensions[k]];
+    for (std::size_t k = 0; k < described.dimensions.size(); ++k) {
+      const Dimension& dimension = head_.dimensions[described.dimensions[k]];
       array.dimensions.push_back(dimension.name);
       array.sizes.push_back(static_cast<std::size_t>(k == 0 && dimension.size == 0 ? extent.pieces : dimension.size));
     }
-    const bool letters = one.type == Type::letter;
-    variable.kind = letters ? NetcdfVariable::Kind::words : NetcdfVariable::Kind::numbers;
+    const bool letters = described.type == Type::letter;
+    variable.kind = letters ? NetcdfVariable::Kind::texts : NetcdfVariable::Kind::numbers;
     if (!fits(extent)) {
-      variable.fault = "lies beyond the end of the file";
+      variable.error = "lies beyond the end of the file";
     } else if (!count_values(array.sizes)) {
-      variable.fault = "has too many values";
+      variable.error = "has too many values";
     } else if (letters) {
-      variable.words = split_words(read_bytes(extent), array.sizes.empty() ? 1 : array.sizes.back());
+      variable.texts = split_texts(read_bytes(extent), array.sizes.empty() ? 1 : array.sizes.back());
     } else {
-      array.values = numbers(one.type, read_bytes(extent));
-      unpack(array.values, one.packing);
+      array.values = numbers(described.type, read_bytes(extent));
+      unpack(array.values, described.packing);
     }
     return variable;
   }
 
  private:
-  /// Bytes of a variable, or of one record of it; more than the file has where it makes no sense.
-  std::uint64_t record_bytes(const Described& one) const {
-    std::uint64_t piece = value_size(one.type);
-    for (std::size_t k = head_.is_record_variable(one) ? 1 : 0; k < one.dimensions.size(); ++k) {
-      const std::uint64_t size = head_.dimensions[one.dimensions[k]].size;
+  /// Returns the bytes of a variable, or of one record of it; more than the file has if the sizes are inconsistent.
+  std::uint64_t record_bytes(const Described& described) const {
+    std::uint64_t piece = value_size(described.type);
+    for (std::size_t k = head_.is_record_variable(described) ? 1 : 0; k < described.dimensions.size(); ++k) {
+      const std::uint64_t size = head_.dimensions[described.dimensions[k]].size;
       if (size > length_ || (piece *= size) > length_) return length_ + 1;
     }
     return piece;
   }
 
-  Extent find_extent(const Described& one) const {
-    Extent extent{one.begin, record_bytes(one)};
-    if (!head_.is_record_variable(one)) return extent;
+  Extent find_extent(const Described& described) const {
+    Extent extent{described.begin, record_bytes(described)};
+    if (!head_.is_record_variable(described)) return extent;
     extent.spacing = record_;
     extent.pieces = head_.records;
-    if (head_.records == kNoRecord) {  // written by somebody who did not know how many there would be
-      extent.pieces = record_ > 0 && one.begin < length_ ? (length_ - one.begin + record_ - extent.piece) / record_ : 0;
+    if (head_.records == kNoRecord) {  // streamed file: the number of records is unknown
+      extent.pieces =
+          record_ > 0 && described.begin < length_ ? (length_ - described.begin + record_ - extent.piece) / record_ : 0;
     }
     return extent;
   }
@@ -300,14 +303,15 @@ class Values {
   std::ifstream& file_;
   std::uint64_t length_;
   const Head& head_;
-  std::uint64_t only_ = 0, record_ = 0;  ///< Of one record [bytes].
+  std::uint64_t only_ = 0,
+                record_ = 0;  ///< Length of a record: of the only record variable, and padded over all [bytes].
 };
 
 }  // namespace
 
 NetcdfContents read_netcdf_classic(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw std::runtime_error("no file that can be read");
+  if (!file) throw std::runtime_error("a file that cannot be read");
   const auto length = static_cast<std::uint64_t>(file.tellg());
   std::string bytes(static_cast<std::size_t>(std::min(length, kMaxHead)), '\0');
   file.seekg(0);
@@ -318,8 +322,10 @@ NetcdfContents read_netcdf_classic(const std::string& path) {
   Values values(file, length, head);
   values.require_apart(bytes.size() - reader.left());
   NetcdfContents contents;
-  for (const Described& one : head.variables) {
-    if (!contents.emplace(one.name, values.read(one)).second) refuse("it has two variables '" + one.name + "'");
+  for (const Described& described : head.variables) {
+    if (!contents.emplace(described.name, values.read(described)).second) {
+      reject("it has two variables '" + described.name + "'");
+    }
   }
   return contents;
 }

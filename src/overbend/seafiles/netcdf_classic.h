@@ -1,4 +1,4 @@
-/// The classic format of netCDF: CDF-1, CDF-2 (64-bit offset) and CDF-5 (64-bit data).
+/// Reader of the classic netCDF formats: CDF-1, CDF-2 (64-bit offset) and CDF-5 (64-bit data).
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// All variables of the file. Every number of its head is checked against the length of the file before it is used.
-/// Format: NetCDF Classic Format Specification, Unidata. Throws std::runtime_error where the head makes no sense.
+/// Reads all variables of the file. Every number of its header is checked against the length of the file before use.
+/// Format: NetCDF Classic Format Specification, Unidata. Throws std::runtime_error if the header is inconsistent.
 NetcdfContents read_netcdf_classic(const std::string& path);
 
 }  // namespace overbend

@@ -15,7 +15,7 @@
 namespace overbend {
 namespace {
 
-/// A handle of the library that closes itself.
+/// Owning handle of an HDF5 object.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -34,7 +34,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-std::vector<std::size_t> sizes_of(hid_t variable) {
+std::vector<std::size_t> read_sizes(hid_t variable) {
   const Handle space(H5Dget_space(variable), H5Sclose);
   if (!space || H5Sget_simple_extent_type(space.get()) == H5S_NULL) return {0};
   const int rank = H5Sget_simple_extent_ndims(space.get());
@@ -44,7 +44,7 @@ std::vector<std::size_t> sizes_of(hid_t variable) {
   return {sizes.begin(), sizes.end()};
 }
 
-/// Keeps the name of the scale of a dimension, without the leading slash.
+/// Stores the name of a dimension scale, without the leading slash.
 herr_t keep_scale_name(hid_t, unsigned, hid_t scale, void* name) {
   char text[256] = {};
   if (H5Iget_name(scale, text, sizeof text) > 0) {
@@ -71,10 +71,10 @@ std::optional<double> attribute(hid_t variable, const char* name) {
   return value;
 }
 
-/// Of a variable that is stored in chunks.
+/// Chunks of a variable.
 struct Chunks {
   hsize_t wanted = 1, found = 0;
-  std::size_t size = 0;  ///< Of one, without filters [bytes].
+  std::size_t size = 0;  ///< Size of one chunk without filters [bytes].
 };
 
 Chunks count_chunks(hid_t variable, hid_t plan, const std::vector<std::size_t>& sizes) {
@@ -93,7 +93,7 @@ Chunks count_chunks(hid_t variable, hid_t plan, const std::vector<std::size_t>& 
   return chunks;
 }
 
-/// Where a chunk is stored without its filters, but shorter than it is, the library reads on into its own memory.
+/// True if a chunk stored without filters is shorter than its size: HDF5 would read beyond its buffer.
 bool is_short(hid_t variable, hsize_t number, std::size_t size, bool filtered) {
   const Handle space(H5Dget_space(variable), H5Sclose);
   hsize_t offset[H5S_MAX_RANK] = {}, stored = 0;
@@ -103,9 +103,9 @@ bool is_short(hid_t variable, hsize_t number, std::size_t size, bool filtered) {
   return (!filtered || skipped != 0) && stored < size;
 }
 
-/// The library gives zeros for what was never written, or is not found because of damage.
+/// Throws if values were never written or chunks are missing, for which HDF5 would return zeros.
 void require_written(hid_t variable, const std::vector<std::size_t>& sizes) {
-  constexpr hsize_t kManyChunks = 4096;  // of more only the number is looked at: they are found one by one
+  constexpr hsize_t kManyChunks = 4096;  // for more chunks only the number is checked, because each look-up is linear
   const Handle plan(H5Dget_create_plist(variable), H5Pclose);
   if (H5Pget_layout(plan.get()) != H5D_CHUNKED) {
     if (H5Dget_storage_size(variable) == 0) throw std::runtime_error("was never written");
@@ -133,25 +133,25 @@ void read_numbers(hid_t variable, NetcdfVariable& found, std::size_t count) {
          {attribute(variable, "scale_factor"), attribute(variable, "add_offset"), attribute(variable, "_FillValue")});
 }
 
-void read_words(hid_t variable, hid_t type, NetcdfVariable& found, std::size_t count) {
+void read_texts(hid_t variable, hid_t type, NetcdfVariable& found, std::size_t count) {
   if (count == 0) return;
   if (H5Tis_variable_str(type) <= 0) {
     const std::size_t length = H5Tget_size(type);
-    if (length == 0 || count > kMaxNetcdfValues / length) throw std::runtime_error("has too many letters");
+    if (length == 0 || count > kMaxNetcdfValues / length) throw std::runtime_error("has too much text");
     std::string letters(count * length, '\0');
     if (H5Dread(variable, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()) < 0) {
       throw std::runtime_error("cannot be read");
     }
-    // Single letters are the netCDF of words with a second dimension of letters.
+    // NetCDF stores text as single characters with a second dimension.
     const std::vector<std::size_t>& sizes = found.array.sizes;
-    found.words = split_words(letters, length == 1 && sizes.size() == 2 ? sizes[1] : length);
+    found.texts = split_texts(letters, length == 1 && sizes.size() == 2 ? sizes[1] : length);
     return;
   }
   std::vector<char*> texts(count, nullptr);
   if (H5Dread(variable, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(texts.data())) < 0) {
     throw std::runtime_error("cannot be read");
   }
-  for (const char* text : texts) found.words.emplace_back(text == nullptr ? "" : text);
+  for (const char* text : texts) found.texts.emplace_back(text == nullptr ? "" : text);
 }
 
 void read_values(hid_t variable, NetcdfVariable& found) {
@@ -159,15 +159,15 @@ void read_values(hid_t variable, NetcdfVariable& found) {
   const H5T_class_t kind = H5Tget_class(type.get());
   const bool numbers = kind == H5T_FLOAT || kind == H5T_INTEGER;
   if (!numbers && kind != H5T_STRING) return;
-  found.kind = numbers ? NetcdfVariable::Kind::numbers : NetcdfVariable::Kind::words;
-  found.array.sizes = sizes_of(variable);
+  found.kind = numbers ? NetcdfVariable::Kind::numbers : NetcdfVariable::Kind::texts;
+  found.array.sizes = read_sizes(variable);
   const std::optional<std::size_t> count = count_values(found.array.sizes);
   if (!count) throw std::runtime_error("has too many values");
   for (unsigned k = 0; k < found.array.sizes.size(); ++k) {
     found.array.dimensions.push_back(dimension_name(variable, k));
   }
   if (*count > 0) require_written(variable, found.array.sizes);
-  numbers ? read_numbers(variable, found, *count) : read_words(variable, type.get(), found, *count);
+  numbers ? read_numbers(variable, found, *count) : read_texts(variable, type.get(), found, *count);
 }
 
 herr_t keep_name(hid_t, const char* name, const H5L_info_t* link, void* names) {
@@ -184,12 +184,12 @@ NetcdfContents read_contents(hid_t file) {
   for (const std::string& name : names) {
     const Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
     NetcdfVariable variable;
-    if (!object) variable.fault = "cannot be opened";
+    if (!object) variable.error = "cannot be opened";
     if (object && H5Iget_type(object.get()) != H5I_DATASET) continue;
     try {
       if (object) read_values(object.get(), variable);
-    } catch (const std::runtime_error& fault) {
-      variable.fault = fault.what();
+    } catch (const std::runtime_error& error) {
+      variable.error = error.what();
     }
     contents.emplace(name, std::move(variable));
   }
@@ -197,22 +197,22 @@ NetcdfContents read_contents(hid_t file) {
 }
 
 std::string read_in_child(const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the library would print its own stack of errors
-  H5PLset_loading_state(0);                     // no code that a file asks for
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // keeps HDF5 from printing its error stack
+  H5PLset_loading_state(0);                     // forbids loading plugins named in a file
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file) throw std::runtime_error("no netCDF file");
+  if (!file) throw std::runtime_error("a file that is not netCDF");
   return serialise_contents(read_contents(file.get()));
 }
 
-/// Far more than reading takes.
+/// Limits of time and memory, far above what reading needs.
 ChildLimits limits_for(const std::string& path) {
   constexpr std::uintmax_t kPerSecond = std::uintmax_t{10} << 20U, kMax = std::uintmax_t{1} << 33U;
-  std::error_code fault;
-  const std::uintmax_t length = std::min(std::filesystem::file_size(path, fault), kMax);
+  std::error_code error;
+  const std::uintmax_t length = std::min(std::filesystem::file_size(path, error), kMax);
   ChildLimits limits;
-  limits.cpu_time = std::chrono::seconds(1 + (fault ? 0 : length / kPerSecond));
+  limits.cpu_time = std::chrono::seconds(1 + (error ? 0 : length / kPerSecond));
   limits.wall_time = 60 * limits.cpu_time;
-  limits.memory += fault ? 0 : static_cast<std::size_t>(length);
+  limits.memory += error ? 0 : static_cast<std::size_t>(length);
   return limits;
 }
 
@@ -224,8 +224,8 @@ NetcdfContents read_netcdf_hdf5(const std::string& path) {
   hold.unlock();
   try {
     return parse_contents(work.result());
-  } catch (const ChildError& fault) {
-    throw std::runtime_error(std::string("a damaged netCDF-4 file: ") + fault.what());
+  } catch (const ChildError& error) {
+    throw std::runtime_error(std::string("a damaged netCDF-4 file: ") + error.what());
   }
 }
 

@@ -1,4 +1,4 @@
-/// netCDF-4, which is HDF5.
+/// Reader of netCDF-4 files, which are HDF5 files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// All variables of the root group. HDF5 1.10 crashes on some damaged files, so a child process reads them
+/// Reads all variables of the root group. HDF5 1.10 crashes on some damaged files, so a child process reads them
 /// (base/child_work.h). Throws std::runtime_error if the file cannot be read, also if the child process crashes.
 NetcdfContents read_netcdf_hdf5(const std::string& path);
 

@@ -11,11 +11,11 @@
 namespace overbend {
 namespace {
 
-constexpr int kMostComplaints = 10;
-constexpr std::size_t kLargestTable = 4'000'000;
+constexpr int kMaxErrors = 10;
+constexpr std::size_t kMaxTableSize = 4'000'000;
 
-/// Sorted values, those closer than `slack` taken as one.
-std::vector<double> axis_of(std::vector<double> values, double slack) {
+/// Returns the sorted values without those within `slack` of their predecessor.
+std::vector<double> make_axis(std::vector<double> values, double slack) {
   std::sort(values.begin(), values.end());
   const auto same = [&](double a, double b) { return b - a <= slack; };
   values.erase(std::unique(values.begin(), values.end(), same), values.end());
@@ -47,7 +47,7 @@ class Assembly {
     }
     find_axes();
     const std::size_t places = table_.headings.size() * table_.omegas.size() * 6;
-    if (places > kLargestTable) {
+    if (places > kMaxTableSize) {
       complain(0, fmt::format("{} headings and {} frequencies", table_.headings.size(), table_.omegas.size()),
                "a table: the same frequencies for every heading");
       return std::nullopt;
@@ -67,7 +67,7 @@ class Assembly {
 
  private:
   void complain(int line, const std::string& found, const std::string& expected) {
-    if (complaints_++ < kMostComplaints) diagnostics_.add({Severity::error, file_, line, 0, "", found, expected, ""});
+    if (complaints_++ < kMaxErrors) diagnostics_.add({Severity::error, file_, line, 0, "", found, expected, ""});
   }
 
   void find_axes() {
@@ -77,14 +77,14 @@ class Assembly {
       omegas.push_back(record.omega);
     }
     const double highest = *std::max_element(omegas.begin(), omegas.end());
-    table_.omegas = axis_of(std::move(omegas), 1e-7 * highest);
+    table_.omegas = make_axis(std::move(omegas), 1e-7 * highest);
     const auto starboard = [](double h) { return h == 0.0 || h >= kPi - 1e-7; };
     mirrored_ = sides_alike() && std::all_of(headings.begin(), headings.end(), starboard) &&
                 std::any_of(headings.begin(), headings.end(), [](double h) { return h > kPi + 1e-7; });
     if (mirrored_) {
       for (double& h : headings) h = image(h);
     }
-    table_.headings = axis_of(std::move(headings), 1e-7);
+    table_.headings = make_axis(std::move(headings), 1e-7);
   }
 
   bool sides_alike() const {
@@ -94,7 +94,7 @@ class Assembly {
 
   static double image(double heading) { return heading == 0.0 ? 0.0 : 2.0 * kPi - heading; }
 
-  std::string place_words(std::size_t heading, std::size_t omega, std::size_t freedom) const {
+  std::string place_label(std::size_t heading, std::size_t omega, std::size_t freedom) const {
     const double h = mirrored_ ? image(table_.headings[heading]) : table_.headings[heading];
     return fmt::format("{} for waves travelling towards {:.6g} deg at {:.6g} rad/s", kFreedomNames[freedom],
                        h * kToDegrees, table_.omegas[omega]);
@@ -106,21 +106,21 @@ class Assembly {
     const std::size_t w = nearest(table_.omegas, record.omega);
     const auto k = static_cast<std::size_t>(record.freedom);
     const std::complex<double> value = (mirrored_ && k % 2 == 1 ? -1.0 : 1.0) * translation_.response(record);
-    const std::size_t at = (h * table_.omegas.size() + w) * 6 + k;
-    if (line_[at] != 0 && std::abs(table_.values[at] - value) > 1e-6 * (1e-3 + std::abs(value))) {
-      complain(record.line, fmt::format("{} a second time, with another value", place_words(h, w, k)),
-               fmt::format("it once; it is already in line {}", line_[at]));
+    const std::size_t index = (h * table_.omegas.size() + w) * 6 + k;
+    if (line_[index] != 0 && std::abs(table_.values[index] - value) > 1e-6 * (1e-3 + std::abs(value))) {
+      complain(record.line, fmt::format("{} twice, with different values", place_label(h, w, k)),
+               fmt::format("each value once; it is already in line {}", line_[index]));
       return;
     }
-    line_[at] = record.line;
-    table_.values[at] = value;
+    line_[index] = record.line;
+    table_.values[index] = value;
   }
 
   void find_gaps() {
     for (std::size_t k = 0; k < 6; ++k) {
-      const bool given = std::any_of(records_.begin(), records_.end(),
-                                     [&](const RaoRecord& r) { return static_cast<std::size_t>(r.freedom) == k; });
-      if (!given) {
+      const bool present = std::any_of(records_.begin(), records_.end(),
+                                       [&](const RaoRecord& r) { return static_cast<std::size_t>(r.freedom) == k; });
+      if (!present) {
         table_.assumptions.push_back(
             {AssumptionRank::other,
              fmt::format("The RAOs of {} do not contain {}; it is taken as zero.", file_, kFreedomNames[k])});
@@ -128,7 +128,7 @@ class Assembly {
       }
       for (std::size_t i = k; i < line_.size(); i += 6) {
         if (line_[i] != 0) continue;
-        complain(0, "nothing on " + place_words(i / 6 / table_.omegas.size(), i / 6 % table_.omegas.size(), k),
+        complain(0, "no value of " + place_label(i / 6 / table_.omegas.size(), i / 6 % table_.omegas.size(), k),
                  "every heading with every frequency");
       }
     }
@@ -143,20 +143,20 @@ class Assembly {
       const bool stated = symmetry_ != RaoSymmetry::unstated;
       table_.assumptions.push_back(
           {AssumptionRank::other,
-           fmt::format("The RAOs of {} cover one side of the vessel; the other is {} its mirror image.", file_,
-                       stated ? "by their own statement" : "assumed to be")});
+           fmt::format("The RAOs of {} cover one side of the vessel; the other side is {} its mirror image.", file_,
+                       stated ? "stated to be" : "assumed to be")});
     }
     if (widest * kToDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",
-                        fmt::format("neighbouring headings are {:.4g} deg apart; between them responses are "
+                        fmt::format("neighbouring headings are {:.4g} deg apart; responses between them are "
                                     "interpolated linearly{}",
-                                    widest * kToDegrees, gap_words()),
+                                    widest * kToDegrees, symmetry_remark()),
                         "", ""});
     }
   }
 
-  const char* gap_words() const {
-    return table_.asymmetric ? ", for the file says that its sides are not alike (Symmetry): nothing is mirrored" : "";
+  const char* symmetry_remark() const {
+    return table_.asymmetric ? "; nothing is mirrored because the file states that the sides differ (Symmetry)" : "";
   }
 
   const std::vector<RaoRecord>& records_;
@@ -165,7 +165,7 @@ class Assembly {
   std::string file_;
   Diagnostics& diagnostics_;
   RaoTable table_;
-  std::vector<int> line_;  ///< Of each value, 0 while there is none.
+  std::vector<int> line_;  ///< Line of each value; 0: no value yet.
   bool mirrored_ = false;
   int complaints_ = 0;
 };

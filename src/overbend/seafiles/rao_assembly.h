@@ -1,4 +1,4 @@
-/// From single records of an RAO file to the table.
+/// Assembles records of an RAO file into a table.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@
 namespace overbend {
 
 /// Sorts records into a table of all headings and frequencies. Every degree of freedom in the file must be given once
-/// for each pair (headings 0 and 360 deg may both be given if they agree); others are zero and become an assumption.
-/// Headings are completed by the symmetry that the file states; a file of the starboard side alone (180 to 360 deg) is
-/// mirrored. Points are left to the caller. Errors go to `diagnostics`, and nothing is returned.
+/// for each pair (headings 0 and 360 deg may both be given if they agree); others are zero, recorded as an assumption.
+/// Headings are completed by the symmetry stated in the file; a file with only the starboard side (180 to 360 deg) is
+/// mirrored. The caller sets the reference points. Errors go to `diagnostics`, and nothing is returned.
 std::optional<RaoTable> assemble_raos(const rao_formats::RaoFile& content, const RaoTranslation& translation,
                                       const std::string& file, Diagnostics& diagnostics);
 

@@ -11,8 +11,8 @@
 namespace overbend {
 namespace {
 
-const std::map<std::string, ConventionWords>& differences_from_house() {
-  static const std::map<std::string, ConventionWords> kSets = {
+const std::map<std::string, ConventionValues>& differences_from_house() {
+  static const std::map<std::string, ConventionValues> kSets = {
       {"house", {}},
       {"wamit", {{"phase", "lead"}, {"rotation", "rad_per_m"}}},
       {"orcaflex", {}},
@@ -32,7 +32,7 @@ const std::map<std::string, ConventionWords>& differences_from_house() {
 
 const std::vector<ConventionKey>& convention_keys() {
   static const std::vector<ConventionKey> kKeys = {
-      {"phase", "Whether a positive phase is behind (lag) or ahead of (lead) the wave.", {"lag", "lead"}},
+      {"phase", "Sense of a positive phase: behind (lag) or ahead of (lead) the wave.", {"lag", "lead"}},
       {"phase_zero",
        "Event of the wave at its origin to which phases refer.",
        {"crest", "trough", "up_crossing", "down_crossing"}},
@@ -41,13 +41,13 @@ const std::vector<ConventionKey>& convention_keys() {
        {"stern", "bow"}},
       {"heading_sense", "Sense of increasing heading, seen from above.", {"anticlockwise", "clockwise"}},
       {"rotation",
-       "Unit of roll, pitch and yaw: per wave amplitude, per greatest slope (k a; in the angle's own unit) or per "
+       "Unit of roll, pitch and yaw: per wave amplitude, per maximum slope (k a; in the unit of the angle) or per "
        "steepness (height over length).",
        {"deg_per_m", "rad_per_m", "per_slope", "rad_per_steepness", "deg_per_steepness"}},
       {"frequencies",
-       "First column of a WAMIT file, as IPEROUT has it: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) or "
+       "First column of a WAMIT file, set by IPEROUT: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) or "
        "wavenumbers (k L).",
-       words_of<WaveColumn>()},
+       enum_names<WaveColumn>()},
       {"positive.surge", "Positive surge.", {"forward", "aft"}},
       {"positive.sway", "Positive sway.", {"port", "starboard"}},
       {"positive.heave", "Positive heave.", {"up", "down"}},
@@ -62,30 +62,30 @@ std::vector<std::string> convention_sets() {
   return {"house", "wamit", "orcaflex", "aqwa", "moses", "flexcom"};
 }
 
-ConventionWords convention_set(const std::string& name) {
-  ConventionWords words;
-  for (const ConventionKey& key : convention_keys()) words[key.key] = key.words.front();
+ConventionValues convention_set(const std::string& name) {
+  ConventionValues convention;
+  for (const ConventionKey& key : convention_keys()) convention[key.key] = key.values.front();
   const auto set = differences_from_house().find(name);
-  if (set == differences_from_house().end()) return words;
-  for (const auto& [key, word] : set->second) words[key] = word;
-  return words;
+  if (set == differences_from_house().end()) return convention;
+  for (const auto& [key, word] : set->second) convention[key] = word;
+  return convention;
 }
 
-RaoTranslation::RaoTranslation(const ConventionWords& words, double length_scale, double depth)
+RaoTranslation::RaoTranslation(const ConventionValues& convention, double length_scale, double depth)
     : length_scale_(length_scale), depth_(depth) {
   for (const ConventionKey& key : convention_keys()) {
-    if (words.count(key.key) == 0) broken_promise("the convention of a file is settled for every key: " + key.key);
+    if (convention.count(key.key) == 0) broken_promise("the convention of a file must define every key: " + key.key);
   }
   for (std::size_t k = 0; k < 6; ++k) {
     const std::string key = std::string("positive.") + kFreedomNames[k];
-    signs_[k] = words.at(key) == convention_set("house").at(key) ? 1.0 : -1.0;
+    signs_[k] = convention.at(key) == convention_set("house").at(key) ? 1.0 : -1.0;
   }
-  if (words.at("phase") == "lead") lead_ = -1.0;
-  const std::string& zero = words.at("phase_zero");
+  if (convention.at("phase") == "lead") lead_ = -1.0;
+  const std::string& zero = convention.at("phase_zero");
   event_ = zero == "trough" ? kPi : zero == "down_crossing" ? 0.5 * kPi : zero == "up_crossing" ? -0.5 * kPi : 0.0;
-  if (words.at("heading_zero") == "bow") zero_ = kPi;
-  if (words.at("heading_sense") == "clockwise") sense_ = -1.0;
-  const std::string& rotation = words.at("rotation");
+  if (convention.at("heading_zero") == "bow") zero_ = kPi;
+  if (convention.at("heading_sense") == "clockwise") sense_ = -1.0;
+  const std::string& rotation = convention.at("rotation");
   if (rotation.substr(0, 3) == "deg") angle_ = kPi / 180.0;
   if (rotation == "per_slope") per_slope_ = 1.0;
   if (rotation.find("steepness") != std::string::npos) per_slope_ = 1.0 / kPi;

@@ -1,4 +1,4 @@
-/// Layouts of RAO files; include seafiles/rao_reader.h instead.
+/// Formats of RAO files; include seafiles/rao_reader.h instead.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace overbend::rao_formats {
 
-/// Content of a file: its numbers, and its statements about them. Angles of records are in rad except amplitudes.
+/// Contents of a file: its records and settings. Angles of records are in rad except amplitudes.
 struct RaoFile {
   std::vector<RaoRecord> records;
   RaoSettings stated;
   RaoSymmetry symmetry = RaoSymmetry::unstated;
-  std::vector<std::string> assumptions;  ///< Sentences about the origin of the numbers, for reports.
+  std::vector<std::string> assumptions;  ///< Sentences on the origin of the data, for reports.
 };
 
-/// Each takes the file's text; faults go to `diagnostics`. `given` chooses among several vessel types and draughts.
+/// Readers of the text of a file; errors go to `diagnostics`. `user_settings` selects one of several vessel types and
+/// draughts.
 RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& diagnostics);
 RaoFile read_wamit(const std::string& text, const std::string& file, const WaveColumnSettings& column,
                    Diagnostics& diagnostics);
-RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& given,
+RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& user_settings,
                       Diagnostics& diagnostics);
 
 }  // namespace overbend::rao_formats

@@ -1,4 +1,4 @@
-// Displacement RAOs in the text data files of OrcaFlex. Layout as files in public use have it.
+// Reads displacement RAOs from OrcaFlex text data files. The layout follows publicly available files.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,11 +21,11 @@ const YamlNode* member(const YamlNode& node, const std::string& key) {
   return nullptr;
 }
 
-/// One of OrcaFlex's settings and what its words mean here; the first is taken when the key is absent.
+/// A setting of OrcaFlex and the translation of its values; the first is the default if the key is absent.
 struct Setting {
   const char* theirs;
   const char* ours;
-  std::vector<std::pair<const char*, const char*>> words;
+  std::vector<std::pair<const char*, const char*>> values;
 };
 
 const std::vector<Setting>& settings() {
@@ -51,15 +51,15 @@ constexpr double kSameLength = 0.02;
 
 class OrcaFlexReader {
  public:
-  OrcaFlexReader(std::string file, const RaoSettings& given, Diagnostics& diagnostics)
-      : file_(std::move(file)), given_(given), diagnostics_(diagnostics) {}
+  OrcaFlexReader(std::string file, const RaoSettings& user_settings, Diagnostics& diagnostics)
+      : file_(std::move(file)), user_settings_(user_settings), diagnostics_(diagnostics) {}
 
   RaoFile read(const std::string& text) {
     const std::optional<YamlNode> root = parse_yaml(text, file_, diagnostics_);
     if (!root || diagnostics_.has_errors()) return {};
     check_units(*root);
-    const YamlNode* type = choose(*root, "VesselTypes", given_.vessel_type, "vessel_type");
-    const YamlNode* draught = type != nullptr ? choose(*type, "Draughts", given_.draught, "draught") : nullptr;
+    const YamlNode* type = choose(*root, "VesselTypes", user_settings_.vessel_type, "vessel_type");
+    const YamlNode* draught = type != nullptr ? choose(*type, "Draughts", user_settings_.draught, "draught") : nullptr;
     if (draught == nullptr) return {};
     read_settings(*type);
     const YamlNode* raos = member(*draught, "DisplacementRAOs");
@@ -87,13 +87,13 @@ class OrcaFlexReader {
     }
   }
 
-  /// The item of a list of named groups that is asked for, or the only one.
+  /// Returns the selected item of a list of named groups, or the only item.
   const YamlNode* choose(const YamlNode& parent, const std::string& key, const std::string& wanted,
                          const std::string& asked_by) {
     const YamlNode* list = member(parent, key);
     if (list == nullptr || list->items.empty()) {
-      complain(parent.line, key, "nothing", "a list of groups with their names",
-               "save a text data file (.yml) with the vessel type in it");
+      complain(parent.line, key, "nothing", "a list of named groups",
+               "save a text data file (.yml) that contains the vessel type");
       return nullptr;
     }
     if (wanted.empty() && list->items.size() == 1) return &list->items.front();
@@ -108,7 +108,7 @@ class OrcaFlexReader {
     return nullptr;
   }
 
-  /// Word of a setting of the vessel type, its default where absent; complains about words that are none of `known`.
+  /// Returns the value of a setting of the vessel type, or its default if absent; reports values that are not `known`.
   std::string word(const YamlNode& type, const std::string& key, const std::vector<std::string>& known) {
     const YamlNode* node = member(type, key);
     if (node == nullptr) return known.front();
@@ -120,16 +120,16 @@ class OrcaFlexReader {
   }
 
   void read_settings(const YamlNode& type) {
-    if (member(type, "RAOPhaseConvention") == nullptr && given_.words.count("phase") == 0) {
+    if (member(type, "RAOPhaseConvention") == nullptr && user_settings_.values.count("phase") == 0) {
       complain(type.line, "RAOPhaseConvention", "nothing (the key is missing)", "lags or leads",
-               "give vessel.motion.convention.phase");
+               "set vessel.motion.convention.phase");
     }
     for (const Setting& setting : settings()) {
       std::vector<std::string> known;
-      for (const auto& [theirs, ours] : setting.words) known.emplace_back(theirs);
+      for (const auto& [theirs, ours] : setting.values) known.emplace_back(theirs);
       const std::string chosen = word(type, setting.theirs, known);
-      for (const auto& [theirs, ours] : setting.words) {
-        if (chosen == theirs) content_.stated.words[setting.ours] = ours;
+      for (const auto& [theirs, ours] : setting.values) {
+        if (chosen == theirs) content_.stated.values[setting.ours] = ours;
       }
     }
     wave_ = word(type, "WavesReferredToBy", {"period (s)", "frequency (rad/s)", "frequency (Hz)"});
@@ -154,19 +154,19 @@ class OrcaFlexReader {
     }
   }
 
-  /// RAOs are of a vessel of one size.
+  /// Warns if the RAOs belong to a vessel of another length.
   void check_length(const YamlNode& type) {
     const YamlNode* node = member(type, "Length");
     const std::optional<double> length = node != nullptr ? scalar(*node) : std::nullopt;
-    if (!length || *length <= 0.0 || given_.vessel_length <= 0.0) return;
-    if (std::abs(*length / given_.vessel_length - 1.0) <= kSameLength) return;
+    if (!length || *length <= 0.0 || user_settings_.vessel_length <= 0.0) return;
+    if (std::abs(*length / user_settings_.vessel_length - 1.0) <= kSameLength) return;
     diagnostics_.add({Severity::warning, file_, node->line, 0, "Length",
-                      "the vessel of the RAOs is " + format_number(*length) + " m long and that of the model " +
-                          format_number(given_.vessel_length) + " m; the RAOs are used as they are",
+                      "the vessel of the RAOs is " + format_number(*length) + " m long, the vessel of the model " +
+                          format_number(user_settings_.vessel_length) + " m; the RAOs are used without scaling",
                       "", ""});
   }
 
-  /// The symmetry of motions about a point holds for points on the planes and axes of symmetry alone.
+  /// Checks that reference points lie on the planes and axes of symmetry, as the symmetry of motions requires.
   void check_points(const YamlNode& raos) {
     const bool in_length = content_.symmetry == RaoSymmetry::fore_aft || content_.symmetry == RaoSymmetry::quarters ||
                            content_.symmetry == RaoSymmetry::circular;
@@ -184,12 +184,12 @@ class OrcaFlexReader {
     const bool degrees = word(type, "RAOResponseUnits", {"degrees", "radians"}) == "degrees";
     const std::string per = word(type, "RAOWaveUnit", {"amplitude", "wave steepness", "max wave slope"});
     if (per == "amplitude") {
-      content_.stated.words["rotation"] = degrees ? "deg_per_m" : "rad_per_m";
+      content_.stated.values["rotation"] = degrees ? "deg_per_m" : "rad_per_m";
     } else if (!degrees) {
-      content_.stated.words["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
-    } else if (given_.words.count("rotation") == 0) {
+      content_.stated.values["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
+    } else if (user_settings_.values.count("rotation") == 0) {
       complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per, "per amplitude, or radians",
-               "give vessel.motion.convention.rotation");
+               "set vessel.motion.convention.rotation");
     }
   }
 
@@ -205,7 +205,7 @@ class OrcaFlexReader {
     check_points(raos);
   }
 
-  /// `[x, y, z]`; nothing when it is absent or left to its default by '~'.
+  /// Returns a point `[x, y, z]`; nothing if it is absent or left at its default '~'.
   std::optional<Vec3> point(const YamlNode& raos, const std::string& key) {
     const YamlNode* node = member(raos, key);
     if (node == nullptr) return std::nullopt;
@@ -223,14 +223,14 @@ class OrcaFlexReader {
     return std::nullopt;
   }
 
-  /// Frequency [rad/s]; 0 for the limits of no and of infinite frequency, which a table does not need.
-  double omega_of(double value) const {
+  /// Returns the frequency [rad/s]; 0 for the limits of zero and infinite frequency, which are skipped.
+  double frequency_of_value(double value) const {
     if (value <= 0.0) return 0.0;
     return wave_ == "period (s)" ? 2.0 * kPi / value : wave_ == "frequency (Hz)" ? 2.0 * kPi * value : value;
   }
 
-  /// Places of amplitude and phase of each freedom in the rows, from the key over them.
-  static std::array<std::array<std::size_t, 2>, 6> columns_of(const std::string& key, bool& complete) {
+  /// Returns the columns of amplitude and phase of each degree of freedom, from the key above the rows.
+  static std::array<std::array<std::size_t, 2>, 6> find_response_columns(const std::string& key, bool& complete) {
     constexpr std::array<const char*, 6> kTheirs = {"Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"};
     const TextTable names = split_table(key, ',');
     std::array<std::array<std::size_t, 2>, 6> columns{};
@@ -257,7 +257,7 @@ class OrcaFlexReader {
     for (const YamlEntry& entry : direction.entries) {
       if (entry.key.rfind("RAOPeriodOrFreq", 0) != 0) continue;
       bool complete = false;
-      const auto columns = columns_of(entry.key, complete);
+      const auto columns = find_response_columns(entry.key, complete);
       if (!complete) {
         complain(entry.line, "RAOPeriodOrFrequency", "not all of RAOSurgeAmp, RAOSurgePhase to RAOYawPhase",
                  "amplitude and phase of the six degrees of freedom");
@@ -281,11 +281,11 @@ class OrcaFlexReader {
       }
       numbers.push_back(*value);
     }
-    const double omega = omega_of(numbers[0]);
+    const double omega = frequency_of_value(numbers[0]);
     if (omega <= 0.0) return;
     for (std::size_t k = 0; k < 6; ++k) {
       if (std::max(columns[k][0], columns[k][1]) >= numbers.size()) {
-        complain(row.line, "RAOs", std::to_string(numbers.size()) + " numbers", "as many as the key above names");
+        complain(row.line, "RAOs", std::to_string(numbers.size()) + " numbers", "one for each name in the key above");
         return;
       }
       content_.records.push_back({heading * kPi / 180.0, omega, static_cast<int>(k), numbers[columns[k][0]],
@@ -294,7 +294,7 @@ class OrcaFlexReader {
   }
 
   std::string file_;
-  const RaoSettings& given_;
+  const RaoSettings& user_settings_;
   Diagnostics& diagnostics_;
   RaoFile content_;
   std::string wave_;
@@ -303,9 +303,9 @@ class OrcaFlexReader {
 
 }  // namespace
 
-RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& given,
+RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& user_settings,
                       Diagnostics& diagnostics) {
-  return OrcaFlexReader(file, given, diagnostics).read(text);
+  return OrcaFlexReader(file, user_settings, diagnostics).read(text);
 }
 
 }  // namespace overbend::rao_formats

@@ -15,7 +15,7 @@
 namespace overbend {
 namespace {
 
-/// In lower case: ".csv".
+/// Returns the file extension in lower case: ".csv".
 std::string file_ending(const std::string& file) {
   return lower_case(std::filesystem::path(file).extension().string());
 }
@@ -24,35 +24,36 @@ bool is_orcaflex(const std::string& ending) {
   return ending == ".yml" || ending == ".yaml";
 }
 
-/// The convention, in increasing priority: the named set, the file's statements, the user's.
-ConventionWords settle(const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
-  ConventionWords words = convention_set(given.set.empty() ? set : given.set);
-  for (const RaoSettings* from : {&stated, &given}) {
-    for (const auto& [key, word] : from->words) words[key] = word;
+/// Returns the convention, in increasing priority: named set, statements of the file, user settings.
+ConventionValues settle(const std::string& set, const RaoSettings& stated, const RaoSettings& user_settings) {
+  ConventionValues convention = convention_set(user_settings.set.empty() ? set : user_settings.set);
+  for (const RaoSettings* from : {&stated, &user_settings}) {
+    for (const auto& [key, word] : from->values) convention[key] = word;
   }
-  return words;
+  return convention;
 }
 
-/// The point the motions are of and the one the phases count from; what is assumed is noted in the table.
-void place_points(RaoTable& table, const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
+/// Sets the reference point of the motions and the origin of the phases; assumptions are noted in the table.
+void place_points(RaoTable& table, const std::string& set, const RaoSettings& stated,
+                  const RaoSettings& user_settings) {
   const std::string name = "The RAOs of " + table.source;
-  if (given.reference) {
-    table.reference_V = *given.reference;
+  if (user_settings.reference) {
+    table.reference_V = *user_settings.reference;
   } else if (stated.reference) {
-    table.reference_V = given.file_origin + *stated.reference;
-    if (set == "orcaflex" && !given.file_origin_stated) {
+    table.reference_V = user_settings.file_origin + *stated.reference;
+    if (set == "orcaflex" && !user_settings.file_origin_stated) {
       table.assumptions.push_back(
-          {AssumptionRank::other, name + " give their origin in the vessel axes of the file; the origin of these axes "
+          {AssumptionRank::other, name + " state their origin in the vessel axes of the file; the origin of these axes "
                                          "is assumed at midship on the water line."});
     }
   } else {
     table.assumptions.push_back(
         {AssumptionRank::other, name + " do not state their reference point; midship on the water line is assumed."});
   }
-  if (given.wave_origin) {
-    table.wave_origin_V = *given.wave_origin;
+  if (user_settings.wave_origin) {
+    table.wave_origin_V = *user_settings.wave_origin;
   } else if (stated.wave_origin) {
-    table.wave_origin_V = given.file_origin + *stated.wave_origin;
+    table.wave_origin_V = user_settings.file_origin + *stated.wave_origin;
   } else if (set == "wamit") {
     table.assumptions.push_back(
         {AssumptionRank::other, name + " are assumed to have phases relative to the wave at midship (X = Y = 0)."});
@@ -61,16 +62,16 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
   }
 }
 
-WaveColumnSettings column(const RaoSettings& given, double depth) {
-  const auto word = given.words.find("frequencies");
+WaveColumnSettings column(const RaoSettings& user_settings, double depth) {
+  const auto word = user_settings.values.find("frequencies");
   WaveColumnSettings settings;
-  if (word != given.words.end()) settings.stated = from_word<WaveColumn>(word->second);
-  settings.length_scale = given.length_scale;
+  if (word != user_settings.values.end()) settings.stated = from_enum_name<WaveColumn>(word->second);
+  settings.length_scale = user_settings.length_scale;
   settings.depth = depth;
   return settings;
 }
 
-/// The mirror image of one side is that of the other only for points on the centreline.
+/// Moves one-sided RAOs to the centreline, because mirroring is valid only for points on it.
 RaoTable sides_alike(RaoTable table, double depth) {
   const double reference = table.reference_V.y(), origin = table.wave_origin_V.y();
   if (!table.one_sided() || (reference == 0.0 && origin == 0.0)) return table;
@@ -78,16 +79,16 @@ RaoTable sides_alike(RaoTable table, double depth) {
     table.assumptions.push_back(
         {AssumptionRank::other,
          fmt::format(
-             "The RAOs of {} cover one side of the vessel and are of a point {} off the centreline; for the mirror "
-             "image they are moved to the centreline, and the vessel's motions in the results are of the point there.",
+             "The RAOs of {} cover one side of the vessel and refer to a point {} off the centreline; to mirror them, "
+             "they are moved to the centreline, and the vessel motions in the results are those of the point there.",
              table.source, shown_digits(std::abs(reference), "m", 3))});
   }
-  return moved_to_centreline(std::move(table), depth);
+  return transferred_to_centreline(std::move(table), depth);
 }
 
 }  // namespace
 
-std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& given, double depth,
+std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& user_settings, double depth,
                                   Diagnostics& diagnostics) {
   const std::string ending = file_ending(file);
   if (ending != ".csv" && ending != ".4" && !is_orcaflex(ending)) {
@@ -97,29 +98,29 @@ std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& gi
   }
   const std::optional<std::string> text = read_text_file(file, diagnostics);
   if (!text) return std::nullopt;
-  return read_rao_text(*text, file, given, depth, diagnostics);
+  return read_rao_text(*text, file, user_settings, depth, diagnostics);
 }
 
-std::optional<RaoTable> read_rao_text(const std::string& text, const std::string& file, const RaoSettings& given,
-                                      double depth, Diagnostics& diagnostics) {
+std::optional<RaoTable> read_rao_text(const std::string& text, const std::string& file,
+                                      const RaoSettings& user_settings, double depth, Diagnostics& diagnostics) {
   const std::string ending = file_ending(file);
   const bool orcaflex = is_orcaflex(ending);
-  Diagnostics faults;
-  const rao_formats::RaoFile content = orcaflex ? rao_formats::read_orcaflex(text, file, given, faults)
-                                       : ending == ".4"
-                                           ? rao_formats::read_wamit(text, file, column(given, depth), faults)
-                                           : rao_formats::read_csv(text, file, faults);
-  for (const Diagnostic& fault : faults.sorted()) diagnostics.add(fault);
-  if (faults.has_errors()) return std::nullopt;
+  Diagnostics file_diagnostics;
+  const rao_formats::RaoFile content =
+      orcaflex         ? rao_formats::read_orcaflex(text, file, user_settings, file_diagnostics)
+      : ending == ".4" ? rao_formats::read_wamit(text, file, column(user_settings, depth), file_diagnostics)
+                       : rao_formats::read_csv(text, file, file_diagnostics);
+  for (const Diagnostic& diagnostic : file_diagnostics.sorted()) diagnostics.add(diagnostic);
+  if (file_diagnostics.has_errors()) return std::nullopt;
   const std::string type_set = orcaflex ? "orcaflex" : ending == ".4" ? "wamit" : "house";
-  const std::string set = given.set.empty() ? type_set : given.set;
-  const RaoTranslation translation(settle(set, content.stated, given), given.length_scale, depth);
+  const std::string set = user_settings.set.empty() ? type_set : user_settings.set;
+  const RaoTranslation translation(settle(set, content.stated, user_settings), user_settings.length_scale, depth);
   std::optional<RaoTable> table = assemble_raos(content, translation, file, diagnostics);
   if (!table) return std::nullopt;
   for (const std::string& sentence : content.assumptions) {
     table->assumptions.push_back({AssumptionRank::governing, sentence});
   }
-  place_points(*table, set, content.stated, given);
+  place_points(*table, set, content.stated, user_settings);
   return sides_alike(std::move(*table), depth);
 }
 

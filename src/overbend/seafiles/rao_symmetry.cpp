@@ -10,8 +10,8 @@ namespace overbend {
 namespace {
 
 constexpr double kSameHeading = 1e-7;                 // [rad]
-constexpr int kHeadingsOfACircle = 72;                // every 5 deg: linear interpolation is within a thousandth
-using Responses = std::vector<std::complex<double>>;  ///< Of one heading: [omega][6].
+constexpr int kHeadingsOfACircle = 72;                // every 5 deg: linear interpolation is accurate to 0.1 %
+using Responses = std::vector<std::complex<double>>;  ///< Responses at one heading: [omega][6].
 
 double wrapped(double heading) {
   const double turned = heading - kTurn * std::floor(heading / kTurn);
@@ -23,17 +23,17 @@ Responses responses(const RaoTable& table, std::size_t heading) {
   return {first, first + static_cast<std::ptrdiff_t>(table.omegas.size() * 6)};
 }
 
-/// Seen in a mirror across the vessel at midship: surge changes sign, and turns about the axes in the mirror do.
+/// Mirrors responses at midship: surge, pitch and yaw change sign.
 Responses mirrored_at_midship(Responses values) {
   constexpr std::array<double, 6> kSigns = {-1.0, 1.0, 1.0, 1.0, -1.0, -1.0};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] *= kSigns[i % 6];
   return values;
 }
 
-/// Of waves that come from further round by `angle`.
+/// Rotates the responses of a circular vessel to waves turned by `angle` [rad].
 Responses turned_by(Responses values, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  for (std::size_t i = 0; i < values.size(); i += 3) {  // translations and rotations are vectors alike
+  for (std::size_t i = 0; i < values.size(); i += 3) {  // translations and rotations both transform as vectors
     const std::complex<double> x = values[i], y = values[i + 1];
     values[i] = c * x - s * y;
     values[i + 1] = s * x + c * y;
@@ -56,11 +56,11 @@ void set_headings(RaoTable& table, const std::map<double, Responses>& by_heading
 void complete_by_symmetry(RaoTable& table, RaoSymmetry symmetry) {
   std::map<double, Responses> by_heading;
   for (std::size_t i = 0; i < table.headings.size(); ++i) by_heading.emplace(table.headings[i], responses(table, i));
-  const std::map<double, Responses> given = by_heading;
+  const std::map<double, Responses> known = by_heading;
   if (symmetry == RaoSymmetry::fore_aft || symmetry == RaoSymmetry::quarters) {
-    for (const auto& [heading, values] : given) by_heading.emplace(wrapped(kPi - heading), mirrored_at_midship(values));
-  } else if (symmetry == RaoSymmetry::circular && given.size() == 1) {
-    const auto& [first, values] = *given.begin();
+    for (const auto& [heading, values] : known) by_heading.emplace(wrapped(kPi - heading), mirrored_at_midship(values));
+  } else if (symmetry == RaoSymmetry::circular && known.size() == 1) {
+    const auto& [first, values] = *known.begin();
     for (int i = 1; i < kHeadingsOfACircle; ++i) {
       const double angle = kTurn * i / kHeadingsOfACircle;
       by_heading.emplace(wrapped(first + angle), turned_by(values, angle));

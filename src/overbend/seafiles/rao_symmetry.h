@@ -1,4 +1,4 @@
-/// Headings that a table of RAOs lacks, by the symmetry of the vessel.
+/// Completes missing headings of an RAO table by the symmetry of the vessel.
 #pragma once
 
 #include "model/waves/rao_table.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Adds the mirror image at midship (fore_aft, quarters), or turns the one heading of a circular vessel all round. The
-/// other side of the vessel is left to RaoTable::one_sided.
+/// Adds the mirror image at midship (fore_aft, quarters), or rotates the single heading of a circular vessel around the
+/// full circle. The other side of the vessel is handled by RaoTable::one_sided.
 void complete_by_symmetry(RaoTable& table, RaoSymmetry symmetry);
 
 }  // namespace overbend

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double kNormalPeak = 0.4;  // density of the normal distribution at its mean
 
-/// Smallest change between rows that is not zero, the last digit of the record; 0 where nothing changes.
+/// Returns the smallest non-zero step, the resolution of the record; 0 if all values are equal.
 double resolution(const std::vector<double>& steps) {
-  double smallest = 0.0;
+  double min_change = 0.0;
   for (const double step : steps) {
     const double size = std::abs(step);
-    if (size > 0.0 && (smallest == 0.0 || size < smallest)) smallest = size;
+    if (size > 0.0 && (min_change == 0.0 || size < min_change)) min_change = size;
   }
-  return smallest;
+  return min_change;
 }
 
-/// Magnitudes of the rates between rows.
+/// Returns the magnitudes of the rates between rows.
 std::vector<double> rates_between(const std::vector<double>& time, const std::vector<double>& values) {
   std::vector<double> rates(values.size() - 1);
   for (std::size_t i = 0; i < rates.size(); ++i) {
@@ -30,7 +30,7 @@ std::vector<double> rates_between(const std::vector<double>& time, const std::ve
   return rates;
 }
 
-/// Upper quartile of the rates around step `i`, without it.
+/// Returns the upper quartile of the rates around step `i`, without step `i`.
 double rate_around(const std::vector<double>& rates, std::size_t i) {
   constexpr std::size_t kReach = 10;
   const std::size_t from = i > kReach ? i - kReach : 0, to = std::min(rates.size(), i + kReach + 1);
@@ -41,7 +41,7 @@ double rate_around(const std::vector<double>& rates, std::size_t i) {
   return quantile(std::move(around), 0.75);
 }
 
-/// Magnitude of the second difference with which step `i` begins.
+/// Returns the magnitude of the acceleration at the start of step `i`.
 double acceleration_before(const std::vector<double>& time, const std::vector<double>& values, std::size_t i) {
   if (i == 0) return 0.0;
   const double before = time[i] - time[i - 1], after = time[i + 1] - time[i];
@@ -49,29 +49,29 @@ double acceleration_before(const std::vector<double>& time, const std::vector<do
   return std::abs(change) / (0.5 * (before + after));
 }
 
-/// Judges whether a run of equal values, written to a last digit q, can be motion: its speed v has to be below q / T
-/// and its acceleration below 8 q / T^2 for the time T.
-struct RunJudge {
+/// Estimates whether a run of equal values with resolution q can be motion: during its duration T, the speed must be
+/// below q / T and the acceleration below 8 q / T^2.
+struct RunProbability {
   const std::vector<double>& time;
   std::vector<double> rates;
   double digit, period;
 
   double lasts(const EqualRun& run) const { return time[run.last] - time[run.first]; }
 
-  /// Upper quartile of the rates within half a period beside the run.
-  double rate_beside(const EqualRun& run) const {
+  /// Returns the upper quartile of the rates within half a period before and after the run.
+  double neighbouring_rate(const EqualRun& run) const {
     const double reach = std::max(0.5 * period, 2.0 * lasts(run) / static_cast<double>(run.last - run.first));
-    std::vector<double> beside;
-    for (std::size_t k = run.first; k-- > 0 && time[run.first] - time[k] <= reach;) beside.push_back(rates[k]);
+    std::vector<double> neighbours;
+    for (std::size_t k = run.first; k-- > 0 && time[run.first] - time[k] <= reach;) neighbours.push_back(rates[k]);
     for (std::size_t k = run.last; k < rates.size() && time[k] - time[run.last] <= reach; ++k) {
-      beside.push_back(rates[k]);
+      neighbours.push_back(rates[k]);
     }
-    return quantile(std::move(beside), 0.75);
+    return quantile(std::move(neighbours), 0.75);
   }
 
-  /// Number of such runs that a Gaussian motion, which moves as beside this one, is expected to have.
+  /// Returns the expected number of such runs in a Gaussian motion with the rates of the neighbouring rows.
   double expected(const EqualRun& run) const {
-    const double duration = lasts(run), speed = rate_beside(run), acceleration = speed * kTurn / period;
+    const double duration = lasts(run), speed = neighbouring_rate(run), acceleration = speed * kTurn / period;
     if (!(speed > 0.0)) return kInfinity;
     const double slow = std::min(1.0, kNormalPeak * digit / (duration * speed));
     const double straight = std::min(1.0, 8.0 * kNormalPeak * digit / (duration * duration * acceleration));
@@ -109,7 +109,7 @@ std::vector<double> differences(const std::vector<double>& values) {
   return steps;
 }
 
-std::size_t largest(const std::vector<double>& values) {
+std::size_t max_magnitude_row(const std::vector<double>& values) {
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
 }
@@ -132,16 +132,17 @@ double crossing_period(const std::vector<double>& time, const std::vector<double
   return crossings < 2 ? 0.0 : (time[last] - time[first]) / (crossings - 1);
 }
 
-std::vector<Leap> find_leaps(const std::vector<double>& time, const std::vector<double>& values, RateBounds bounds) {
-  // The largest step of a Gaussian motion of a day is some 8 times its median, that of a growing one more; but then
-  // those around it are as large.
+std::vector<RecordJump> find_jumps(const std::vector<double>& time, const std::vector<double>& values,
+                                   RateBounds bounds) {
+  // In a Gaussian motion over a day, the largest step is about 8 times the median. In a growing motion it is larger,
+  // but then the steps around it are as large.
   constexpr double kOfUsual = 12.0, kOfAround = 6.0;
   constexpr std::size_t kFewest = 12;
   const std::vector<double> rates = rates_between(time, values);
   std::vector<double> moving;
   std::copy_if(rates.begin(), rates.end(), std::back_inserter(moving), [](double rate) { return rate > 0.0; });
   const double usual = median(moving);
-  std::vector<Leap> leaps;
+  std::vector<RecordJump> leaps;
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const double acceleration = acceleration_before(time, values, i);
     const bool beyond = rates[i] > bounds.rate || acceleration > bounds.acceleration;
@@ -153,7 +154,7 @@ std::vector<Leap> find_leaps(const std::vector<double>& time, const std::vector<
 }
 
 double held_share(const std::vector<double>& values) {
-  constexpr double kLarge = 5.0;  // last digits: smaller steps are those of a slow motion
+  constexpr double kLarge = 5.0;  // multiples of the resolution; smaller steps belong to a slow motion
   const std::vector<double> steps = differences(values);
   std::vector<double> moving;
   for (const double step : steps) {
@@ -172,18 +173,18 @@ std::optional<EqualRun> find_frozen_run(const std::vector<double>& time, const s
   constexpr double kRare = 1e-3, kPeriods = 2.0;
   const double period = crossing_period(time, values);
   if (period <= 0.0) return std::nullopt;
-  const RunJudge judge{time, rates_between(time, values), resolution(differences(values)), period};
+  const RunProbability judge{time, rates_between(time, values), resolution(differences(values)), period};
   const bool fine = finely_written(values);
-  std::optional<EqualRun> longest;
+  std::optional<EqualRun> frozen;
   for (std::size_t first = 0, i = 1; i <= values.size(); ++i) {
     if (i < values.size() && values[i] == values[first]) continue;
     const EqualRun run{first, i - 1};
     first = i;
     const double lasts = judge.lasts(run);
-    if (run.last - run.first < 2 || (longest && lasts <= judge.lasts(*longest))) continue;
-    if (judge.expected(run) < kRare || (fine && lasts >= kPeriods * period)) longest = run;
+    if (run.last - run.first < 2 || (frozen && lasts <= judge.lasts(*frozen))) continue;
+    if (judge.expected(run) < kRare || (fine && lasts >= kPeriods * period)) frozen = run;
   }
-  return longest;
+  return frozen;
 }
 
 }  // namespace overbend

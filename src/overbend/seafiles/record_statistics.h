@@ -1,4 +1,4 @@
-/// Statistics of a recorded channel that a few wrong rows do not change, and what stands out against them.
+/// Robust statistics of a recorded channel, and detection of outliers.
 #pragma once
 
 #include <cstddef>
@@ -7,52 +7,54 @@
 
 namespace overbend {
 
+/// Returns the arithmetic mean.
 double mean(const std::vector<double>& values);
-/// Standard deviation.
+/// Returns the standard deviation (divided by N).
 double deviation(const std::vector<double>& values);
-/// `share` from 0 to 1 of the values are below; 0 of an empty list.
+/// Returns the value that the fraction `share` (0 to 1) of the values lies below; 0 for an empty list.
 double quantile(std::vector<double> values, double share);
 double median(const std::vector<double>& values);
-/// Each value minus the one before: one less than the values.
+/// Returns the differences of consecutive values, one fewer than the values.
 std::vector<double> differences(const std::vector<double>& values);
-/// Row of the value of largest magnitude.
-std::size_t largest(const std::vector<double>& values);
+/// Returns the row of the value of largest magnitude.
+std::size_t max_magnitude_row(const std::vector<double>& values);
 
-/// Whether the range of the values is many times their last digit.
+/// True if the range of the values is at least 20 times their resolution.
 bool finely_written(const std::vector<double>& values);
 
-/// Mean period between crossings of the mean upwards [s]; 0 with fewer than two crossings.
+/// Returns the mean period between up-crossings of the median [s]; 0 with fewer than two crossings.
 double crossing_period(const std::vector<double>& time, const std::vector<double>& values);
 
-/// Rate and acceleration beyond which nothing moves.
+/// Physical bounds of rate and acceleration.
 struct RateBounds {
   double rate, acceleration;
 };
 
-/// A step from the row before `row` that is no motion.
-struct Leap {
+/// An implausible step between the previous row and `row`.
+struct RecordJump {
   std::size_t row;
-  double rate;          ///< Magnitudes.
-  double acceleration;  ///< Of the change of rate with which it begins.
-  double of_usual;      ///< Rate over the median of all that are not zero.
+  double rate;          ///< Magnitude of the rate.
+  double acceleration;  ///< Magnitude of the acceleration at its start.
+  double of_usual;      ///< Rate relative to the median of all non-zero rates.
 };
 
-/// Steps beyond the bounds, and steps that are far larger than the usual one and than those around them.
-std::vector<Leap> find_leaps(const std::vector<double>& time, const std::vector<double>& values, RateBounds bounds);
+/// Returns steps beyond the bounds, and steps much larger than both the usual step and the steps around them.
+std::vector<RecordJump> find_jumps(const std::vector<double>& time, const std::vector<double>& values,
+                                   RateBounds bounds);
 
-/// Rows of one value.
+/// Range of rows with equal values.
 struct EqualRun {
   std::size_t first, last;
 };
 
-/// The longest run of equal values in a channel that moves otherwise, where the motion beside it, written with as many
-/// digits, cannot stand so still.
+/// Returns the longest run of equal values that is improbable for a motion with the rates of the neighbouring rows and
+/// the resolution of the record.
 std::optional<EqualRun> find_frozen_run(const std::vector<double>& time, const std::vector<double>& values);
 
-/// Share of the rows that repeat the value before in a channel that otherwise changes by many last digits.
+/// Returns the fraction of rows that repeat the previous value; 0 if the other steps are near the resolution.
 double held_share(const std::vector<double>& values);
 
-/// Chance that a row of a normally distributed motion is written as 0.
+/// Returns the probability that a row of a normally distributed motion is written as 0.
 double chance_of_zero(const std::vector<double>& values);
 
 }  // namespace overbend

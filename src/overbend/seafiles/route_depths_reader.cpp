@@ -33,7 +33,7 @@ class RouteDepthsReader {
     diagnostics_.add({Severity::error, path_, line, 0, std::move(key), std::move(found), std::move(expected), ""});
   }
 
-  /// What turns the first column into metres.
+  /// Returns the factor that converts the first column to metres.
   std::optional<double> distance_unit(const TextRow& head) {
     if (head.cells.size() == 2 && head.cells[1] == "depth_m") {
       if (head.cells[0] == "distance_m") return 1.0;
@@ -60,7 +60,7 @@ class RouteDepthsReader {
     const double metres = to_metres * *distance;
     if (!points_.empty() && metres <= points_.back().distance) {
       complain(row.line, "distance", format_number(*distance),
-               "more than the distance before it, " + format_number(points_.back().distance / to_metres));
+               "more than the previous distance, " + format_number(points_.back().distance / to_metres));
     }
     points_.push_back({metres, *depth});
   }

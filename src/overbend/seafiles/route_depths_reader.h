@@ -1,4 +1,4 @@
-/// Reads the water depths along a route.
+/// Reads water depths along a route.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace overbend {
 
-/// Reads CSV text: a header `distance_m,depth_m` or `kp_km,depth_m`, then a row per point by rising distance; lines
-/// that begin with # are passed over. `path` names the text in messages; every error is reported with its line. Empty
-/// after a fault.
+/// Reads CSV text: a header `distance_m,depth_m` or `kp_km,depth_m`, then a row per point with increasing distance;
+/// lines that begin with # are skipped. `path` names the text in messages; every error is reported with its line.
+/// Returns an empty list after an error.
 std::vector<RouteDepth> read_route_depths_text(const std::string& text, const std::string& path,
                                                Diagnostics& diagnostics);
 

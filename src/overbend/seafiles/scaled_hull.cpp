@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kSway = 1, kRoll = 3;
 
-/// Frequencies of the original under both ratios, in rising order; those that differ by rounding only once.
+/// Returns the frequencies of the original scaled by both ratios, in increasing order without duplicates.
 std::vector<double> scaled_frequencies(const std::vector<double>& omegas, double by_length, double by_beam) {
   std::vector<double> all;
   for (const double omega : omegas) {

@@ -1,4 +1,4 @@
-/// Motion RAOs of a hull scaled from those of another, for a vessel whose own are not known.
+/// Motion RAOs scaled from another hull, for a vessel whose RAOs are unknown.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace overbend {
 
-/// Main dimensions in the water plane [m].
+/// Main dimensions of the water plane [m].
 struct HullDimensions {
   double length = 0.0, beam = 0.0;
 };
 
 /// Froude scaling in deep water with a ratio r: frequencies by 1/sqrt(r), rotations per wave amplitude by 1/r, motions
-/// in metres per metre and phases unchanged. r is the ratio of the lengths for surge, heave, pitch and yaw, that of the
-/// beams for sway and roll. This is exact where both ratios are the same; the limits for long waves hold in any case.
-/// Points of the vessel are scaled by length along it, by beam otherwise. Frequencies are those of the original under
+/// in metres per metre and phases unchanged. r is the ratio of lengths for surge, heave, pitch and yaw, and of beams
+/// for sway and roll. This is exact if both ratios are equal; the long-wave limits are always correct. Reference points
+/// are scaled with length along the vessel and with beam otherwise. The frequencies are those of the original scaled by
 /// both ratios.
 RaoTable scale_raos(const RaoTable& raos, const HullDimensions& original, const HullDimensions& scaled);
 
-/// A CSV file in the convention of the house that read_raos() takes, with its `assumption` in the header.
+/// Returns a CSV file in the internal convention for read_raos(), with `assumption` in the header.
 std::string rao_csv(const RaoTable& raos, const std::string& title, const std::string& assumption);
 
 }  // namespace overbend

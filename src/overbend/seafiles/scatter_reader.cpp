@@ -20,17 +20,17 @@ namespace {
 constexpr std::size_t kMonths = 12;
 constexpr std::array<std::string_view, kMonths> kMonthNames = {"jan", "feb", "mar", "apr", "may", "jun",
                                                                "jul", "aug", "sep", "oct", "nov", "dec"};
-constexpr double kRounding = 0.005;  ///< By which rounded probabilities of a month may exceed 1.
-constexpr double kEven = 1e-6;       ///< Relative, of spacings.
+constexpr double kRounding = 0.005;  ///< Excess over 1 allowed for the rounded probabilities of a month.
+constexpr double kEven = 1e-6;       ///< Relative tolerance of spacings.
 
-/// Of a row or a column of the diagram.
+/// Row or column of the diagram.
 struct Cell {
   double middle = 0.0;
-  std::optional<double> width;  ///< Where it is given as a range.
+  std::optional<double> width;  ///< Set if given as a range.
 };
 
-/// "0.75" or "0.5-1".
-std::optional<Cell> cell_of(std::string_view text) {
+/// Parses "0.75" or "0.5-1".
+std::optional<Cell> parse_cell(std::string_view text) {
   if (const std::optional<double> middle = cell_number(text)) return Cell{*middle, std::nullopt};
   const std::size_t dash = text.find('-', 1);
   if (dash == std::string_view::npos) return std::nullopt;
@@ -44,13 +44,13 @@ bool is_total(std::string_view text) {
   return word == "total" || word == "sum" || word == "all";
 }
 
-/// The one width of cells in ascending order; none where they are not even.
+/// Returns the common width of cells in ascending order; nothing if they are uneven.
 std::optional<double> even_width(const std::vector<Cell>& cells) {
-  const std::optional<double> given = cells.front().width;
-  const double width = given ? *given : cells.size() > 1 ? cells[1].middle - cells[0].middle : 0.0;
+  const std::optional<double> first_width = cells.front().width;
+  const double width = first_width ? *first_width : cells.size() > 1 ? cells[1].middle - cells[0].middle : 0.0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i].width.has_value() != given.has_value()) return std::nullopt;
-    if (given && std::abs(*cells[i].width - width) > kEven * width) return std::nullopt;
+    if (cells[i].width.has_value() != first_width.has_value()) return std::nullopt;
+    if (first_width && std::abs(*cells[i].width - width) > kEven * width) return std::nullopt;
     if (i > 0 && std::abs(cells[i].middle - cells[i - 1].middle - width) > kEven * width) return std::nullopt;
   }
   return width > 0.0 ? std::optional(width) : std::nullopt;
@@ -87,9 +87,9 @@ class ScatterReader {
     const std::string word = lower_case(remark.cells[1]);
     if (word == "counts") return;
     if (word == "probability") {
-      whole_ = 1.0;
+      max_sum_ = 1.0;
     } else if (word == "per cent" || word == "percent" || word == "%") {
-      whole_ = 100.0;
+      max_sum_ = 100.0;
     } else {
       complain(remark.line, "values", quoted(remark.cells[1]), "counts, probability or per cent");
     }
@@ -98,24 +98,26 @@ class ScatterReader {
   void take_head(const TextRow& head) {
     std::size_t column = 0;
     const auto named = [&](std::string_view name) {
-      const bool here = column < head.cells.size() && lower_case(head.cells[column]) == name;
-      column += here ? 1 : 0;
-      return here;
+      const bool matches = column < head.cells.size() && lower_case(head.cells[column]) == name;
+      column += matches ? 1 : 0;
+      return matches;
     };
     months_ = named("month");
     directions_ = named("from_deg");
     if (!named("hs_m")) {
       complain(head.line, "", column < head.cells.size() ? quoted(head.cells[column]) : "the end of the line",
-               "a header of 'hs_m' and the peak periods in s, with 'month' and 'from_deg' before it where they are");
+               "a header of 'hs_m' and the peak periods in s, optionally preceded by 'month' and 'from_deg'");
       return;
     }
     first_ = column;
     columns_ = head.cells.size();
     for (; column < columns_; ++column) take_period(head, column);
     if (!good_) return;
-    if (periods_.empty()) return complain(head.line, "", "no peak periods", "one per column behind hs_m, in s");
+    if (periods_.empty()) return complain(head.line, "", "no peak periods", "one per column after hs_m, in s");
     const std::optional<double> width = even_width(periods_);
-    if (!width) return complain(head.line, "", "peak periods that are not even", "ascending by one step");
+    if (!width) {
+      return complain(head.line, "", "peak periods that are not evenly spaced", "ascending by a constant step");
+    }
     diagram_.tp_step = *width;
   }
 
@@ -124,7 +126,7 @@ class ScatterReader {
     const bool passed_over = is_total(text);
     taken_.push_back(!passed_over);
     if (passed_over) return;
-    const std::optional<Cell> period = cell_of(text);
+    const std::optional<Cell> period = parse_cell(text);
     if (!period || period->middle <= 0.0) {
       return complain(head.line, fmt::format("column {}", column + 1), quoted(text), "a peak period in s, above 0");
     }
@@ -137,15 +139,15 @@ class ScatterReader {
                       std::to_string(columns_) + ", as in the header");
     }
     if (is_total(row.cells[first_ - 1]) || is_total(row.cells.front())) return;
-    const std::optional<std::size_t> month = months_ ? month_of(row) : 0;
-    const std::optional<double> from = directions_ ? direction_of(row) : std::nullopt;
-    const std::optional<Cell> height = cell_of(row.cells[first_ - 1]);
+    const std::optional<std::size_t> month = months_ ? parse_month(row) : 0;
+    const std::optional<double> from = directions_ ? parse_direction(row) : std::nullopt;
+    const std::optional<Cell> height = parse_cell(row.cells[first_ - 1]);
     if (!height || height->middle < 0.0) {
       return complain(row.line, "hs_m", quoted(row.cells[first_ - 1]), "a wave height in m, at least 0");
     }
     if (!month || !good_) return;
     if (!rows_.insert({*month, from.value_or(0.0), height->middle}).second) {
-      return complain(row.line, "hs_m", quoted(row.cells[first_ - 1]) + " a second time", "each height once");
+      return complain(row.line, "hs_m", quoted(row.cells[first_ - 1]) + " twice", "each height once");
     }
     heights_.insert({height->middle, height->width.value_or(0.0)});
     std::size_t period = 0;
@@ -154,7 +156,7 @@ class ScatterReader {
     }
   }
 
-  std::optional<std::size_t> month_of(const TextRow& row) {
+  std::optional<std::size_t> parse_month(const TextRow& row) {
     const std::string word = lower_case(row.cells.front()).substr(0, 3);
     const auto name = std::ranges::find(kMonthNames, word);
     if (name != kMonthNames.end()) return static_cast<std::size_t>(name - kMonthNames.begin());
@@ -166,7 +168,7 @@ class ScatterReader {
     return std::nullopt;
   }
 
-  std::optional<double> direction_of(const TextRow& row) {
+  std::optional<double> parse_direction(const TextRow& row) {
     const std::string_view text = row.cells[first_ - 2];
     const std::optional<double> degrees = cell_number(text);
     if (degrees && *degrees >= 0.0 && *degrees <= 360.0) return std::fmod(*degrees, 360.0) * kDegree;
@@ -197,7 +199,7 @@ class ScatterReader {
       heights.push_back({middle, width > 0.0 ? std::optional(width) : std::nullopt});
     }
     const std::optional<double> width = even_width(heights);
-    if (!width) return complain(0, "hs_m", "wave heights that are not even", "ascending by one step");
+    if (!width) return complain(0, "hs_m", "wave heights that are not evenly spaced", "ascending by a constant step");
     diagram_.hs_step = *width;
   }
 
@@ -205,25 +207,26 @@ class ScatterReader {
     for (std::size_t month = 0; month < (months_ ? kMonths : 1); ++month) {
       double sum = 0.0;
       for (const ScatterDiagram::Sea& sea : diagram_.seas) sum += sea.fraction[month];
-      const std::string of = months_ ? fmt::format("month {}", month + 1) : "";
-      if (sum <= 0.0) return complain(0, of, "no seas", "at least one");
-      if (whole_ && sum > *whole_ * (1.0 + kRounding)) {
-        return complain(0, of, "values that add up to " + format_number(sum), "at most " + format_number(*whole_));
+      const std::string month_label = months_ ? fmt::format("month {}", month + 1) : "";
+      if (sum <= 0.0) return complain(0, month_label, "no seas", "at least one");
+      if (max_sum_ && sum > *max_sum_ * (1.0 + kRounding)) {
+        return complain(0, month_label, "values that add up to " + format_number(sum),
+                        "at most " + format_number(*max_sum_));
       }
-      const double whole = whole_ ? std::max(*whole_, sum) : sum;
-      for (ScatterDiagram::Sea& sea : diagram_.seas) sea.fraction[month] /= whole;
+      const double total = max_sum_ ? std::max(*max_sum_, sum) : sum;
+      for (ScatterDiagram::Sea& sea : diagram_.seas) sea.fraction[month] /= total;
     }
   }
 
   std::string path_;
   Diagnostics& diagnostics_;
   bool good_ = true, months_ = false, directions_ = false;
-  std::optional<double> whole_;  ///< What the values of a month add up to at most; none: counts.
-  std::size_t first_ = 0;        ///< Column of the first period.
+  std::optional<double> max_sum_;  ///< Maximum sum of the values of a month; none: counts.
+  std::size_t first_ = 0;          ///< Column of the first period.
   std::size_t columns_ = 0;
-  std::vector<bool> taken_;  ///< Of the columns behind hs_m.
+  std::vector<bool> taken_;  ///< True for the columns after hs_m that are used.
   std::vector<Cell> periods_;
-  std::set<std::pair<double, double>> heights_;  ///< Middle and width, 0 where none is given.
+  std::set<std::pair<double, double>> heights_;  ///< Centre and width; width 0: not given.
   std::set<std::tuple<std::size_t, double, double>> rows_;
   std::map<std::tuple<double, double, double>, std::size_t> index_;
   ScatterDiagram diagram_;

@@ -1,4 +1,4 @@
-/// Numbers that instruments and their programs write in place of a value that they do not have.
+/// Sentinels: numbers that instruments and their software write for missing values.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// 9.99, 99.9, 999, -9999, 1e20, 32767 and the like, of either sign.
+/// True for 9.99, 99.9, 999, -9999, 1e20, 32767 and the like, of either sign.
 inline bool is_sentinel(double value) {
   constexpr double kWritten[] = {9.99,   9.999,  99.0,   99.9,   99.99,   99.999,  999.0,   999.9,
                                  999.99, 9999.0, 999.25, 9999.9, 99999.0, 32767.0, 32768.0, 65535.0};
@@ -16,6 +16,6 @@ inline bool is_sentinel(double value) {
                                      [&](double written) { return std::abs(size - written) < 1e-9 * written; });
 }
 
-inline constexpr const char* kNoValueWords = ", as recorders write where they have no value";
+inline constexpr const char* kMissingValueText = ", which recorders write for missing values";
 
 }  // namespace overbend

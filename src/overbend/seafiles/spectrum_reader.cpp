@@ -18,9 +18,9 @@
 namespace overbend {
 namespace {
 
-constexpr double kHighestSea = 40.0;  ///< As of the key environment.waves.hs [m].
+constexpr double kMaxWaveHeight = 40.0;  ///< Upper limit of the key environment.waves.hs [m].
 
-/// A pair of columns and what turns them into rad/s and m2 s.
+/// A pair of columns and the factors that convert them to rad/s and m2 s.
 struct Columns {
   const char *frequency, *density;
   double to_omega, to_density;
@@ -55,7 +55,7 @@ class SpectrumReader {
         {Severity::error, path_, line_, 0, std::move(key), std::move(found), std::move(expected), std::string()});
   }
 
-  static std::vector<std::string_view> cells_of(std::string_view line) {
+  static std::vector<std::string_view> split_cells(std::string_view line) {
     std::vector<std::string_view> cells;
     for (std::size_t start = 0; start <= line.size();) {
       const std::size_t end = std::min(line.find(',', start), line.size());
@@ -66,7 +66,7 @@ class SpectrumReader {
   }
 
   bool take_header(std::string_view line) {
-    const auto cells = cells_of(line);
+    const auto cells = split_cells(line);
     for (const Columns& known : kKnown) {
       if (cells.size() == 2 && cells[0] == known.frequency && cells[1] == known.density) columns_ = &known;
     }
@@ -82,14 +82,14 @@ class SpectrumReader {
     if (!value) {
       complain(column, "'" + for_display(cell) + "'", "a number");
     } else if (*value < 0.0) {
-      complain(column, format_number(*value) + (is_sentinel(*value) ? kNoValueWords : ""), "0 or more");
+      complain(column, format_number(*value) + (is_sentinel(*value) ? kMissingValueText : ""), "0 or more");
       return std::nullopt;
     }
     return value;
   }
 
   void take_row(std::string_view line) {
-    const auto cells = cells_of(line);
+    const auto cells = split_cells(line);
     if (cells.size() != 2) {
       complain("", std::to_string(cells.size()) + " columns", "2, as in the header");
       return;
@@ -102,14 +102,14 @@ class SpectrumReader {
     }
     if (frequency <= last_frequency_) {
       complain(columns_->frequency, format_number(*frequency),
-               "more than the frequency before it, " + format_number(*last_frequency_));
+               "more than the previous frequency, " + format_number(*last_frequency_));
     }
     last_frequency_ = frequency;
     lines_.push_back(line_);
     points_.push_back({*frequency * columns_->to_omega, *density * columns_->to_density});
   }
 
-  /// Faults of no one line.
+  /// Checks the spectrum as a whole.
   void check_whole() {
     line_ = 0;
     if (columns_ == nullptr) {
@@ -122,32 +122,32 @@ class SpectrumReader {
       check_peak();
       check_sea();
       if (!(height > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
-      if (height > kHighestSea) {
+      if (height > kMaxWaveHeight) {
         complain(columns_->density, "a sea with a significant wave height of " + format_quantity(height, "m", "m", 3),
-                 "at most " + format_quantity(kHighestSea, "m", "m") + " by the units that the header names");
+                 "at most " + format_quantity(kMaxWaveHeight, "m", "m") + " with the units named in the header");
       }
     }
   }
 
   double written(const SpectrumPoint& point) const { return point.density / columns_->to_density; }
 
-  /// Larger of the densities beside the rows that repeat that of row `i`.
-  double density_beside(std::size_t i) const {
-    const auto other = [&](const SpectrumPoint& point) { return point.density != points_[i].density; };
+  /// Returns the larger of the neighbouring densities that differ from that of row `i`.
+  double neighbouring_density(std::size_t i) const {
+    const auto differs = [&](const SpectrumPoint& point) { return point.density != points_[i].density; };
     const auto place = points_.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto after = std::find_if(place, points_.end(), other);
-    const auto before = std::find_if(std::make_reverse_iterator(place), points_.rend(), other);
+    const auto after = std::find_if(place, points_.end(), differs);
+    const auto before = std::find_if(std::make_reverse_iterator(place), points_.rend(), differs);
     return std::max(after != points_.end() ? after->density : 0.0, before != points_.rend() ? before->density : 0.0);
   }
 
-  /// What stands for no value is no part of a curve.
+  /// Reports sentinels, which stand out from their neighbours.
   void check_sentinels() {
     constexpr double kApart = 3.0;
     for (std::size_t i = 0; i < points_.size() && points_.size() > 3; ++i) {
       const double density = written(points_[i]);
-      if (!is_sentinel(density) || points_[i].density < kApart * density_beside(i)) continue;
+      if (!is_sentinel(density) || points_[i].density < kApart * neighbouring_density(i)) continue;
       line_ = lines_[i];
-      complain(columns_->density, format_number(density) + kNoValueWords, "a density, or no row");
+      complain(columns_->density, format_number(density) + kMissingValueText, "a density, or no row");
       line_ = 0;
       return;
     }
@@ -157,7 +157,7 @@ class SpectrumReader {
     diagnostics_.add({Severity::warning, path_, line, 0, columns_->density, std::move(remark), "", ""});
   }
 
-  /// One row that towers over all others.
+  /// Warns about a single row far above all others.
   void check_peak() {
     constexpr double kTower = 5.0;
     const auto less = [](const SpectrumPoint& p, const SpectrumPoint& q) { return p.density < q.density; };
@@ -167,29 +167,31 @@ class SpectrumReader {
     if (!good_ || points_.size() < 4 || peak->density < kTower * next) return;
     warn(lines_[static_cast<std::size_t>(peak - points_.begin())],
          format_number(written(*peak)) + " is " + format_number(peak->density / next, 2) +
-             " times the next largest density: the sea is nearly a regular wave");
+             " times the second largest density: the sea is nearly a regular wave");
   }
 
-  /// Seas that no wind raises: a unit, or a column, that is not what its head says.
+  /// Warns about implausible seas, which indicate wrong units or columns.
   void check_sea() {
-    constexpr double kShortest = 1.5, kLongest = 30.0, kBreaking = 0.1;  // [s], [s], height over length of mean waves
+    constexpr double kMinPeriod = 1.5, kMaxPeriod = 30.0,
+                     kBreaking = 0.1;  // [s], [s], height over length of mean waves
     const SeaStatistics sea = sea_statistics(points_);
     if (!good_ || !(sea.tz > 0.0)) return;
     const double steepness = kTurn * sea.hs / (9.81 * sea.tz * sea.tz);
-    if (sea.tp < kShortest || sea.tp > kLongest) {
+    if (sea.tp < kMinPeriod || sea.tp > kMaxPeriod) {
       warn(0, "the peak of the spectrum is at a period of " + format_number(sea.tp, 3) +
-                  " s; those of seas are between " + format_number(kShortest) + " and " + format_number(kLongest) +
-                  " s: are the frequencies in " + (columns_->to_omega == 1.0 ? "rad/s" : "Hz") + "?");
+                  " s; peak periods of seas are between " + format_number(kMinPeriod) + " and " +
+                  format_number(kMaxPeriod) + " s. Are the frequencies in " +
+                  (columns_->to_omega == 1.0 ? "rad/s" : "Hz") + "?");
     } else if (steepness > kBreaking) {
-      warn(0, "the sea has " + sea_statistics_words(points_) + ", a steepness of " + format_number(steepness, 2) +
-                  "; seas break at about " + format_number(kBreaking) + ": are frequencies and densities right?");
+      warn(0, "the sea has " + sea_statistics_label(points_) + ", a steepness of " + format_number(steepness, 2) +
+                  "; seas break at about " + format_number(kBreaking) + ". Are frequencies and densities correct?");
     }
   }
 
   std::string path_;
   Diagnostics& diagnostics_;
   int line_ = 0;
-  std::vector<int> lines_;  ///< Of each point.
+  std::vector<int> lines_;  ///< Line number of each point.
   bool good_ = true;
   const Columns* columns_ = nullptr;
   std::optional<double> last_frequency_;
@@ -206,8 +208,8 @@ std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std
 void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
   if (waves.type != WaveType::user) return;
   const std::string& path = waves.spectrum_file;
-  std::error_code fault;
-  if (!std::filesystem::exists(path, fault)) return;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
   const std::optional<std::string> text = read_text_file(path, diagnostics);
   if (!text) return;
   waves.spectrum = read_spectrum_text(*text, path, diagnostics);

@@ -11,7 +11,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 64U << 20U;
+constexpr std::uintmax_t kMaxFileSize = 64U << 20U;
 constexpr int kLinesBetweenChecks = 10000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
@@ -26,7 +26,7 @@ std::vector<std::string_view> split_at(std::string_view line, char separator) {
   return cells;
 }
 
-/// One pass: hydrodynamic files have ten thousands of rows.
+/// Splits in one pass, because hydrodynamic files have tens of thousands of rows.
 std::vector<std::string_view> split_at_white(std::string_view line) {
   constexpr std::size_t kUsualColumns = 8;
   const auto is_white = [](char c) { return c == ' ' || c == '\t'; };
@@ -41,29 +41,29 @@ std::vector<std::string_view> split_at_white(std::string_view line) {
   return cells;
 }
 
-/// "# key: value" as two cells.
+/// Splits "# key: value" into two cells.
 std::vector<std::string_view> split_remark(std::string_view line) {
-  const std::string_view words = trim(line.substr(1));
-  const std::size_t colon = words.find(':');
-  if (colon == std::string_view::npos) return {words};
-  return {trim(words.substr(0, colon)), trim(words.substr(colon + 1))};
+  const std::string_view content = trim(line.substr(1));
+  const std::size_t colon = content.find(':');
+  if (colon == std::string_view::npos) return {content};
+  return {trim(content.substr(0, colon)), trim(content.substr(colon + 1))};
 }
 
 }  // namespace
 
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
-  const auto refuse = [&](const char* why) {
+  const auto reject = [&](const char* why) {
     diagnostics.add({Severity::error, path, 0, 0, "", why, "", ""});
     return std::nullopt;
   };
-  std::error_code fault;
-  if (!std::filesystem::is_regular_file(path, fault)) return refuse("this file cannot be read");
-  const std::uintmax_t size = std::filesystem::file_size(path, fault);
-  if (fault || size > kLargestFile) return refuse("larger than 64 MB, too large for such a file");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return reject("this file cannot be read");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kMaxFileSize) return reject("this file is larger than 64 MB");
   std::ifstream file(path, std::ios::binary);
   std::string text(static_cast<std::size_t>(size), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file) return refuse("the file cannot be read");
+  if (!file) return reject("this file could not be read completely");
   if (std::string_view(text).substr(0, 3) == kByteOrderMark) text.erase(0, 3);
   return text;
 }
@@ -90,8 +90,8 @@ TextTable split_table(std::string_view text, char separator) {
 std::optional<double> cell_number(std::string_view cell) {
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
   double value = 0.0;
-  const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (fault != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

@@ -1,4 +1,4 @@
-/// Tables in text files: rows of cells between separators, remarks after '#'.
+/// Tables in text files: rows of cells between separators, comments after '#'.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ struct TextRow {
   std::vector<std::string_view> cells;
 };
 
-/// Views into the text it was made from, which must outlive it.
+/// Views into the source text, which must outlive the table.
 struct TextTable {
-  std::vector<TextRow> remarks;  ///< "# key: value" as two cells, other remarks as one.
+  std::vector<TextRow> remarks;  ///< Comments: "# key: value" as two cells, others as one.
   std::vector<TextRow> rows;
 };
 
-/// The whole of a regular file, at most 64 MB. Errors go to `diagnostics` and nothing is returned.
+/// Reads a regular file of at most 64 MB. Errors go to `diagnostics`, and nothing is returned.
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics);
 
-/// Splits at `separator`; a blank splits at white space of any length. Empty lines are passed over, cells are trimmed.
+/// Splits at `separator`; a blank splits at white space of any length. Empty lines are skipped, cells are trimmed.
 TextTable split_table(std::string_view text, char separator);
 
-/// A finite decimal number that fills the cell.
+/// Parses a finite decimal number that fills the cell; nothing otherwise.
 std::optional<double> cell_number(std::string_view cell);
 
 }  // namespace overbend

@@ -12,19 +12,19 @@
 namespace overbend::wamit {
 namespace {
 
-constexpr double kSameFrequency = 1e-5;  ///< Relative: files print seven digits.
+constexpr double kSameFrequency = 1e-5;  ///< Relative tolerance: files print seven digits.
 
-/// Block of `.1` of one frequency while it is read.
+/// Block of a `.1` file for one frequency.
 struct Block {
   RadiationPoint point;
-  double column = 0.0;  ///< As its rows have it in the first column.
+  double column = 0.0;  ///< Value of the first column.
   Eigen::Matrix<bool, 6, 6> given = Eigen::Matrix<bool, 6, 6>::Constant(false);
-  int line = 0;  ///< Of its first row.
+  int line = 0;  ///< Line of its first row.
 };
 
-/// ULEN^(least + 1 for every rotation).
-double length_power(double length, int least, int i, int j) {
-  return std::pow(length, least + (i > 2 ? 1 : 0) + (j > 2 ? 1 : 0));
+/// Returns ULEN^(power + 1 for every rotation).
+double length_power(double length, int power, int i, int j) {
+  return std::pow(length, power + (i > 2 ? 1 : 0) + (j > 2 ? 1 : 0));
 }
 
 class RadiationReader {
@@ -50,7 +50,7 @@ class RadiationReader {
   }
 
  private:
-  bool refuse(int line, std::string found, std::string expected) {
+  bool reject(int line, std::string found, std::string expected) {
     diagnostics_.add({Severity::error, file_, line, 0, "", std::move(found), std::move(expected), ""});
     return false;
   }
@@ -60,11 +60,11 @@ class RadiationReader {
     const bool finite = omega > 0.0 && std::isfinite(omega);
     const int i = mode_index(row.values[1]), j = mode_index(row.values[2]);
     if (i < 0 || j < 0) {
-      return refuse(row.line, format_number(row.values[1]) + " " + format_number(row.values[2]),
+      return reject(row.line, format_number(row.values[1]) + " " + format_number(row.values[2]),
                     "two modes from 1 to 6, of one body");
     }
     if (finite && row.columns != 5) {
-      return refuse(row.line, "4 columns", "5 columns at a finite frequency: PER I J A B");
+      return reject(row.line, "4 columns", "5 columns at a finite frequency: PER I J A B");
     }
     Block& block = blocks_[omega];
     if (block.line == 0) {
@@ -72,7 +72,7 @@ class RadiationReader {
       block.column = row.values[0];
     }
     if (block.given(i, j)) {
-      return refuse(row.line, "the pair " + pair(i, j) + " a second time", "each pair once for a frequency");
+      return reject(row.line, "the pair " + pair(i, j) + " twice", "each pair once per frequency");
     }
     block.given(i, j) = true;
     block.point.omega = finite ? omega : 0.0;
@@ -84,31 +84,33 @@ class RadiationReader {
 
   static std::string pair(int i, int j) { return std::to_string(i + 1) + " " + std::to_string(j + 1); }
 
-  std::string words(const Block& block) const { return column_words(column_, block.column); }
+  std::string block_label(const Block& block) const { return column_label(column_, block.column); }
 
-  /// Every frequency, the infinite and zero one too, must list what the first finite one lists.
+  /// Checks that every frequency, including zero and infinite, lists the same pairs, and that frequencies are distinct.
   bool check_pairs() {
     const auto first = blocks_.upper_bound(0.0), last = blocks_.lower_bound(kInfinity);
     if (first == last) {
-      return refuse(0, "no finite frequency", "added mass and damping at four frequencies or more");
+      return reject(0, "no finite frequency", "added mass and damping at four frequencies or more");
     }
     for (const auto& [omega, block] : blocks_) {
       if (block.given != first->second.given) {
-        return refuse(block.line, "other pairs of modes than at " + words(first->second),
+        return reject(block.line, "pairs of modes that differ from those at " + block_label(first->second),
                       "the same pairs at every frequency");
       }
     }
-    for (auto before = first, at = std::next(first); at != last; before = at++) {
-      if (at->first - before->first < kSameFrequency * at->first) {
-        const bool in_order = at->second.line > before->second.line;
-        const Block &first_read = (in_order ? before : at)->second, &second_read = (in_order ? at : before)->second;
-        return refuse(second_read.line, words(second_read) + " beside " + words(first_read), "each frequency once");
+    for (auto before = first, after = std::next(first); after != last; before = after++) {
+      if (after->first - before->first < kSameFrequency * after->first) {
+        const bool in_order = after->second.line > before->second.line;
+        const Block &first_read = (in_order ? before : after)->second,
+                    &second_read = (in_order ? after : before)->second;
+        return reject(second_read.line, block_label(second_read) + " and " + block_label(first_read),
+                      "each frequency once");
       }
     }
     return true;
   }
 
-  /// Without forward speed the matrices are symmetric: a pair that stands once stands for both.
+  /// Completes pairs by symmetry, which holds without forward speed.
   void complete_pairs() {
     for (auto& [omega, block] : blocks_) {
       for (int i = 0; i < 6; ++i) {
@@ -122,19 +124,19 @@ class RadiationReader {
   }
 
   bool hand_over(HydrodynamicData& data) {
-    for (auto at = blocks_.upper_bound(0.0); at != blocks_.lower_bound(kInfinity); ++at) {
-      data.radiation.push_back(at->second.point);
+    for (auto entry = blocks_.upper_bound(0.0); entry != blocks_.lower_bound(kInfinity); ++entry) {
+      data.radiation.push_back(entry->second.point);
     }
-    if (const auto at = blocks_.find(kInfinity); at != blocks_.end()) {
+    if (const auto entry = blocks_.find(kInfinity); entry != blocks_.end()) {
       data.has_infinite = true;
-      data.added_mass_infinite = at->second.point.added_mass;
+      data.added_mass_infinite = entry->second.point.added_mass;
     }
-    if (const auto at = blocks_.find(0.0); at != blocks_.end()) {
+    if (const auto entry = blocks_.find(0.0); entry != blocks_.end()) {
       data.has_zero = true;
-      data.added_mass_zero = at->second.point.added_mass;
+      data.added_mass_zero = entry->second.point.added_mass;
     }
     if (data.radiation.size() < 4) {
-      return refuse(0, std::to_string(data.radiation.size()) + " finite frequencies", "four or more");
+      return reject(0, std::to_string(data.radiation.size()) + " finite frequencies", "four or more");
     }
     return true;
   }

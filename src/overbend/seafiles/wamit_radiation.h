@@ -1,4 +1,4 @@
-/// WAMIT's files of radiation and hydrostatics into HydrodynamicData; include seafiles/hydrodynamics_reader.h instead.
+/// Readers of WAMIT radiation and hydrostatics files; include seafiles/hydrodynamics_reader.h instead.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace overbend::wamit {
 
-/// `.1`: added mass and damping. False after an error.
+/// Reads `.1`: added mass and damping. Returns false after an error.
 bool read_radiation(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                     Diagnostics& diagnostics);
-/// `.hst`: hydrostatic stiffness. False after an error.
+/// Reads `.hst`: hydrostatic stiffness. Returns false after an error.
 bool read_hydrostatics(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                        Diagnostics& diagnostics);
 

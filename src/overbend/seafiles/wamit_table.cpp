@@ -6,19 +6,19 @@
 namespace overbend::wamit {
 namespace {
 
-std::string expected_columns(std::size_t least, std::size_t most) {
-  const std::string most_words = std::to_string(most) + " numbers";
-  return least == most ? most_words : std::to_string(least) + " to " + most_words;
+std::string expected_columns(std::size_t min_columns, std::size_t max_columns) {
+  const std::string max_text = std::to_string(max_columns) + " numbers";
+  return min_columns == max_columns ? max_text : std::to_string(min_columns) + " to " + max_text;
 }
 
-std::optional<Row> row_of(const TextRow& text, std::size_t least, std::size_t most, const std::string& file,
-                          Diagnostics& diagnostics) {
-  const auto refuse = [&](std::string found, std::string expected) {
+std::optional<Row> parse_row(const TextRow& text, std::size_t min_columns, std::size_t max_columns,
+                             const std::string& file, Diagnostics& diagnostics) {
+  const auto reject = [&](std::string found, std::string expected) {
     diagnostics.add({Severity::error, file, text.line, 0, "", std::move(found), std::move(expected), ""});
     return std::nullopt;
   };
-  if (text.cells.size() < least || text.cells.size() > most) {
-    return refuse(std::to_string(text.cells.size()) + " columns", expected_columns(least, most));
+  if (text.cells.size() < min_columns || text.cells.size() > max_columns) {
+    return reject(std::to_string(text.cells.size()) + " columns", expected_columns(min_columns, max_columns));
   }
   Row row;
   row.line = text.line;
@@ -26,7 +26,7 @@ std::optional<Row> row_of(const TextRow& text, std::size_t least, std::size_t mo
   for (std::size_t k = 0; k < row.columns; ++k) {
     const std::optional<double> value = cell_number(text.cells[k]);
     if (!value) {
-      return refuse("'" + for_display(text.cells[k]) + "'", "a number");
+      return reject("'" + for_display(text.cells[k]) + "'", "a number");
     }
     row.values[k] = *value;
   }
@@ -35,7 +35,7 @@ std::optional<Row> row_of(const TextRow& text, std::size_t least, std::size_t mo
 
 }  // namespace
 
-std::optional<Table> read_table(const std::string& file, std::size_t least, std::size_t most,
+std::optional<Table> read_table(const std::string& file, std::size_t min_columns, std::size_t max_columns,
                                 Diagnostics& diagnostics) {
   const std::optional<std::string> text = read_text_file(file, diagnostics);
   if (!text) {
@@ -47,14 +47,15 @@ std::optional<Table> read_table(const std::string& file, std::size_t least, std:
     if (table.rows.empty() && !cell_number(line.cells[0])) {
       continue;  // heading
     }
-    const std::optional<Row> row = row_of(line, least, most, file, diagnostics);
+    const std::optional<Row> row = parse_row(line, min_columns, max_columns, file, diagnostics);
     if (!row) {
       return std::nullopt;
     }
     table.rows.push_back(*row);
   }
   if (table.rows.empty()) {
-    diagnostics.add({Severity::error, file, 0, 0, "", "no numbers", "rows of " + expected_columns(least, most), ""});
+    diagnostics.add(
+        {Severity::error, file, 0, 0, "", "no numbers", "rows of " + expected_columns(min_columns, max_columns), ""});
     return std::nullopt;
   }
   return table;

@@ -1,4 +1,4 @@
-/// Number files of WAMIT: rows of numbers, perhaps with a heading of free text.
+/// Numeric files of WAMIT: rows of numbers, optionally after lines of free text.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace overbend::wamit {
 
-constexpr std::size_t kMostColumns = 8;
+constexpr std::size_t kMaxColumns = 8;
 
 struct Row {
   int line = 0;             ///< From 1.
-  std::size_t columns = 0;  ///< As many as the line has.
-  std::array<double, kMostColumns> values{};
+  std::size_t columns = 0;  ///< Number of columns of the line.
+  std::array<double, kMaxColumns> values{};
 };
 
 struct Table {
@@ -23,14 +23,15 @@ struct Table {
   std::vector<Row> rows;
 };
 
-/// Reads rows of `least` to `most` numbers; lines before the first that begins with a number are passed over. One error
-/// for a bad file, and nothing is returned.
-std::optional<Table> read_table(const std::string& file, std::size_t least, std::size_t most, Diagnostics& diagnostics);
+/// Reads rows of `min_columns` to `max_columns` numbers; lines before the first one that begins with a number are
+/// skipped. A bad file gives one error, and nothing is returned.
+std::optional<Table> read_table(const std::string& file, std::size_t min_columns, std::size_t max_columns,
+                                Diagnostics& diagnostics);
 
-/// Its first column.
+/// Returns the values of the first column.
 std::vector<double> first_column(const Table& table);
 
-/// A mode, 1 surge to 6 yaw, as index 0 to 5; -1 where the number is none.
+/// Returns the index 0 (surge) to 5 (yaw) of a mode from 1 to 6; -1 for another number.
 int mode_index(double number);
 
 }  // namespace overbend::wamit

@@ -11,25 +11,25 @@
 namespace overbend::wamit {
 namespace {
 
-bool refuse(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics) {
+bool reject(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics) {
   diagnostics.add({Severity::error, file, line, 0, "", std::move(found), std::move(expected), ""});
   return false;
 }
 
-/// What both kinds of file promise of a row; `modes` is the column of the mode.
+/// Checks period, headings and mode of a row; returns false after an error.
 bool check_row(const Table& table, const Row& row, std::size_t mode_column, const HydrodynamicsSource& source,
                Diagnostics& diagnostics) {
   if (row.values[0] <= 0.0) {
-    return refuse(table.file, row.line, column_words(wave_column(source), row.values[0]), "more than 0", diagnostics);
+    return reject(table.file, row.line, column_label(wave_column(source), row.values[0]), "more than 0", diagnostics);
   }
   for (std::size_t k = 1; k < mode_column; ++k) {
     if (std::abs(row.values[k]) > 360.0) {
-      return refuse(table.file, row.line, "the heading " + format_number(row.values[k]), "-360 to 360 deg",
+      return reject(table.file, row.line, "the heading " + format_number(row.values[k]), "-360 to 360 deg",
                     diagnostics);
     }
   }
   if (mode_index(std::abs(row.values[mode_column])) < 0) {
-    return refuse(table.file, row.line, "the mode " + format_number(row.values[mode_column]),
+    return reject(table.file, row.line, "the mode " + format_number(row.values[mode_column]),
                   "a mode from 1 to 6, of one body", diagnostics);
   }
   return true;
@@ -37,10 +37,10 @@ bool check_row(const Table& table, const Row& row, std::size_t mode_column, cons
 
 std::optional<HeadingTableBuilder::Built> build(const HeadingTableBuilder& values, const std::string& file,
                                                 const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  std::string fault;
-  auto built = values.build(source.mirror_headings, fault);
+  std::string error;
+  auto built = values.build(source.mirror_headings, error);
   if (!built) {
-    refuse(file, 0, fault, "one value for every pair of period and heading", diagnostics);
+    reject(file, 0, error, "one value for every pair of period and heading", diagnostics);
   }
   return built;
 }
@@ -95,7 +95,7 @@ bool read_drift(const std::string& file, const HydrodynamicsSource& source, Hydr
     values.add(omega, row.values[1] * kDegree, mode, force);
   }
   if (values.empty()) {
-    return refuse(file, 0, "no mean drift of surge, sway or yaw", "pairs of equal headings", diagnostics);
+    return reject(file, 0, "no mean drift of surge, sway or yaw", "pairs of equal headings", diagnostics);
   }
   const auto built = build(values, file, source, diagnostics);
   if (!built) {

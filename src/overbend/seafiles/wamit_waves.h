@@ -1,4 +1,4 @@
-/// WAMIT's files of wave forces into HydrodynamicData; include seafiles/hydrodynamics_reader.h instead.
+/// Readers of WAMIT wave force files; include seafiles/hydrodynamics_reader.h instead.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace overbend::wamit {
 
-/// `.2`, `.3`: excitation. False after an error.
+/// Reads `.2` or `.3`: excitation. Returns false after an error.
 bool read_excitation(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                      Diagnostics& diagnostics);
-/// `.7`, `.8`, `.9`: mean drift. False after an error.
+/// Reads `.7`, `.8` or `.9`: mean drift. Returns false after an error.
 bool read_drift(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                 Diagnostics& diagnostics);
 

@@ -10,17 +10,17 @@
 namespace overbend {
 namespace {
 
-/// Smallest and largest value of waves; the limits of zero and infinite frequency are left out.
+/// Smallest and largest value, without the limits of zero and infinite frequency.
 struct Extent {
-  double smallest = kInfinity, largest = 0.0;
+  double min_value = kInfinity, max_value = 0.0;
 };
 
 Extent extent(const std::vector<double>& values) {
   Extent extent;
   for (const double value : values) {
     if (!(value > 0.0)) continue;
-    extent.smallest = std::min(extent.smallest, value);
-    extent.largest = std::max(extent.largest, value);
+    extent.min_value = std::min(extent.min_value, value);
+    extent.max_value = std::max(extent.max_value, value);
   }
   return extent;
 }
@@ -39,7 +39,7 @@ double column_frequency(const WaveColumnSettings& settings, double value) {
   return std::sqrt(settings.gravity * k * finite);
 }
 
-std::string column_words(const WaveColumnSettings& settings, double value) {
+std::string column_label(const WaveColumnSettings& settings, double value) {
   switch (settings.stated.value_or(WaveColumn::periods)) {
     case WaveColumn::periods:
       return fmt::format("the period {:.9g} s", value);
@@ -54,20 +54,21 @@ std::string column_words(const WaveColumnSettings& settings, double value) {
 
 void check_column(const WaveColumnSettings& settings, const std::vector<double>& values, const std::string& file,
                   const std::string& key, Diagnostics& diagnostics) {
-  // A sea has no period of less than a second that moves a vessel, and always some of more than four.
-  constexpr double kShortest = 0.7, kLongest = 4.0, kLongestOfAll = 10.0, kFastest = 12.0;
+  // Periods below about 1 s do not move a vessel, and files of periods always include some above 4 s.
+  constexpr double kMinPeriod = 0.7, kUsualPeriod = 4.0, kMaxPeriodWithShort = 10.0, kMaxFrequency = 12.0;
   const Extent found = extent(values);
-  if (!(found.largest > 0.0)) return;
+  if (!(found.max_value > 0.0)) return;
   const std::string range =
-      fmt::format("values from {:.4g} to {:.4g} in the first column", found.smallest, found.largest);
-  if (!settings.stated && (found.largest < kLongest || (found.largest < kLongestOfAll && found.smallest < kShortest))) {
+      fmt::format("values from {:.4g} to {:.4g} in the first column", found.min_value, found.max_value);
+  if (!settings.stated &&
+      (found.max_value < kUsualPeriod || (found.max_value < kMaxPeriodWithShort && found.min_value < kMinPeriod))) {
     diagnostics.add({Severity::error, file, 0, 0, "", range, "wave periods in s",
                      "frequencies or wave numbers (IPEROUT of WAMIT)? " + key +
-                         " says what it holds: " + "periods, rad_per_s, deep_wavenumbers or wavenumbers"});
+                         " states the contents: " + "periods, rad_per_s, deep_wavenumbers or wavenumbers"});
   }
-  if (settings.stated == WaveColumn::rad_per_s && found.largest > kFastest && found.smallest > kShortest) {
+  if (settings.stated == WaveColumn::rad_per_s && found.max_value > kMaxFrequency && found.min_value > kMinPeriod) {
     diagnostics.add({Severity::warning, file, 0, 0, "",
-                     range + " are taken as frequencies in rad/s, as " + key + " says; they look like periods", "",
+                     range + " are used as frequencies in rad/s, as stated by " + key + ", but look like periods", "",
                      ""});
   }
 }

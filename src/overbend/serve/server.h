@@ -1,4 +1,4 @@
-/// The server of the graphical interface, assembled from its parts.
+/// Server of the graphical interface.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,15 @@
 namespace overbend {
 
 struct ServeOptions {
-  std::filesystem::path folder = ".";  ///< Of model files; runs go to its `runs`.
+  std::filesystem::path folder = ".";  ///< Folder of model files; runs are stored in its subfolder `runs`.
   std::string model;                   ///< Name of the file to open; empty: none.
-  int port = 0;                        ///< 0: any that is free.
+  int port = 0;                        ///< 0: any free port.
 };
 
-/// Serves while it lives, from threads of its own.
+/// Serves requests in its own threads during its lifetime.
 class Server {
  public:
-  /// Throws HttpFault when the model cannot be opened, PortFault when the port cannot be had.
+  /// Throws HttpError if the model cannot be opened, PortError if the port is not available.
   explicit Server(const ServeOptions& options);
 
   int port() const { return http_->port(); }
@@ -36,7 +36,7 @@ class Server {
   LiveOperation operation_{events_};
   LayTables lay_tables_;
   RunQueue runs_;
-  std::unique_ptr<HttpServer> http_;  ///< The last: its threads use the others.
+  std::unique_ptr<HttpServer> http_;  ///< Last member: its threads use the others.
 };
 
 }  // namespace overbend

@@ -31,7 +31,7 @@ void impose(LineState& state, int node, const Attachment& held, const EndMotion&
   }
 }
 
-/// The motion of a place that has been paid out by `travel` against the guide's direction.
+/// Motion of a point that has been paid out by `travel` against the guide's direction.
 EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
   motion.place -= travel.q * motion.direction;
   motion.velocity -= travel.v * motion.direction + travel.q * motion.direction_rate;
@@ -40,14 +40,14 @@ EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
   return motion;
 }
 
-/// The motion of a place that has been dragged along.
-EndMotion dragged(EndMotion motion, const GivenWay& way) {
-  motion.place += way.dragged;
-  motion.velocity += way.drag_rate;
+/// Motion of a dragged anchor.
+EndMotion dragged(EndMotion motion, const PayoutState& payout) {
+  motion.place += payout.dragged;
+  motion.velocity += payout.drag_rate;
   return motion;
 }
 
-/// Which shared unknowns each line touches: of free bodies, then far forces.
+/// Shared unknowns of each line: of free bodies, then far forces.
 std::vector<BorderedLine> bordered_lines(const System& system, const BodyBorder& border) {
   std::vector<BorderedLine> lines = border.lines();
   for (std::size_t i = 0; i < system.far_forces.size(); ++i) {
@@ -87,7 +87,7 @@ Assembly::Assembly(const System& system)
   surroundings_.water.resize(system.lines.size());
 }
 
-/// A body on a hinge has one freedom, which the ship may hold as well.
+/// A hinged body has one freedom, which the vessel may also hold.
 void Assembly::hold_hinged(int body) {
   const std::optional<HingedBody>& hinge = system_->bodies[static_cast<std::size_t>(body)].free->hinge;
   for (int freedom = 0; freedom < (hinge ? 6 : 0); ++freedom) {
@@ -117,7 +117,8 @@ bool Assembly::governed(std::size_t attachment) const {
   });
 }
 
-void Assembly::find_held() {
+/// Sets the held directions of all attachments.
+void Assembly::set_held_directions() {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& attachment = system_->attachments[i];
     const Vec3& direction = surroundings_.ends[i].direction;
@@ -139,32 +140,32 @@ void Assembly::set(const Continuation& continuation) {
 
 void Assembly::set_surroundings(double time) {
   system_->surroundings(time, surroundings_);
-  find_held();
+  set_held_directions();
 }
 
 void Assembly::set_time(double time, const SystemState& near) {
-  constexpr double kReach = 0.5;  // further than any node moves in a step [m]
+  constexpr double kReach = 0.5;  // more than any node moves in a step [m]
   system_->surroundings(time, surroundings_);
   if (!border_.idle()) {
     border_.lead(near.bodies, surroundings_);
-    border_.meet_water(time);
+    border_.evaluate_water(time);
     border_.begin_step();
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
-    lines_[i].lead_wires(surroundings_.bodies);
+    lines_[i].set_wire_ends(surroundings_.bodies);
     lines_[i].begin_step();
   }
-  find_held();
+  set_held_directions();
 }
 
 void Assembly::set_drive(std::size_t tensioner, TensionerDrive drive) {
   tensioners_[tensioner].drive = drive;
-  find_held();
+  set_held_directions();
 }
 
-/// The force of the governor along the pipe: it grows with the speed of paying out, which the end's place makes. Of its
-/// parts that along the guide alone is free.
+/// Adds the force of the governor along the pipe: it grows with the pay-out speed, which follows from the end's
+/// position. Only its component along the guide acts on a free unknown.
 void Assembly::add_governor(const Tensioner& tensioner, const SystemState& state) {
   const Attachment& held = system_->attachments[tensioner.attachment];
   LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
@@ -187,25 +188,25 @@ void Assembly::add_governor_tangent(const Tensioner& tensioner, const SystemStat
   }
 }
 
-/// A free body is where the state has it, and what it carries with it.
-void Assembly::lead_bodies(const SystemState& state) {
+/// Moves the free bodies, and what they carry, to their positions in the state.
+void Assembly::set_body_motions(const SystemState& state) {
   border_.lead(state.bodies, surroundings_);
   for (LineAssembly& line : lines_) {
     line.contacts().move(surroundings_.bodies);
-    line.lead_wires(surroundings_.bodies);
+    line.set_wire_ends(surroundings_.bodies);
   }
-  find_held();
+  set_held_directions();
 }
 
 void Assembly::impose_ends(SystemState& state) {
   if (!border_.idle()) {
-    lead_bodies(state);
+    set_body_motions(state);
   }
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
     impose(state.lines[line], held_node(held, system_->lines[line]), held,
-           dragged(paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].way),
+           dragged(paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].payout),
            state.attachments[i].guide);
   }
 }
@@ -220,12 +221,12 @@ void Assembly::find_axes(const SystemState& state) {
   }
 }
 
-/// Lines of winches are as long as the state has them.
+/// Sets the line lengths of winches from the state.
 void Assembly::pay_out(const SystemState& state) {
   for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     if (held.winch) {
-      lines_[static_cast<std::size_t>(held.line)].set_last_element(state.attachments[i].way.last_element);
+      lines_[static_cast<std::size_t>(held.line)].set_last_element(state.attachments[i].payout.last_element);
     }
   }
 }
@@ -303,17 +304,17 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
   state.time = time;
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
     const Line& line = system.lines[i];
-    LineState at;
-    at.q = q[i];
-    at.v.assign(at.q.size(), 0.0);
-    at.acc.assign(at.q.size(), 0.0);
-    at.alg.assign(at.q.size(), 0.0);
-    at.bed_slip.assign(static_cast<std::size_t>(kGaussPoints * kBedDirections) * line.elements.padded(), 0.0);
-    at.contacts.assign(line.on_rollers ? rollers : 0, ContactMemory{});
+    LineState line_state;
+    line_state.q = q[i];
+    line_state.v.assign(line_state.q.size(), 0.0);
+    line_state.acc.assign(line_state.q.size(), 0.0);
+    line_state.algorithmic_acceleration.assign(line_state.q.size(), 0.0);
+    line_state.bed_slip.assign(static_cast<std::size_t>(kGaussPoints * kBedDirections) * line.elements.padded(), 0.0);
+    line_state.contacts.assign(line.on_rollers ? rollers : 0, ContactMemory{});
     if (line.yielding.any) {
-      at.bending = BendingMemories(fresh_memories(line.mesh, at.q.data()));
+      line_state.bending = BendingMemories(fresh_memories(line.mesh, line_state.q.data()));
     }
-    state.lines.push_back(std::move(at));
+    state.lines.push_back(std::move(line_state));
   }
   for (const Attachment& held : system.attachments) {
     const auto line = static_cast<std::size_t>(held.line);

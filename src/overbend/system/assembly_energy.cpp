@@ -1,4 +1,4 @@
-// Energies and powers of what an assembly adds up.
+// Energies and powers of an assembly.
 #include "system/assembly.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace overbend {
 namespace {
 
-/// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
+/// Loss of a damped contact, which may be released while its spring is still compressed [W].
 double normal_loss(const ContactLaw& law, const RollerContact& contact) {
   if (contact.penetration <= 0.0) {
     return 0.0;
@@ -14,25 +14,25 @@ double normal_loss(const ContactLaw& law, const RollerContact& contact) {
   return (contact.normal - law.stiffness * contact.penetration) * contact.rate;
 }
 
-void add(LineEnergy& sum, const LineEnergy& one) {
-  sum.kinetic += one.kinetic;
-  sum.strain += one.strain;
-  sum.gravity += one.gravity;
-  sum.seabed += one.seabed;
-  sum.fluid_power += one.fluid_power;
-  sum.seabed_loss += one.seabed_loss;
-  sum.line_loss += one.line_loss;
+void add(LineEnergy& sum, const LineEnergy& term) {
+  sum.kinetic += term.kinetic;
+  sum.strain += term.strain;
+  sum.gravity += term.gravity;
+  sum.seabed += term.seabed;
+  sum.fluid_power += term.fluid_power;
+  sum.seabed_loss += term.seabed_loss;
+  sum.line_loss += term.line_loss;
 }
 
-void add_contact_energy(const RollerContacts& rollers, InstantEnergy& now) {
+void add_contact_energy(const RollerContacts& rollers, InstantEnergy& sums) {
   for (int i = 0; i < rollers.count(); ++i) {
     const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
     const ContactLaw& law = rollers.roller(i).law;
     if (contact.penetration > 0.0) {
-      now.contact += 0.5 * law.stiffness * contact.penetration * contact.penetration;
-      now.contact_loss += normal_loss(law, contact);
-      now.roller_power += contact.force().dot(contact.roller_velocity);
-      now.friction_loss -= contact.axial * contact.slip_rate_axial + contact.lateral * contact.slip_rate_lateral;
+      sums.contact += 0.5 * law.stiffness * contact.penetration * contact.penetration;
+      sums.contact_loss += normal_loss(law, contact);
+      sums.roller_power += contact.force().dot(contact.roller_velocity);
+      sums.friction_loss -= contact.axial * contact.slip_rate_axial + contact.lateral * contact.slip_rate_lateral;
     }
   }
 }
@@ -47,7 +47,7 @@ double held_power(const LineAssembly& line, const LineState& state, int node) {
   return sum;
 }
 
-/// Velocity of a point that goes with a body.
+/// Velocity of a body-fixed point.
 Vec3 carried_at(const RigidMotion& body, const Vec3& point) {
   return body.velocity + body.omega.cross(point - body.pose.p_WV);
 }
@@ -55,29 +55,29 @@ Vec3 carried_at(const RigidMotion& body, const Vec3& point) {
 }  // namespace
 
 InstantEnergy Assembly::energy(const SystemState& state) const {
-  InstantEnergy now;
+  InstantEnergy sums;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const LineAssembly& line = lines_[i];
-    const LineState& at = state.lines[i];
-    add(now.line, line.energy(at, surroundings_.water[i]));
-    line.add_attached_energy(at, surroundings_.water[i], now.line, now.top_power);
-    now.line.strain += line.stored_by_yielding();
-    now.bending_heat += at.bending_heat;
-    add_contact_energy(line.contacts(), now);
-    now.anchor_power += held_power(line, at, line.end_node(LineEnd::first));
-    now.top_power += held_power(line, at, line.end_node(LineEnd::last));
+    const LineState& line_state = state.lines[i];
+    add(sums.line, line.energy(line_state, surroundings_.water[i]));
+    line.add_attached_energy(line_state, surroundings_.water[i], sums.line, sums.top_power);
+    sums.line.strain += line.stored_by_yielding();
+    sums.bending_heat += line_state.bending_heat;
+    add_contact_energy(line.contacts(), sums);
+    sums.anchor_power += held_power(line, line_state, line.end_node(LineEnd::first));
+    sums.top_power += held_power(line, line_state, line.end_node(LineEnd::last));
   }
-  add_wire_energy(now);
-  add_winch_power(state, now);
-  add_body_energy(state, now);
-  return now;
+  add_wire_energy(sums);
+  add_winch_power(state, sums);
+  add_body_energy(state, sums);
+  return sums;
 }
 
 void Assembly::find_working_ends(const SystemState& state, std::vector<WorkingEnd>& ends) const {
   ends.resize(system_->attachments.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Attachment& held = system_->attachments[i];
-    const bool by_free_body = held.body != kGround && border_.number_of(held.body) >= 0;
+    const bool by_free_body = held.body != kGround && border_.free_body_number(held.body) >= 0;
     const std::size_t index = static_cast<std::size_t>(held.line);
     const LineAssembly& line = lines_[index];
     ends[i] = {};
@@ -90,59 +90,60 @@ void Assembly::find_working_ends(const SystemState& state, std::vector<WorkingEn
   }
 }
 
-/// Free bodies and lines exchange with wires what stays inside; bodies whose motion is told put it in.
-void Assembly::add_wire_energy(InstantEnergy& now) const {
+/// The work between wires and free bodies or lines is internal; bodies with prescribed motion do external work.
+void Assembly::add_wire_energy(InstantEnergy& sums) const {
   for (std::size_t i = 0; i < wires().size(); ++i) {
     const Wire& wire = system_->wires[i];
     const WirePull& pull = wires()[i];
     if (!(pull.tension > 0.0)) continue;
-    if (!wire.held_tension) now.line.strain += 0.5 * pull.tension * pull.tension * wire.length / wire.axial_stiffness;
+    if (!wire.held_tension) sums.line.strain += 0.5 * pull.tension * pull.tension * wire.length / wire.axial_stiffness;
     const auto power = [&](int body, const Vec3& place, const Vec3& force) {
-      if (body == kGround || border_.number_of(body) >= 0) return;
-      now.top_power += force.dot(carried_at(surroundings_.bodies[static_cast<std::size_t>(body)], place));
+      if (body == kGround || border_.free_body_number(body) >= 0) return;
+      sums.top_power += force.dot(carried_at(surroundings_.bodies[static_cast<std::size_t>(body)], place));
     };
     power(wire.first_body, pull.first, -pull.force);
     power(wire.second_body, pull.second, pull.force);
   }
 }
 
-/// A winch works on the line with what it holds the end by.
-void Assembly::add_winch_power(const SystemState& state, InstantEnergy& now) const {
+/// A winch works on the line with the force that holds its end.
+void Assembly::add_winch_power(const SystemState& state, InstantEnergy& sums) const {
   for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
     const Attachment& held = system_->attachments[i];
-    const double rate = state.attachments[i].way.rate;
+    const double rate = state.attachments[i].payout.rate;
     if (held.winch && rate != 0.0) {
       const std::size_t index = static_cast<std::size_t>(held.line);
-      const LineState& at = state.lines[index];
-      const LineMotion motion = lines_[index].motion_of(at, at, {}, surroundings_.water[index], nullptr);
-      now.top_power += rate * lines_[index].energy_by_length({at.q.data(), nullptr}, motion);
+      const LineState& line_state = state.lines[index];
+      const LineMotion motion =
+          lines_[index].make_motion(line_state, line_state, {}, surroundings_.water[index], nullptr);
+      sums.top_power += rate * lines_[index].energy_by_length({line_state.q.data(), nullptr}, motion);
     }
   }
 }
 
-/// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
-void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
+/// The work between lines and free bodies is internal. The tensioner's power is the remainder of the end's power.
+void Assembly::add_body_energy(const SystemState& state, InstantEnergy& sums) const {
   if (!border_.hinged().empty()) {
     const BodyEnergy hinged = border_.hinged().energy();
-    now.bodies.kinetic += hinged.kinetic;
-    now.bodies.stored += hinged.stored;
-    now.bodies.power += hinged.power;
+    sums.bodies.kinetic += hinged.kinetic;
+    sums.bodies.stored += hinged.stored;
+    sums.bodies.power += hinged.power;
   }
   for (std::size_t k = 0; k < border_.count(); ++k) {
     const BodyEnergy springs = spring_energy(border_.body(k), state.bodies[k], state.time);
-    now.bodies.stored += springs.stored;
-    now.bodies.power += springs.power;
+    sums.bodies.stored += springs.stored;
+    sums.bodies.power += springs.power;
     if (border_.body(k).energy) {
-      const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time, border_.balance(k));
-      now.bodies.kinetic += one.kinetic;
-      now.bodies.stored += one.stored;
-      now.bodies.power += one.power;
+      const BodyEnergy part = border_.body(k).energy(state.bodies[k], state.time, border_.balance(k));
+      sums.bodies.kinetic += part.kinetic;
+      sums.bodies.stored += part.stored;
+      sums.bodies.power += part.power;
     }
     for (const Attachment& held : system_->attachments) {
-      if (held.end != LineEnd::inner && border_.number_of(held.body) == static_cast<int>(k)) {
+      if (held.end != LineEnd::inner && border_.free_body_number(held.body) == static_cast<int>(k)) {
         const std::size_t line = static_cast<std::size_t>(held.line);
-        double& power = held.end == LineEnd::first ? now.anchor_power : now.top_power;
-        power -= border_.power_of_end(held, lines_[line], state);
+        double& power = held.end == LineEnd::first ? sums.anchor_power : sums.top_power;
+        power -= border_.end_power(held, lines_[line], state);
       }
     }
   }
@@ -150,9 +151,9 @@ void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) con
     const RollerContacts& rollers = line.contacts();
     for (int i = 0; i < (border_.empty() ? 0 : rollers.count()); ++i) {
       const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
-      if (border_.number_of(rollers.body_of(i)) >= 0 && contact.penetration > 0.0) {
-        const RigidMotion& body = surroundings_.bodies[static_cast<std::size_t>(rollers.body_of(i))];
-        now.roller_power -= contact.force().dot(carried_at(body, contact.at.place));
+      if (border_.free_body_number(rollers.roller_body(i)) >= 0 && contact.penetration > 0.0) {
+        const RigidMotion& body = surroundings_.bodies[static_cast<std::size_t>(rollers.roller_body(i))];
+        sums.roller_power -= contact.force().dot(carried_at(body, contact.closest.place));
       }
     }
   }

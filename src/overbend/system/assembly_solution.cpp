@@ -1,4 +1,4 @@
-// What an assembly does with its equations: residual, factors, increments, accelerations.
+// Solution of the assembled equations: residual, factors, increments, accelerations.
 #include "system/assembly.h"
 
 #include <algorithm>
@@ -22,11 +22,11 @@ Increments Assembly::increments() const {
 
 void Assembly::put_far_force(std::size_t number, const Vec3& column, const TargetEquation& target) {
   const int line = system_->far_forces[number];
-  const int at = border_.unknowns_of_line(line), stride = solver_.stride(line);
-  if (at == 0) solver_.clear_border(line);
+  const int border_unknowns = border_.unknowns_of_line(line), stride = solver_.stride(line);
+  if (border_unknowns == 0) solver_.clear_border(line);
   for (int i = 0; i < 3; ++i) {
-    solver_.columns(line, 0)[i * stride + at] = column(i);
-    solver_.rows(line, target.node)[((target.tangent ? 3 : 0) + i) * stride + at] = target.gradient(i);
+    solver_.columns(line, 0)[i * stride + border_unknowns] = column(i);
+    solver_.rows(line, target.node)[((target.tangent ? 3 : 0) + i) * stride + border_unknowns] = target.gradient(i);
   }
   target_errors_[number] = target.error;
 }
@@ -61,7 +61,7 @@ bool Assembly::renew_lines(SystemState& state, const SystemState& before, const 
   return factor_fresh(state, weights);
 }
 
-/// Border, governor, held ends and factors of lines whose blocks have been put in afresh.
+/// Factors border, governor, held ends and lines whose blocks have been renewed.
 bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
   const auto fresh = [&](int line) { return fresh_from_[static_cast<std::size_t>(line)] != kNotFresh; };
   const int lines = static_cast<int>(lines_.size());
@@ -111,18 +111,18 @@ void Assembly::hold_line(int line, bool with_tangent) {
 double Assembly::relative_residual() {
   double worst = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const Unbalance one = lines_[i].unbalance();
-    const double relative = one.force / lines_[i].line().force_scale;
+    const Unbalance line_unbalance = lines_[i].unbalance();
+    const double relative = line_unbalance.force / lines_[i].line().force_scale;
     residuals_[i] = relative;
     if (i == 0 || relative > worst) {
       worst = relative;
-      worst_ = {static_cast<int>(i), one.node};
+      worst_ = {static_cast<int>(i), line_unbalance.node};
     }
   }
   for (std::size_t i = 0; i < border_.count(); ++i) {
     const double relative = border_.relative_residual(i);
     residuals_.back() = i == 0 ? relative : std::max(residuals_.back(), relative);
-    if (!(relative <= worst)) {  // NaN too
+    if (!(relative <= worst)) {  // also true for NaN
       worst = relative;
       worst_ = {kBodyPlace, static_cast<int>(i)};
     }
@@ -154,7 +154,7 @@ void Assembly::take_residual(Increments& dq) {
 
 bool Assembly::solve_factored(Increments& dq) {
   take_residual(dq);
-  solve_report_ = solver_.factor_and_solve(solution_, border_of(dq));
+  solve_report_ = solver_.factor_and_solve(solution_, border_increments(dq));
   return solve_report_.solved();
 }
 
@@ -172,21 +172,21 @@ bool Assembly::factor() {
 
 void Assembly::solve_again(Increments& dq) {
   take_residual(dq);
-  solver_.solve(solution_, border_of(dq));
+  solver_.solve(solution_, border_increments(dq));
 }
 
 void Assembly::apply_factors(Increments& dq) {
   point_solution_at(dq);
-  solver_.solve(solution_, border_of(dq));
+  solver_.solve(solution_, border_increments(dq));
 }
 
 void Assembly::hold_body(int body, int freedom, bool held) {
   border_.hold(body, freedom, held);
-  solver_.hold(6 * border_.number_of(body) + freedom, held);
+  solver_.hold(6 * border_.free_body_number(body) + freedom, held);
 }
 
 bool Assembly::find_accelerations(SystemState& state) {
-  constexpr double kMassDominates = 1e16;  // weight of the mass at which stiffness is rounding [1/s2]
+  constexpr double kMassDominates = 1e16;  // weight of the mass that makes the stiffness negligible [1/s2]
   const SystemState before = state;
   impose_ends(state);
   evaluate(state, before, {0.0, kMassDominates, 0.0}, true);
@@ -206,15 +206,15 @@ bool Assembly::find_accelerations(SystemState& state) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
-    const double* at = dq[line].data() + 6 * held_node(held, system_->lines[line]);
+    const double* values = dq[line].data() + 6 * held_node(held, system_->lines[line]);
     const auto along = [&](const double* part) {
       return kMassDominates * surroundings_.ends[i].direction.dot(Vec3(Eigen::Map<const Vec3>(part)));
     };
     if (held.hold_direction) {
-      state.attachments[i].guide.acc += along(at + 3);
+      state.attachments[i].guide.acc += along(values + 3);
     }
     if (governed(i)) {
-      state.attachments[i].travel.acc -= along(at);
+      state.attachments[i].travel.acc -= along(values);
     }
   }
   if (!border_.empty()) {

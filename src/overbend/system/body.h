@@ -17,16 +17,16 @@ struct BodyRoller {
   double half_face = 0.0, radius = 0.0;  ///< [m]
   int box = 0;                           ///< Index in the body's cells.
   RollerPosition position = RollerPosition::bottom;
-  double mass = 0.0;  ///< Of the pipe that the contact moves [kg].
+  double mass = 0.0;  ///< Mass of the pipe moved by the contact [kg].
   ContactLaw law;
 };
 
-/// The vessel with ramp and stinger: its motion is told, or it floats free.
+/// The vessel with ramp and stinger, with prescribed motion or floating, or another body.
 struct Body {
   std::vector<BodyRoller> rollers;
   ContactCells cells;                 ///< In the ramp's frame.
-  Vec3 ramp_origin_V = Vec3::Zero();  ///< Of the ramp's frame, whose x runs astern, z up [m].
-  std::optional<FreeBody> free;       ///< Where its motion is not told but follows from the forces on it.
+  Vec3 ramp_origin_V = Vec3::Zero();  ///< Origin of the ramp's frame, with x astern, z up [m].
+  std::optional<FreeBody> free;       ///< If its motion follows from the loads on it.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What lines and wires do to a body.
+/// Loads of lines and wires on a body.
 #pragma once
 
 #include "system/assembly.h"
@@ -10,7 +10,8 @@ struct ForceAndMoment {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N], [N m]
 };
 
-/// Of the ends of lines and wires on a body, about its origin, W, at the state evaluated last. Does not allocate.
+/// Returns the load of the ends of lines and wires on a body, about its origin, W, at the last evaluated state. Does
+/// not allocate.
 ForceAndMoment force_on_body(const Assembly& assembly, const SystemState& state, int body);
 
 }  // namespace overbend

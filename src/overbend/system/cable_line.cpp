@@ -9,11 +9,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kBedSink = 0.01;       ///< A cable sinks into the bed by this at most [m].
-constexpr double kClosestNodes = 1e-3;  ///< Places that share a node, of the length.
-constexpr double kJoint = 1e-5;         ///< Length of the element at a joint, of the whole length.
-constexpr double kJointBends = 1e-3;    ///< Of a bending stiffness, left to a hinge: with less it flutters where slack.
-constexpr double kLongestShare = 1.0 / 20.0, kShortestShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
+constexpr double kBedSink = 0.01;          ///< Maximum penetration of a cable into the seabed [m].
+constexpr double kMinNodeDistance = 1e-3;  ///< Minimum distance of fixed positions, relative to the length.
+constexpr double kJoint = 1e-5;            ///< Length of the element at a joint, relative to the line length.
+/// Share of the bending stiffness at a joint: with less it flutters when slack.
+constexpr double kJointStiffness = 1e-3;
+constexpr double kMaxElementShare = 1.0 / 20.0, kMinElementShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
 
 int segment_at(const CableParts& parts, double s) {
   double end = 0.0;
@@ -24,33 +25,36 @@ int segment_at(const CableParts& parts, double s) {
   return static_cast<int>(parts.segments.size()) - 1;
 }
 
-/// Of pipe: its bending takes up what happens at a node, and needs no joint there.
-std::vector<double> fixed_places_of_pipe(const CableParts& parts) {
+/// For lines with pipe: bending of the pipe needs no joints.
+std::vector<double> find_fixed_pipe_nodes(const CableParts& parts) {
   constexpr double kClosest = 0.02;  // [m]
   std::vector<double> places = parts.attached;
-  double at = 0.0;
-  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
+  double arc_length = 0.0;
+  for (const LineSegmentDescription& segment : parts.segments) places.push_back(arc_length += segment.length.value());
   for (const LinePointDescription& point : parts.points) places.push_back(point.at);
   std::sort(places.begin(), places.end());
   std::vector<double> fixed;
   for (const double place : places) {
-    if (place > (fixed.empty() ? 0.0 : fixed.back()) + kClosest && place < at - kClosest) fixed.push_back(place);
+    if (place > (fixed.empty() ? 0.0 : fixed.back()) + kClosest && place < arc_length - kClosest) {
+      fixed.push_back(place);
+    }
   }
-  fixed.push_back(at);
+  fixed.push_back(arc_length);
   return fixed;
 }
 
-/// Ends of segments and places of points, rising, the end of the line last. Neighbouring elements share the tangent of
-/// their node. A tiny one beside each place takes up the angle that a weight makes there, and the step of the stretch
-/// where the stiffness changes: on the softer side, which takes the stretch of the other with the smaller force.
+/// Ends of segments and positions of points, ascending, the end of the line last. Neighbouring elements share the
+/// tangent of their node. A tiny joint element next to each position takes the kink at a weight and the jump of the
+/// strain at a change of stiffness: on the softer side, which takes the strain of the other side with the smaller
+/// force.
 std::vector<double> fixed_places(const CableParts& parts) {
   std::vector<double> places;
-  double at = 0.0;
-  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
+  double arc_length = 0.0;
+  for (const LineSegmentDescription& segment : parts.segments) places.push_back(arc_length += segment.length.value());
   for (const LinePointDescription& point : parts.points) places.push_back(point.at);
   places.insert(places.end(), parts.attached.begin(), parts.attached.end());
   std::sort(places.begin(), places.end());
-  const double end = at, closest = kClosestNodes * end, joint = kJoint * end;
+  const double end = arc_length, closest = kMinNodeDistance * end, joint = kJoint * end;
   const auto stiffness = [&](double s) {
     return parts.segments[static_cast<std::size_t>(segment_at(parts, s))].type.axial_stiffness;
   };
@@ -73,8 +77,9 @@ int nearest_node(const LineMesh& mesh, double s) {
 }
 
 Vec3 horizontal_direction(const Vec3& from, const Vec3& to) {
-  const Vec3 way(to.x() - from.x(), to.y() - from.y(), 0.0);
-  return way.norm() > 1e-6 * (to - from).norm() && way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3::UnitX();
+  const Vec3 horizontal(to.x() - from.x(), to.y() - from.y(), 0.0);
+  return horizontal.norm() > 1e-6 * (to - from).norm() && horizontal.norm() > 0.0 ? Vec3(horizontal.normalized())
+                                                                                  : Vec3::UnitX();
 }
 
 void put(double (&out)[3], const Vec3& v) {
@@ -87,8 +92,8 @@ ElementConstants segment_constants(const Model& model, const LineSegmentDescript
   return pipe_constants(model, derive_section(segment.name, *segment.section, water));
 }
 
-double longest_element(const CableParts& parts, const CableMesh& wanted) {
-  return wanted.element.value_or(kLongestShare * parts.length());
+double max_element_length(const CableParts& parts, const CableMesh& wanted) {
+  return wanted.element.value_or(kMaxElementShare * parts.length());
 }
 
 }  // namespace
@@ -108,28 +113,28 @@ int node_at(const LineMesh& mesh, double s) {
 }
 
 double pipe_element(const Model& model, const CableParts& parts) {
-  constexpr double kShare = 1.0 / 6.0, kMost = 3000.0;
-  double shortest = kLongestShare * parts.length();
+  constexpr double kShare = 1.0 / 6.0, kMaxElementCount = 3000.0;
+  double element_size = kMaxElementShare * parts.length();
   for (const LineSegmentDescription& segment : parts.segments) {
     if (!segment.section) continue;
     const double EI = segment_constants(model, segment).EI;
-    shortest = std::min(shortest, kShare * std::pow(4.0 * EI / std::max(model.seabed.stiffness, 1.0), 0.25));
+    element_size = std::min(element_size, kShare * std::pow(4.0 * EI / std::max(model.seabed.stiffness, 1.0), 0.25));
   }
-  return std::max(shortest, parts.length() / kMost);
+  return std::max(element_size, parts.length() / kMaxElementCount);
 }
 
-FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wanted, double at) {
+FineStretch make_touchdown_stretch(const CableParts& parts, const CableMesh& wanted, double touchdown) {
   const double length = parts.length(), reach = kFineShare * length;
-  return {at - reach, at + reach, std::min(longest_element(parts, wanted), kShortestShare * length)};
+  return {touchdown - reach, touchdown + reach, std::min(max_element_length(parts, wanted), kMinElementShare * length)};
 }
 
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   const double length = parts.length();
   MeshPlan plan;
-  plan.longest = longest_element(parts, wanted);
+  plan.max_length = max_element_length(parts, wanted);
   plan.fine = wanted.fine;
-  if (wanted.touchdown) plan.fine.push_back(stretch_at_touchdown(parts, wanted, *wanted.touchdown));
-  plan.fixed = parts.has_pipe() ? fixed_places_of_pipe(parts) : fixed_places(parts);
+  if (wanted.touchdown) plan.fine.push_back(make_touchdown_stretch(parts, wanted, *wanted.touchdown));
+  plan.fixed = parts.has_pipe() ? find_fixed_pipe_nodes(parts) : fixed_places(parts);
   LineMesh mesh;
   mesh.s = graded_nodes(plan);
   const double before_end = plan.fixed.size() > 1 ? plan.fixed[plan.fixed.size() - 2] : 0.0;
@@ -144,16 +149,16 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   return mesh;
 }
 
-/// Stiffness of the bed under a cable [N/m2]. Where there is a pipe the model's is the pipe's: soil yields by pressure,
-/// so a cable of less width meets as much less of it.
-double soil_under(const Model& model, double width) {
+/// Seabed stiffness under a cable [N/m2]. With a pipe the model's value is the pipe's: soil resists by pressure, so the
+/// stiffness under a narrower cable is lower in proportion.
+double cable_soil_stiffness(const Model& model, double width) {
   const double of_model = model.seabed.stiffness;
   return model.description.has_pipe ? of_model * std::min(1.0, width / model.pipe_section().outer_diameter) : of_model;
 }
 
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to) {
   const Vec3 ahead = horizontal_direction(from, to), across = Vec3::UnitZ().cross(ahead);
-  const BedSurface& bed = model.seabed.surface;
+  const SeabedSurface& bed = model.seabed.surface;
   const Vec3 normal = bed.plane_normal();
   double heaviest = 0.0, thickest = 0.0;
   std::optional<double> friction;
@@ -171,7 +176,7 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   set_shape(env, bed);
   env.bed_lowered = lowered;
   env.route_offset = across.dot(from);
-  const double soil = parts.has_pipe() ? model.seabed.stiffness : soil_under(model, 2.0 * thickest);
+  const double soil = parts.has_pipe() ? model.seabed.stiffness : cable_soil_stiffness(model, 2.0 * thickest);
   env.bed_stiffness = parts.has_pipe() ? soil : std::max(soil, heaviest / kBedSink);
   env.bed_stick = soil > 0.0 ? soil : env.bed_stiffness;
   env.bed_friction_lateral = friction.value_or(model.seabed.friction_lateral);
@@ -184,20 +189,20 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   return env;
 }
 
-/// Of a bend sharper than the elements beside can show a joint is a hinge: it bends over sqrt(EI/T) of them, with the
-/// line's weight for T. One that they show goes on through the joint.
-void let_joints_turn(Line& line) {
+/// A bend too sharp for the neighbouring elements makes a joint a hinge: the bending length is sqrt(EI/T), with the
+/// line's weight for T. A bend that they resolve continues through the joint.
+void soften_joints(Line& line) {
   const double tension = line.force_scale;
   for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
     if (!line.mesh.joint(e)) continue;
-    const double beside = std::min(line.mesh.length[e - 1], line.mesh.length[e + 1]);
+    const double neighbour_length = std::min(line.mesh.length[e - 1], line.mesh.length[e + 1]);
     double& EI = line.elements.EI[e];
-    if (EI < tension * beside * beside) EI *= kJointBends;
+    if (EI < tension * neighbour_length * neighbour_length) EI *= kJointStiffness;
   }
 }
 
-/// Where a joint is before a point the point stands at its beginning, so that each node of the joint has the force of
-/// its own side.
+/// Node of a point. Where a joint precedes a point, the point is at the beginning of the joint, so that each node of
+/// the joint has the force of its own side.
 int node_of_point(const LineMesh& mesh, double s) {
   const int node = nearest_node(mesh, s);
   return node > 0 && mesh.joint(static_cast<std::size_t>(node - 1)) ? node - 1 : node;
@@ -210,11 +215,11 @@ Line cable_line(const Model& model, const CableParts& parts, const CableMesh& me
   }
   Line line;
   line.mesh = cable_mesh(parts, mesh);
-  line.elements = elements_of_kinds(line.mesh.length, line.mesh.section, constants);
+  line.elements = make_elements_by_kind(line.mesh.length, line.mesh.section, constants);
   line.environment = cable_environment(model, parts, from, to);
   line.on_rollers = false;
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
-  if (!parts.has_pipe()) let_joints_turn(line);
+  if (!parts.has_pipe()) soften_joints(line);
   for (const LinePointDescription& point : parts.points) {
     line.points.push_back(line_point(model, point, node_of_point(line.mesh, point.at)));
     line.force_scale += line.points.back().weight;

@@ -1,5 +1,5 @@
-/// A cable, chain, flexible or pipe as a line of the system: by its segments, with clumps and buoys at its nodes,
-/// without rollers and without yielding. One way for mooring lines and for lines that stand by themselves.
+/// A cable, chain, flexible or pipe as a line of the system: segments with clumps and buoys at nodes, without rollers
+/// and yielding. Common to mooring lines and free lines.
 #pragma once
 
 #include <optional>
@@ -12,49 +12,50 @@
 
 namespace overbend {
 
-/// What a cable consists of, from its first end to its last. Every segment has its length.
+/// Parts of a cable from its first to its last end. Every segment has a length.
 struct CableParts {
   std::vector<LineSegmentDescription> segments;
   std::vector<LinePointDescription> points;
   std::vector<double> attached = {};  ///< Arc lengths at which other lines are attached [m].
-  double length() const;              ///< Unstressed [m].
+  double length() const;              ///< Unstressed length [m].
   bool has_pipe() const;
 };
 
-/// What the mesh of a cable is made for.
+/// Input of the mesh of a cable.
 struct CableMesh {
-  std::optional<double> touchdown;     ///< Arc length at which it leaves the bed, where it does [m].
-  std::optional<double> element;       ///< Asked for: all elements at most so long [m].
-  double last = 0.0;                   ///< The last element at least so long, if nothing of the line ends there [m].
-  std::vector<FineStretch> fine = {};  ///< Where shorter elements are wanted besides, as where waves are felt.
+  std::optional<double> touchdown;  ///< Arc length of the touchdown, if any [m].
+  std::optional<double> element;    ///< Maximum element length, if given [m].
+  /// Minimum length of the last element, unless a segment or point ends within it [m].
+  double last = 0.0;
+  std::vector<FineStretch> fine = {};  ///< Further zones of short elements, such as the wave zone.
 };
 
-/// The node at an arc length that the mesh was made for.
+/// Returns the node at an arc length for which the mesh was made.
 int node_at(const LineMesh& mesh, double s);
-/// Element that shows how pipe lays itself on the bed: a sixth of the length over which its bending dies away there,
-/// (4 EI / k)^(1/4) (Hetenyi 1946) [m].
+/// Returns the element length that resolves the bending of pipe at touchdown: a sixth of the decay length of bending on
+/// the seabed, (4 EI / k)^(1/4) (Hetenyi 1946) [m].
 double pipe_element(const Model& model, const CableParts& parts);
 
-/// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown
-/// and to what else is wanted; nodes on the ends of segments and at points, a joint of a hundred-thousandth behind
-/// each. Some 20 to 30 elements give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary, more of
-/// them nothing that the bed's stiffness would not hide.
+/// Mesh rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown
+/// and to the sizes of the fine zones; nodes at ends of segments and at points, each followed by a joint of 1e-5 of the
+/// length. Some 20 to 30 elements give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary; more
+/// elements give nothing beyond the effect of the seabed stiffness.
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
-/// The short elements around a place where a cable leaves the bed, for others than `wanted.touchdown`.
-FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wanted, double at);
+/// Returns the zone of short elements around a touchdown, for touchdowns other than `wanted.touchdown`.
+FineStretch make_touchdown_stretch(const CableParts& parts, const CableMesh& wanted, double touchdown);
 
-/// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says
-/// but never so soft that the cable sinks into it by more than a centimetre. Its friction holds along the line from
-/// place to place and across it, by a stick as stiff as the model says of the bed: of that hangs how much of a swing in
-/// tension reaches the anchor. The axis of the cable, not its underside, rests at the height of the bed, as in a
-/// catenary; thinner parts of one of several thicknesses lie by the difference of their radii deeper. Pipe lies on its
-/// underside, and its bed is as stiff as the model says. Points into `model`, which must outlive it.
+/// Returns the environment of a cable between two points: the model's seabed, water and current. The seabed has the
+/// model's stiffness, but the cable sinks in by at most a centimetre. Friction acts along the line from end to end and
+/// across it, with the model's elastic friction stiffness, which determines how much of a tension variation reaches the
+/// anchor. The axis of the cable, not its underside, is at the height of the seabed, as in a catenary; thinner parts of
+/// a line with several thicknesses lie deeper by the difference of their radii. Pipe lies on its underside with the
+/// model's seabed stiffness. Points into `model`, which must outlive it.
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to);
 
-/// The line, for a course from `from` to `to`. Its force scale is its weight in air with that of its points.
+/// Returns the line along the direction from `from` to `to`. Its force scale is its weight in air, points included.
 Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to);
 
-/// Gives a line another unstressed length, every element its share of it [m].
+/// Sets the unstressed length of a line [m], in proportion for every element.
 void set_length(Line& line, double length);
 
 }  // namespace overbend

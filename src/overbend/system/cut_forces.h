@@ -1,5 +1,5 @@
-/// Force and moment in a line by the balance of what lies on one side of a cut: more accurate than derivatives of the
-/// shape, and exact at a roller, where the moment has a kink. One recovery for statics and dynamics.
+/// Force and moment in a line from the equilibrium on one side of a cut: more accurate than derivatives of the shape,
+/// and exact at a roller, where the moment has a kink. Shared by statics and dynamics.
 #pragma once
 
 #include <cmath>
@@ -9,27 +9,29 @@
 
 namespace overbend {
 
+/// Internal force and moment at a cut.
 struct CutForces {
-  Vec3 force = Vec3::Zero();   ///< On the part towards the first node, by the part towards the last, W [N].
+  Vec3 force = Vec3::Zero();   ///< On the part towards the first node by the part towards the last, W [N].
   Vec3 moment = Vec3::Zero();  ///< [N m]
 };
 
-/// At a node, from LineAssembly::cuts() and the unknowns they were evaluated at, six per node each.
+/// Returns the cut at a node, from LineAssembly::cuts() and the unknowns at which they were evaluated, six per node
+/// each.
 inline CutForces cut_at_node(const std::vector<double>& cuts, const std::vector<double>& q, std::size_t node) {
   using Map = Eigen::Map<const Vec3>;
   const Vec3 tangent = Map(q.data() + 6 * node + 3);
   return {Map(cuts.data() + 6 * node), tangent.cross(Vec3(Map(cuts.data() + 6 * node + 3)))};
 }
 
-/// Square to a direction, in its vertical plane, upwards; of a vertical one across the world's y.
+/// Returns the upward unit vector perpendicular to a direction in its vertical plane; for a vertical direction
+/// perpendicular to the world's y.
 inline Vec3 up_across(const Vec3& tangent) {
   Vec3 up = Vec3::UnitZ() - tangent.z() * tangent;
   if (up.norm() < 1e-9) up = Vec3::UnitY().cross(tangent);
   return up.normalized();
 }
 
-/// Horizontal component of a cut's whole force, shear included; negative where the line is pushed along its tangent
-/// [N].
+/// Returns the horizontal component of a cut's total force, shear included; negative if the line is in compression [N].
 inline double horizontal_tension(const Vec3& force, const Vec3& tangent) {
   return std::copysign(force.head<2>().norm(), force.dot(tangent));
 }

@@ -12,7 +12,7 @@ double first_sagging(const BendingProfile& line, double touchdown, double depart
   return touchdown;
 }
 
-double first_least_moment(const BendingProfile& line, double touchdown) {
+double first_min_moment(const BendingProfile& line, double touchdown) {
   std::size_t i = line.s.size() - 1;
   while (i > 0 && line.s[i] > touchdown && line.moment[i - 1] < line.moment[i]) --i;
   return std::max(line.s[i], touchdown);
@@ -23,7 +23,7 @@ double first_least_moment(const BendingProfile& line, double touchdown) {
 Regions find_regions(const BendingProfile& line, double touchdown, std::optional<double> departure, bool clamped) {
   const double top = line.s.back();
   if (departure) return {touchdown, first_sagging(line, touchdown, *departure), *departure, true};
-  return {touchdown, clamped ? first_least_moment(line, touchdown) : top, top, false};
+  return {touchdown, clamped ? first_min_moment(line, touchdown) : top, top, false};
 }
 
 }  // namespace overbend

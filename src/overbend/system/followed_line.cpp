@@ -15,8 +15,8 @@ Vec3 tangent_at(const std::vector<double>& q, std::size_t node) {
   return Eigen::Map<const Vec3>(q.data() + 6 * node + 3).normalized();
 }
 
-/// Of a force at a node, as it is recorded: where only elements that pull meet, a push is the inertia of half an
-/// element and goes with its length.
+/// Reported tension of a nodal force: where only tension elements meet, a compression is the inertia of half an element
+/// and depends on its length.
 double recorded(const LineElements& elements, std::size_t node, double tension) {
   const std::size_t last = to_size(elements.count) - 1;
   const bool pushed =
@@ -30,14 +30,14 @@ std::size_t node_count(const System& system, const FollowedLine& followed) {
   return followed.is_wire() ? 2 : to_size(system.lines[to_size(followed.line)].mesh.nodes());
 }
 
-const WirePull& pull_of(const Assembly& assembly, const FollowedLine& wire) {
+const WirePull& find_wire_pull(const Assembly& assembly, const FollowedLine& wire) {
   return wire.line < 0 ? assembly.wires()[to_size(wire.wire)]
                        : assembly.line(to_size(wire.line)).wire_pulls()[to_size(wire.wire)];
 }
 
 Vec3 node_place(const Assembly& assembly, const SystemState& state, const FollowedLine& followed, std::size_t node) {
   if (followed.is_wire()) {
-    const WirePull& pull = pull_of(assembly, followed);
+    const WirePull& pull = find_wire_pull(assembly, followed);
     return (node == 0) != followed.reversed ? pull.first : pull.second;
   }
   return Eigen::Map<const Vec3>(state.lines[to_size(followed.line)].q.data() + 6 * node);
@@ -45,7 +45,7 @@ Vec3 node_place(const Assembly& assembly, const SystemState& state, const Follow
 
 double node_tension(const Assembly& assembly, const SystemState& state, const FollowedLine& followed,
                     std::size_t node) {
-  if (followed.is_wire()) return pull_of(assembly, followed).tension;
+  if (followed.is_wire()) return find_wire_pull(assembly, followed).tension;
   const LineAssembly& line = assembly.line(to_size(followed.line));
   const std::vector<double>& q = state.lines[to_size(followed.line)].q;
   return recorded(line.line().elements, node, cut_at_node(line.cuts(), q, node).force.dot(tangent_at(q, node)));
@@ -58,7 +58,7 @@ double node_moment(const Assembly& assembly, const SystemState& state, const Fol
 }
 
 double end_tension(const Assembly& assembly, const SystemState& state, const FollowedLine& followed, LineEnd end) {
-  if (followed.is_wire()) return pull_of(assembly, followed).tension;
+  if (followed.is_wire()) return find_wire_pull(assembly, followed).tension;
   const LineAssembly& line = assembly.line(to_size(followed.line));
   const std::size_t node = to_size(line.end_node(end));
   const Vec3 force(Eigen::Map<const Vec3>(line.end_force(end).data()));

@@ -7,8 +7,8 @@
 namespace overbend {
 namespace {
 
-LineEndForces near_of(const HullState& at, std::size_t spring) {
-  return spring < at.lines.size() ? at.lines[spring] : LineEndForces{};
+LineEndForces previous_line_forces(const HullState& state, std::size_t spring) {
+  return spring < state.lines.size() ? state.lines[spring] : LineEndForces{};
 }
 
 }  // namespace
@@ -22,18 +22,18 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   body.arm = 0.5 * length;
   body.inertia << Vec3::Constant(hull.body.mass), hull.body.inertia.diagonal();
   body.inertia += hull.radiation.added_mass.diagonal();
-  body.rest = hull_at_rest(hull, hull.lies);
-  body.balance = [&hull](const HullState& at, const HullState& before, const Weights& weights, double time,
+  body.rest = make_static_hull(hull, hull.lies);
+  body.balance = [&hull](const HullState& state, const HullState& before, const Weights& weights, double time,
                          HullBalance& out) {
-    const bool rests = weights.acceleration == 0.0;  // statics, in which friction alone remembers
-    balance_hull(hull, at, before, rests ? 0.0 : weights.step,
+    const bool rests = weights.acceleration == 0.0;  // statics, with memory of friction only
+    balance_hull(hull, state, before, rests ? 0.0 : weights.step,
                  {1.0, rests ? 0.0 : weights.velocity, weights.acceleration}, time, out);
   };
-  body.finish_step = [&hull](const HullState& before, double step, HullState& at) {
-    finish_step(hull, before, step, at);
+  body.finish_step = [&hull](const HullState& before, double step, HullState& state) {
+    finish_step(hull, before, step, state);
   };
-  body.energy = [&hull](const HullState& at, double time, const HullBalance& step) {
-    const HullEnergy energy = hull_energy(hull, at, time, step.surroundings);
+  body.energy = [&hull](const HullState& state, double time, const HullBalance& step) {
+    const HullEnergy energy = hull_energy(hull, state, time, step.surroundings);
     return BodyEnergy{energy.kinetic, energy.hydrostatic, energy.power()};
   };
   return body;
@@ -49,38 +49,39 @@ FreeBody free_point(const Vec3& place, double force_scale) {
   return body;
 }
 
-void add_springs(const FreeBody& body, const HullState& before, double time, HullState& at, HullBalance& out) {
-  const BodyPose pose = pose_of(at.h);
-  at.lines.resize(body.springs.size());
+void add_springs(const FreeBody& body, const HullState& before, double time, HullState& state, HullBalance& out) {
+  const BodyPose pose = make_pose(state.h);
+  state.lines.resize(body.springs.size());
   for (std::size_t i = 0; i < body.springs.size(); ++i) {
     const BodySpring& spring = body.springs[i];
     const Vec3 arm = pose.R * (spring.place_V - body.reference_V);
-    const PlaceForce here = spring.force(pose.place + arm, time, near_of(before, i));
-    at.lines[i] = here.ends;
+    const PlaceForce spring_force = spring.force(pose.place + arm, time, previous_line_forces(before, i));
+    state.lines[i] = spring_force.ends;
     const Mat36 moved = point_jacobian(pose, arm);
-    out.residual -= moved.transpose() * here.force;
-    out.tangent += moved.transpose() * here.stiffness * moved - generalised_force_slope(pose, arm, here.force);
+    out.residual -= moved.transpose() * spring_force.force;
+    out.tangent +=
+        moved.transpose() * spring_force.stiffness * moved - generalised_force_slope(pose, arm, spring_force.force);
   }
 }
 
-BodyEnergy spring_energy(const FreeBody& body, const HullState& at, double time) {
-  const BodyPose pose = pose_of(at.h);
+BodyEnergy spring_energy(const FreeBody& body, const HullState& state, double time) {
+  const BodyPose pose = make_pose(state.h);
   BodyEnergy sum;
   for (std::size_t i = 0; i < body.springs.size(); ++i) {
     const BodySpring& spring = body.springs[i];
     const Vec3 arm = pose.R * (spring.place_V - body.reference_V);
-    const PlaceForce here = spring.force(pose.place + arm, time, near_of(at, i));
+    const PlaceForce spring_force = spring.force(pose.place + arm, time, previous_line_forces(state, i));
     if (spring.has_energy) {
-      sum.stored += here.energy;
+      sum.stored += spring_force.energy;
     } else {
-      sum.power += generalised_force(pose, arm, here.force).dot(at.v);
+      sum.power += generalised_force(pose, arm, spring_force.force).dot(state.v);
     }
   }
   return sum;
 }
 
-RigidMotion rigid_motion(const FreeBody& body, const HullState& at) {
-  return rigid_motion(motion_of(at.h, at.v, at.acc), body.reference_V, body.origin);
+RigidMotion rigid_motion(const FreeBody& body, const HullState& state) {
+  return rigid_motion(make_body_motion(state.h, state.v, state.acc), body.reference_V, body.origin);
 }
 
 Mat36 point_rows(const BodyPose& pose, const Vec3& r) {

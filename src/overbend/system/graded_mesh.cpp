@@ -5,14 +5,14 @@ namespace {
 
 void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
   const double from = u.back();
-  double at = from;
+  double position = from;
   std::vector<double> steps;
   walk(plan, from, to, [&](double step) {
     steps.push_back(step);
-    at += step;
+    position += step;
     return true;
   });
-  const double scale = (to - from) / (at - from);
+  const double scale = (to - from) / (position - from);
   for (const double step : steps) {
     u.push_back(u.back() + scale * step);
   }
@@ -21,8 +21,8 @@ void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
 
 }  // namespace
 
-double wanted_size(const MeshPlan& plan, double u) {
-  double size = plan.longest;
+double element_size_at(const MeshPlan& plan, double u) {
+  double size = plan.max_length;
   for (const FineStretch& stretch : plan.fine) {
     const double away = std::max({stretch.from - u, u - stretch.to, 0.0});
     size = std::min(size, stretch.size + kMeshGrowth * away);

@@ -1,5 +1,5 @@
-/// Places of nodes along a line whose elements are short in some stretches and grow away from them: the part that the
-/// meshes of pipes and cables share.
+/// Graded node positions along a line: short elements in some stretches that grow away from them; shared by the meshes
+/// of pipes and cables.
 #pragma once
 
 #include <algorithm>
@@ -7,38 +7,38 @@
 
 namespace overbend {
 
-/// Element length may grow by this per unit of distance from a fine stretch.
+/// Growth of the element length per unit of distance from a fine stretch.
 inline constexpr double kMeshGrowth = 0.25;
 
-/// A stretch with a wanted element length, by distance from the line's end where the mesh begins [m].
+/// A stretch with a maximum element length, by distance from the line end where the mesh begins [m].
 struct FineStretch {
   double from, to, size;
 };
 
-/// Where nodes are wanted, in distances from the end where the mesh begins.
+/// Required element lengths and nodes, in distances from the end where the mesh begins.
 struct MeshPlan {
   std::vector<FineStretch> fine;
-  std::vector<double> fixed;  ///< Rising; a node on each, the last is the line's other end.
-  double longest = 0.0;       ///< Element [m].
+  std::vector<double> fixed;  ///< Ascending; a node at each, the last is the line's other end.
+  double max_length = 0.0;    ///< Maximum element length [m].
 };
 
-/// Element length wanted at distance `u` [m].
-double wanted_size(const MeshPlan& plan, double u);
+/// Returns the required element length at distance `u` [m].
+double element_size_at(const MeshPlan& plan, double u);
 
-/// Lengths of elements from `from` on until they reach `to`, each handed to `take`; false from it ends the walk.
+/// Calls `take` with the lengths of elements from `from` until they reach `to`; stops if it returns false.
 template <class Take>
 void walk(const MeshPlan& plan, double from, double to, Take take) {
-  double at = from;
-  while (at < to - 1e-9) {
-    const double first = wanted_size(plan, at);
-    const double step = std::min(first, wanted_size(plan, at + 0.5 * first));
+  double position = from;
+  while (position < to - 1e-9) {
+    const double first = element_size_at(plan, position);
+    const double step = std::min(first, element_size_at(plan, position + 0.5 * first));
     if (!take(step)) return;
-    at += step;
+    position += step;
   }
 }
 
-/// Distances of all nodes from the end where the mesh begins, 0 first: steps follow the wanted size and are stretched
-/// to end on the fixed places.
+/// Returns the distances of all nodes from the end where the mesh begins, 0 first: steps follow the required size and
+/// are scaled to end at the fixed positions.
 std::vector<double> graded_nodes(const MeshPlan& plan);
 
 }  // namespace overbend

@@ -29,42 +29,42 @@ void project_columns(double* block, int first_column, const Vec3& d) {
   }
 }
 
-double largest_diagonal(const double* block) {
-  double largest = 0.0;
+double max_diagonal(const double* block) {
+  double max_value = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
-    largest = std::max(largest, std::abs(block[i * kRowWidth + i]));
+    max_value = std::max(max_value, std::abs(block[i * kRowWidth + i]));
   }
-  return largest;
+  return max_value;
 }
 
-/// Blocks that a node's equations stand in; neighbours are null at the ends.
+/// Blocks with the equations of a node; neighbours are null at the ends.
 struct NodeBlocks {
   double *diag, *upper, *lower, *upper_before, *lower_before;
 };
 
-NodeBlocks blocks_of(BlockTridiagonal& k, int node) {
+NodeBlocks make_node_blocks(BlockTridiagonal& k, int node) {
   const bool first = node == 0;
   const bool last = node == k.nodes() - 1;
   return {k.diag(node), last ? nullptr : k.upper(node), last ? nullptr : k.lower(node),
           first ? nullptr : k.upper(node - 1), first ? nullptr : k.lower(node - 1)};
 }
 
-void hold_direction(const NodeBlocks& at, int first_dof, const Vec3& d) {
-  const double scale = largest_diagonal(at.diag);
-  project_rows(at.diag, first_dof, d);
-  project_columns(at.diag, first_dof, d);
+void hold_direction(const NodeBlocks& blocks, int first_dof, const Vec3& d) {
+  const double scale = max_diagonal(blocks.diag);
+  project_rows(blocks.diag, first_dof, d);
+  project_columns(blocks.diag, first_dof, d);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
-      at.diag[(first_dof + r) * kRowWidth + first_dof + c] += scale * d(r) * d(c);
+      blocks.diag[(first_dof + r) * kRowWidth + first_dof + c] += scale * d(r) * d(c);
     }
   }
-  if (at.upper != nullptr) {
-    project_rows(at.upper, first_dof, d);
-    project_columns(at.lower, first_dof, d);
+  if (blocks.upper != nullptr) {
+    project_rows(blocks.upper, first_dof, d);
+    project_columns(blocks.lower, first_dof, d);
   }
-  if (at.upper_before != nullptr) {
-    project_columns(at.upper_before, first_dof, d);
-    project_rows(at.lower_before, first_dof, d);
+  if (blocks.upper_before != nullptr) {
+    project_columns(blocks.upper_before, first_dof, d);
+    project_rows(blocks.lower_before, first_dof, d);
   }
 }
 
@@ -91,7 +91,7 @@ void hold_node(int node, const HeldDirections& held, std::vector<double>& residu
     for (const Vec3& d : directions) {
       remove_component(residual.data() + 6 * node + first_dof, d);
       if (tangent != nullptr) {
-        hold_direction(blocks_of(*tangent, node), first_dof, d);
+        hold_direction(make_node_blocks(*tangent, node), first_dof, d);
       }
     }
   };

@@ -1,4 +1,4 @@
-/// Directions of a node's unknowns that a guide or an anchor holds.
+/// Constrained directions of a node's unknowns at a guide or an anchor.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace overbend {
 
-/// Unit vectors in which a position or a tangent is held; at most three.
+/// Unit vectors in which a position or a tangent is constrained; at most three.
 struct HeldVectors {
   std::array<Vec3, 3> direction = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   int count = 0;
@@ -18,17 +18,18 @@ struct HeldVectors {
   const Vec3* end() const { return direction.data() + count; }
 };
 
+/// Constrained directions of a node.
 struct HeldDirections {
   HeldVectors position, tangent;
 };
 
-/// Nothing moves.
+/// Returns the constraint of all three directions.
 HeldVectors all_directions();
-/// Two unit vectors across a direction and each other.
+/// Returns two unit vectors perpendicular to a direction and to each other.
 HeldVectors across(const Vec3& direction);
 
-/// Removes the held directions of `node` from the residual (six per node) and, where `tangent` is not null, from its
-/// blocks: their increments come out as zero.
+/// Removes the constrained directions of `node` from the residual (six per node) and, unless null, from the blocks of
+/// `tangent`: their increments become zero.
 void hold_node(int node, const HeldDirections& held, std::vector<double>& residual, BlockTridiagonal* tangent);
 
 }  // namespace overbend

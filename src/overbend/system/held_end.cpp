@@ -3,7 +3,7 @@
 namespace overbend {
 namespace {
 
-Mat6 block(const double* rows) {
+Mat6 dense_block(const double* rows) {
   Mat6 out;
   for (int i = 0; i < kNodeDofs; ++i) {
     for (int j = 0; j < kNodeDofs; ++j) {
@@ -53,36 +53,36 @@ HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineSta
   return end;
 }
 
-Mat6 own_block(const LineAssembly& line, int node) {
-  return block(line.tangent().diag(node));
+Mat6 diagonal_block(const LineAssembly& line, int node) {
+  return dense_block(line.tangent().diag(node));
 }
 
 NeighbourBlocks blocks_before(const LineAssembly& line, int node) {
   const BlockTridiagonal& k = line.tangent();
-  return {node - 1, block(k.upper(node - 1)), block(k.lower(node - 1))};
+  return {node - 1, dense_block(k.upper(node - 1)), dense_block(k.lower(node - 1))};
 }
 
 NeighbourBlocks blocks_behind(const LineAssembly& line, int node) {
   const BlockTridiagonal& k = line.tangent();
-  return {node + 1, block(k.lower(node)), block(k.upper(node))};
+  return {node + 1, dense_block(k.lower(node)), dense_block(k.upper(node))};
 }
 
 ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const ElementVector& residual,
                              const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning) {
   const Mat3& e = pose.E;
-  Eigen::Matrix<double, 12, 6> motion;  // of the nodes, were they to go with the body
+  Eigen::Matrix<double, 12, 6> motion;  // of the nodes, if they moved with the body
   Eigen::Matrix<double, 12, 3> turned;  // [residual] x, block by block
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   for (int i = 0; i < 4; ++i) {
-    const Vec3 at = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
+    const Vec3 value = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
     const bool place = i % 2 == 0;
-    motion.middleRows<3>(3 * i) = place ? point_rows(pose, at) : vector_rows(pose, at);
+    motion.middleRows<3>(3 * i) = place ? point_rows(pose, value) : vector_rows(pose, value);
     turned.middleRows<3>(3 * i) = cross_matrix(part);
     force -= place ? part : Vec3(Vec3::Zero());
-    moment -= (place ? Vec3(at - pose.place) : at).cross(part);
+    moment -= (place ? Vec3(value - pose.place) : value).cross(part);
   }
   ContactBorder border;
-  // Entry by entry: packed for the general product, matrices of this size take longer.
+  // Entry by entry: at this size faster than the general matrix product.
   border.columns = -tangent.lazyProduct(motion);
   border.columns.rightCols<3>() += (turning - turned) * e;
   border.rows = -tangent.transpose().lazyProduct(motion);
@@ -95,7 +95,7 @@ ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const
 
 CarrierMotion carrier_motion(const BodyPose& pose, int k) {
   CarrierMotion motion;
-  motion.at = pose.place;
+  motion.origin = pose.place;
   if (k < 3) {
     motion.velocity(k) = 1.0;
   } else {
@@ -107,17 +107,17 @@ CarrierMotion carrier_motion(const BodyPose& pose, int k) {
 ElementMotion element_motion(const CarrierMotion& motion, const ElementVector& q) {
   ElementMotion out;
   for (int i = 0; i < 4; ++i) {
-    const Vec3 at = q.segment<3>(3 * i);
+    const Vec3 value = q.segment<3>(3 * i);
     out.segment<3>(3 * i) =
-        i % 2 == 0 ? Vec3(motion.velocity + motion.axis.cross(at - motion.at)) : Vec3(motion.axis.cross(at));
+        i % 2 == 0 ? Vec3(motion.velocity + motion.axis.cross(value - motion.origin)) : Vec3(motion.axis.cross(value));
   }
   return out;
 }
 
 TwistBorder twist_border(const Twist& twist, const ElementVector& q, const ElementVector& residual,
                          const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning) {
-  const ElementMotion motion = element_motion({Vec3::Zero(), twist.axis, twist.at}, q);
-  ElementMotion turned;  // the forces go with the body
+  const ElementMotion motion = element_motion({Vec3::Zero(), twist.axis, twist.origin}, q);
+  ElementMotion turned;  // the forces rotate with the body
   for (int i = 0; i < 4; ++i) {
     turned.segment<3>(3 * i) = twist.axis.cross(Vec3(residual.segment<3>(3 * i)));
   }
@@ -129,16 +129,16 @@ TwistBorder twist_border(const Twist& twist, const ElementVector& q, const Eleme
 
 double twist_corner(const Twist& twist, const CarrierMotion* by, const ElementVector& q, const ElementVector& residual,
                     const ElementMotion& column) {
-  double sum = -element_motion({Vec3::Zero(), twist.axis, twist.at}, q).dot(column);
+  double sum = -element_motion({Vec3::Zero(), twist.axis, twist.origin}, q).dot(column);
   if (by == nullptr) {
     return sum;
   }
   const Vec3 axis_turned = by->axis.cross(twist.axis);
-  const Vec3 at_moved = by->velocity + by->axis.cross(twist.at - by->at);
+  const Vec3 at_moved = by->velocity + by->axis.cross(twist.origin - by->origin);
   for (int i = 0; i < 4; ++i) {
-    const Vec3 at = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
-    const Vec3 change =
-        i % 2 == 0 ? Vec3(axis_turned.cross(at - twist.at) - twist.axis.cross(at_moved)) : Vec3(axis_turned.cross(at));
+    const Vec3 value = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
+    const Vec3 change = i % 2 == 0 ? Vec3(axis_turned.cross(value - twist.origin) - twist.axis.cross(at_moved))
+                                   : Vec3(axis_turned.cross(value));
     sum -= change.dot(part);
   }
   return sum;
@@ -156,10 +156,10 @@ void remove_held(const HeldDirections& held, double* panel, int stride) {
   const auto remove = [&](const HeldVectors& directions, int row) {
     for (const Vec3& d : directions) {
       for (int j = 0; j < stride; ++j) {
-        double* const at = panel + row * stride + j;
-        const double part = d(0) * at[0] + d(1) * at[stride] + d(2) * at[2 * stride];
+        double* const entry = panel + row * stride + j;
+        const double part = d(0) * entry[0] + d(1) * entry[stride] + d(2) * entry[2 * stride];
         for (int i = 0; i < 3; ++i) {
-          at[i * stride] -= d(i) * part;
+          entry[i * stride] -= d(i) * part;
         }
       }
     }

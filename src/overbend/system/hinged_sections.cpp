@@ -52,12 +52,12 @@ std::span<const int> HingedSections::chain(int number) const {
   return section(number).chain;
 }
 
-/// Sections follow those that carry them.
+/// Sections come after those that carry them.
 void HingedSections::move(const Coordinates& to) {
   if (vessel_ >= 0) {
     const FreeBody& vessel = *system_->bodies[to_size(sections_.front().body->carrier)].free;
-    barge_ = rigid_motion(motion_of(to.h, to.v, to.a), vessel.reference_V, vessel.origin);
-    vessel_pose_ = pose_of(to.h);
+    barge_ = rigid_motion(make_body_motion(to.h, to.v, to.a), vessel.reference_V, vessel.origin);
+    vessel_pose_ = make_pose(to.h);
   }
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     Section& section = sections_[i];
@@ -70,47 +70,48 @@ void HingedSections::move(const Coordinates& to) {
   }
 }
 
-void HingedSections::lead(const std::vector<HullState>& at, Surroundings& now) {
-  barge_ = now.bodies[to_size(sections_.front().body->carrier)];
+void HingedSections::lead(const std::vector<HullState>& states, Surroundings& surroundings) {
+  barge_ = surroundings.bodies[to_size(sections_.front().body->carrier)];
   if (vessel_ >= 0) {
-    const HullState& vessel = at[to_size(vessel_)];
+    const HullState& vessel = states[to_size(vessel_)];
     now_.h = vessel.h;
     now_.v = vessel.v;
     now_.a = vessel.acc;
   }
   for (std::size_t i = 0; i < sections_.size(); ++i) {
-    const HullState& own = at[to_size(sections_[i].number)];
-    now_.turns[i] = {own.h(kHingeFreedom), own.v(kHingeFreedom), own.acc(kHingeFreedom)};
+    const HullState& section_state = states[to_size(sections_[i].number)];
+    now_.turns[i] = {section_state.h(kHingeFreedom), section_state.v(kHingeFreedom), section_state.acc(kHingeFreedom)};
   }
   move(now_);
   for (const Section& section : sections_) {
-    now.bodies[to_size(section.index)] = section.motion;
+    surroundings.bodies[to_size(section.index)] = section.motion;
   }
 }
 
-void HingedSections::meet_water(double time) {
+void HingedSections::evaluate_water(double time) {
   for (Section& section : sections_) {
     water_at_section(*section.body->sea, time, section.body->section, section.motion, section.points, section.water);
   }
 }
 
-/// Generalised forces of all sections where move() put them.
+/// Adds the generalised forces of all sections at their positions set by move().
 void HingedSections::add_forces(std::vector<double>& sum) {
   for (Section& section : sections_) {
     const HingedBody& body = *section.body;
-    const Vec3& about = section.twist.at;
-    const Wrench own =
-        unbalance_of_section(body.section, section.motion, barge_, section.water, body.sea->weight_density, about);
-    section.unbalance = own;
+    const Vec3& about = section.twist.origin;
+    const Wrench wrench =
+        section_residual(body.section, section.motion, barge_, section.water, body.sea->weight_density, about);
+    section.unbalance = wrench;
     for (const int number : section.chain) {
       const Twist& twist = this->section(number).twist;
-      sum[to_size(hinge_unknown(number))] += twist.axis.dot(own.moment) + twist.of(own.force, about);
+      sum[to_size(hinge_unknown(number))] +=
+          twist.axis.dot(wrench.moment) + twist.generalised_force(wrench.force, about);
     }
     if (vessel_ >= 0) {
       const Wrench on_barge = springs_on_barge(body.section, section.motion, barge_, about);
       Eigen::Map<Vec6>(sum.data() + 6 * vessel_) +=
-          generalised_force(vessel_pose_, about - vessel_pose_.place, own.force - on_barge.force) +
-          generalised_moment(vessel_pose_, own.moment - on_barge.moment);
+          generalised_force(vessel_pose_, about - vessel_pose_.place, wrench.force - on_barge.force) +
+          generalised_moment(vessel_pose_, wrench.moment - on_barge.moment);
     }
   }
 }
@@ -139,7 +140,7 @@ void HingedSections::evaluate(std::vector<HullState>& state, const std::vector<H
   add_joints(state, before, weights, with_tangent, residual);
 }
 
-/// A central difference; forces are linear in the accelerations, for which it is exact.
+/// Central difference; forces are linear in the accelerations, for which it is exact.
 void HingedSections::add_column(int unknown, double weight, const Coordinates& more, const Coordinates& less,
                                 double change) {
   std::fill(high_.begin(), high_.end(), 0.0);
@@ -158,7 +159,7 @@ void HingedSections::find_tangent(const Weights& weights) {
   std::fill(tangent_.begin(), tangent_.end(), 0.0);
   const auto differ = [&](int unknown, double weight, double change, auto value) {
     if (weight == 0.0) return;
-    more_ = now_;  // same sizes: nothing is allocated
+    more_ = now_;  // same sizes: no allocation
     less_ = now_;
     value(more_) += change;
     value(less_) -= change;
@@ -179,11 +180,11 @@ void HingedSections::find_tangent(const Weights& weights) {
 }
 
 void HingedSections::add_roller(int number, const Vec3& point, const Vec3& force, std::vector<double>& residual) {
-  Section& own = section(number);
-  own.unbalance.force += force;
-  own.unbalance.moment += (point - own.twist.at).cross(force);
-  for (const int carried : own.chain) {
-    residual[to_size(hinge_unknown(carried))] += twist(carried).of(force, point);
+  Section& touched = section(number);
+  touched.unbalance.force += force;
+  touched.unbalance.moment += (point - touched.twist.origin).cross(force);
+  for (const int carried : touched.chain) {
+    residual[to_size(hinge_unknown(carried))] += twist(carried).generalised_force(force, point);
   }
   if (vessel_ >= 0) {
     Eigen::Map<Vec6>(residual.data() + 6 * vessel_) +=
@@ -191,39 +192,39 @@ void HingedSections::add_roller(int number, const Vec3& point, const Vec3& force
   }
 }
 
-/// What has to hold a section and all that it carries, about its hinge.
+/// Required support force and moment of a section and all that it carries, about its hinge.
 Wrench HingedSections::carried(std::size_t first) const {
   Wrench sum;
-  const Section& own = sections_[first];
-  for (const Section& other : sections_) {
-    if (std::find(other.chain.begin(), other.chain.end(), own.number) == other.chain.end()) continue;
-    sum.force += other.unbalance.force;
-    sum.moment += other.unbalance.moment + (other.twist.at - own.twist.at).cross(other.unbalance.force);
+  const Section& first_section = sections_[first];
+  for (const Section& member : sections_) {
+    if (std::find(member.chain.begin(), member.chain.end(), first_section.number) == member.chain.end()) continue;
+    sum.force += member.unbalance.force;
+    sum.moment +=
+        member.unbalance.moment + (member.twist.origin - first_section.twist.origin).cross(member.unbalance.force);
   }
   return sum;
 }
 
-/// The vessel works through the hinges that it carries, and through the springs' ends. Of a free vessel that is no
-/// power from outside. What a hinge holds about its axis beyond stops and friction is the ship's, of an angle that it
-/// holds.
+/// The vessel does work at the hinges that it carries and at the ends of the springs. For a free vessel this is
+/// internal. The moment about a hinge axis beyond stops and friction is the vessel's if it holds the angle.
 BodyEnergy HingedSections::energy() const {
   BodyEnergy sum;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     const Section& section = sections_[i];
-    const SectionEnergy own =
+    const SectionEnergy part =
         section_energy(section.body->section, section.motion, barge_, section.water, section.body->sea->weight_density);
-    sum.kinetic += own.kinetic;
-    sum.stored += own.stored + section.moment.stored;
-    sum.power += own.power;
-    // In the hinge: what stops take beyond their springs, and friction.
+    sum.kinetic += part.kinetic;
+    sum.stored += part.stored + section.moment.stored;
+    sum.power += part.power;
+    // Dissipated in the hinge: by stops in excess of their springs, and by friction.
     const double spring_power = stop_spring_moment(section.body->law, section.turn.angle) * section.turn.rate;
     sum.power += section.moment.sum() * section.turn.rate - spring_power;
     if (vessel_ < 0) {
-      sum.power += own.barge_power;
+      sum.power += part.barge_power;
       if (section.chain.size() == 1) {
         const Wrench held = carried(i);
         const Vec3 carrier_velocity =
-            section.motion.velocity + section.motion.omega.cross(section.twist.at - section.motion.pose.p_WV);
+            section.motion.velocity + section.motion.omega.cross(section.twist.origin - section.motion.pose.p_WV);
         sum.power += held.force.dot(carrier_velocity) + held.moment.dot(barge_.omega);
       }
     }
@@ -239,7 +240,7 @@ HingeReading HingedSections::reading(std::size_t index) const {
   reading.rate = section.turn.rate;
   reading.force = held.force;
   reading.moment = held.moment;
-  reading.place = section.twist.at;
+  reading.place = section.twist.origin;
   reading.stop_moment = section.moment.stop;
   reading.friction_moment = section.moment.friction;
   reading.draught = section_draught(section.body->section, section.motion, section.water);

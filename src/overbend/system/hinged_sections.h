@@ -1,9 +1,8 @@
-/// Bodies on hinges among the free ones: a chain of sections that hangs on the vessel, each with one unknown, its
-/// angle.
+/// Hinged bodies among the free ones: a chain of sections carried by the vessel, each with one unknown, its angle.
 ///
-/// Their equations are those of d'Alembert's principle: the unbalanced force of every section works on each motion that
-/// carries it along, those of the hinges before it and, where the vessel is free, the vessel's. What rollers do comes
-/// from system/body_border.h. Theory: docs/theory/stinger-motion.md.
+/// Equations by d'Alembert's principle: the unbalanced force of every section does work on each motion that carries it,
+/// those of the hinges before it and, if the vessel is free, the vessel's. Roller forces come from
+/// system/body_border.h. Theory: docs/theory/stinger-motion.md.
 #pragma once
 
 #include <span>
@@ -14,55 +13,58 @@
 
 namespace overbend {
 
-/// A turning about an axis that stands at a place, W.
+/// Rotation about an axis through a point, W.
 struct Twist {
-  Vec3 axis = Vec3::Zero(), at = Vec3::Zero();
+  Vec3 axis = Vec3::Zero(), origin = Vec3::Zero();
 
-  /// Its generalised force of a force at a point.
-  double of(const Vec3& force, const Vec3& point) const { return axis.dot((point - at).cross(force)); }
+  /// Returns the generalised force of a force at a point.
+  double generalised_force(const Vec3& force, const Vec3& point) const {
+    return axis.dot((point - origin).cross(force));
+  }
 };
 
-/// What a hinge bears, of the state evaluated last.
+/// Loads on a hinge at the last evaluated state.
 struct HingeReading {
   double angle = 0.0, rate = 0.0;  ///< [rad], [rad/s]
   Vec3 force = Vec3::Zero(),
        moment = Vec3::Zero();                       ///< On the section, W; the moment without that of stops [N], [N m].
   Vec3 place = Vec3::Zero();                        ///< W [m].
-  double stop_moment = 0.0, friction_moment = 0.0;  ///< On the section, positive when they push the tip down [N m].
-  double draught = 0.0;                             ///< Of the tanks below the surface [m].
+  double stop_moment = 0.0, friction_moment = 0.0;  ///< Moments on the section, positive tip down [N m].
+  double draught = 0.0;                             ///< Draught of the tanks [m].
 };
 
+/// Equations of the hinged sections of a stinger.
 class HingedSections {
  public:
-  /// `numbers`: of the bodies of the system among the free ones, -1 where they are not.
+  /// `numbers`: index of each body of the system among the free ones, -1 for other bodies.
   HingedSections(const System& system, const std::vector<int>& numbers);
 
   bool empty() const { return sections_.empty(); }
   bool has(int number) const { return number >= 0 && at_[static_cast<std::size_t>(number)] >= 0; }
-  /// Numbers of the sections that carry it along, itself the last.
+  /// Returns the numbers of the sections that carry a section, itself last.
   std::span<const int> chain(int number) const;
   const Twist& twist(int number) const { return section(number).twist; }
-  /// The vessel's number where it is free, else -1.
+  /// Returns the vessel's number among the free bodies, or -1.
   int vessel() const { return vessel_; }
 
-  /// Brings the sections to a state; the vessel is where `now` has it.
-  void lead(const std::vector<HullState>& at, Surroundings& now);
-  /// Takes the water at a time where the sections are now.
-  void meet_water(double time);
+  /// Moves the sections to a state; the position of the vessel is in `surroundings`.
+  void lead(const std::vector<HullState>& states, Surroundings& surroundings);
+  /// Evaluates the water at a time at the present positions of the sections.
+  void evaluate_water(double time);
 
-  /// Adds the generalised forces of the sections by themselves to the residual, six for each free body; friction in
-  /// `state` receives what that of `before` has become. With `tangent` its tangent, too.
+  /// Adds the generalised forces of the sections without rollers to the residual, six for each free body, and sets the
+  /// tangent if `with_tangent`. The friction memory of `state` is updated from `before`.
   void evaluate(std::vector<HullState>& state, const std::vector<HullState>& before, const Weights& weights,
                 bool with_tangent, std::vector<double>& residual);
-  /// A roller's force on the pipe at a point: adds what its opposite does to all that carry the section.
+  /// Adds the reaction to a roller's force on the pipe at a point to all bodies that carry the section.
   void add_roller(int number, const Vec3& point, const Vec3& force, std::vector<double>& residual);
-  /// Tangent of evaluate(), row-major over all free bodies' unknowns.
+  /// Returns the tangent of evaluate(), row-major over all free bodies' unknowns.
   const std::vector<double>& tangent() const { return tangent_; }
 
-  /// After evaluate() and add_roller(): energies, and powers of water, vessel and what rubs.
+  /// Returns energies, and powers of water, vessel and friction, after evaluate() and add_roller().
   BodyEnergy energy() const;
   std::size_t count() const { return sections_.size(); }
-  /// Of section `index`, from the barge astern.
+  /// Returns the loads of section `index`, from the vessel astern.
   HingeReading reading(std::size_t index) const;
 
  private:
@@ -72,13 +74,13 @@ class HingedSections {
     std::vector<int> chain;
     RigidMotion motion;
     Twist twist;
-    Wrench unbalance;  ///< Of itself about its hinge, rollers included once added.
+    Wrench unbalance;  ///< Unbalanced load about its hinge, including rollers once added.
     HingeMotion turn;
     HingeMoment moment;
     std::vector<Vec3> points;
     std::vector<WaterState> water;
   };
-  /// Motion of the whole tree: of the vessel, and of each hinge.
+  /// Motion of the whole chain: of the vessel, and of each hinge.
   struct Coordinates {
     Vec6 h = Vec6::Zero(), v = Vec6::Zero(), a = Vec6::Zero();
     std::vector<HingeMotion> turns;
@@ -98,7 +100,7 @@ class HingedSections {
 
   const System* system_;
   int vessel_ = -1;
-  std::vector<int> at_;  ///< Of each free body: which section, -1 for none.
+  std::vector<int> at_;  ///< Per free body: index of its section, -1 for none.
   std::vector<Section> sections_;
   RigidMotion barge_;
   BodyPose vessel_pose_;

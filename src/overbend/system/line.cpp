@@ -22,8 +22,8 @@ LineWire line_wire(const Model& model, const FreeLineDescription& line, int node
   wire.wire.length = unstressed_length(line);
   wire.wire.axial_stiffness = axial_stiffness(line);
   if (is_weightless(line)) return wire;
-  wire.hanging = catenary_line(line.segments, {}, 0.0, kGravity);
-  if (wire.reversed) std::ranges::reverse(wire.hanging->pieces);
+  wire.catenary = catenary_line(line.segments, {}, 0.0, kGravity);
+  if (wire.reversed) std::ranges::reverse(wire.catenary->pieces);
   return wire;
 }
 

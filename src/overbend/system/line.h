@@ -1,4 +1,4 @@
-/// A line: what stands still of it.
+/// Constant data of a line.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@
 
 namespace overbend {
 
-/// Of a pipe: at the anchor, at the tensioner. `inner`: a node between them.
+/// First and last node: of a pipe at the anchor and at the tensioner. `inner`: a node between them.
 enum class LineEnd { first, last, inner };
 
-/// What a line is to the analysis.
+/// Function of a line in the analysis.
 enum class LineRole {
   pipe,     ///< Laid by a tensioner, over rollers.
   mooring,  ///< Holds the vessel.
-  free      ///< Stands by itself between two ends.
+  free      ///< Between two ends of its own.
 };
 
 /// Constant data of one line.
@@ -32,20 +32,20 @@ struct Line {
   LineEnvironment environment;
   YieldingElements yielding;
   std::vector<LinePoint> points;                         ///< Clumps and buoys.
-  std::vector<LineWire> wires;                           ///< That hold it between its ends.
-  bool on_rollers = true;                                ///< Whether it may meet the rollers of bodies.
-  std::shared_ptr<const std::vector<RoutePiece>> route;  ///< What `environment` points to, of a route that bends.
-  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
+  std::vector<LineWire> wires;                           ///< Wires that hold it between its ends.
+  bool on_rollers = true;                                ///< True if it may touch the rollers of bodies.
+  std::shared_ptr<const std::vector<RoutePiece>> route;  ///< Referenced by `environment` for a route with bends.
+  double force_scale = 1.0;                              ///< Reference for residual forces: the weight in air [N].
 };
 
-/// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the
-/// line.
+/// Returns the pipe of a model on a mesh, without levels of yielding. Points into `model`, which must outlive the line.
 Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route);
 
-/// Place of an end of a line as drawn, W: of a body with the vessel at its mean pose, on the bed its height there.
+/// Returns the nominal position of a line end, W: on a body with the vessel at its mean pose, on the seabed at its
+/// height there.
 Vec3 end_place(const Model& model, const LineEndDescription& end);
 
-/// Weight in air of the elements at or beyond arc length `from` [N].
+/// Returns the weight in air of the elements at or beyond arc length `from` [N].
 double weight_from(const LineMesh& mesh, const LineElements& elements, double from);
 
 }  // namespace overbend

@@ -25,7 +25,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       kept_{{0}, {line.mesh.nodes() - 1}},
       tangent_(&tangent) {
   for (int node = 0; node < line.mesh.nodes(); ++node) {
-    const double h = line.mesh.shortest_beside(node);
+    const double h = line.mesh.min_neighbour_length(node);
     by_moments_.push_back(1.0 / (h * h));
   }
 }
@@ -52,7 +52,7 @@ void LineAssembly::set(const Continuation& continuation) {
   }
 }
 
-void LineAssembly::lead_wires(const std::vector<RigidMotion>& bodies) {
+void LineAssembly::set_wire_ends(const std::vector<RigidMotion>& bodies) {
   for (std::size_t i = 0; i < wires_.size(); ++i) wire_ends_[i] = wire_end(wires_[i].wire, bodies);
 }
 
@@ -64,12 +64,12 @@ void LineAssembly::add_attached_forces(const LineState& state, const LineMotion&
 
 void LineAssembly::add_attached_energy(const LineState& state, const std::vector<double>& water, LineEnergy& sum,
                                        double& power) const {
-  const LineMotion motion = motion_of(state, state, {}, water, nullptr);
+  const LineMotion motion = make_motion(state, state, {}, water, nullptr);
   add_point_energy(points_, environment_, state.q.data(), motion, sum);
   add_wire_energy(wires_, wire_ends_, wire_pulls_, sum, power);
 }
 
-void LineAssembly::lay_beside(double to_port) {
+void LineAssembly::set_lateral_offset(double to_port) {
   environment_.route_offset = line_->environment.route_offset + to_port;
   environment_.route_shift = line_->environment.route_shift + to_port;
 }
@@ -84,29 +84,29 @@ void LineAssembly::set_last_element(double length) {
   }
   const auto last = static_cast<std::size_t>(paid_->count) - 1;
   paid_->length[last] = length;
-  paid_->damping[last] = 0.0;  // its strain does not come from the velocities of its nodes alone
+  paid_->damping[last] = 0.0;  // its strain rate does not follow from the velocities of its nodes alone
 }
 
 double LineAssembly::energy_by_length(const LineShape& shape, const LineMotion& motion) const {
-  constexpr double kShare = 1e-4;  // of the element; the difference is central
+  constexpr double kShare = 1e-4;  // of the element; central difference
   if (!paid_) {
     return 0.0;
   }
   double& length = paid_->length[static_cast<std::size_t>(paid_->count) - 1];
-  const double now = length, part = kShare * now;
+  const double current_length = length, part = kShare * current_length;
   const auto energy = [&](double longer) {
-    length = now + longer;
+    length = current_length + longer;
     const LineEnergy e = line_energy(*paid_, environment_, shape, motion, best_isa());
     return e.kinetic + e.strain + e.gravity + e.seabed;
   };
   const double more = energy(part), less = energy(-part);
-  length = now;
+  length = current_length;
   return (more - less) / (2.0 * part);
 }
 
 LineEnergy LineAssembly::energy(const LineState& state, const std::vector<double>& water) const {
   if (energy_) return *energy_;
-  const LineMotion motion = motion_of(state, state, {}, water, nullptr);
+  const LineMotion motion = make_motion(state, state, {}, water, nullptr);
   return line_energy(elements(), environment_, {state.q.data(), nullptr}, motion, best_isa());
 }
 
@@ -129,13 +129,14 @@ std::vector<RollerPush> LineAssembly::roller_pushes(const LineState& state) cons
   std::vector<RollerPush> pushes;
   for (const RollerContact& contact : contacts_.contacts()) {
     if (contact.normal <= 0.0) continue;
-    const auto e = static_cast<std::size_t>(contact.at.element);
+    const auto e = static_cast<std::size_t>(contact.closest.element);
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
-    const CentrelinePoint there = centreline(q, contact.at.xi, line_->mesh.length[e]);
-    const Vec3 load = point_load(elements(), environment_, contact.at.element, there.r, there.a).sum();
-    const double tension = Eigen::Map<const Vec3>(cuts_.data() + 6 * (e + 1)).dot(there.a.normalized());
-    pushes.push_back({contact.at.element, contact.at.xi, contact.force(), load + tension * curvature_vector(there),
-                      elements().EI[e]});
+    const CentrelinePoint centre_point = centreline(q, contact.closest.xi, line_->mesh.length[e]);
+    const Vec3 load =
+        point_load(elements(), environment_, contact.closest.element, centre_point.r, centre_point.a).sum();
+    const double tension = Eigen::Map<const Vec3>(cuts_.data() + 6 * (e + 1)).dot(centre_point.a.normalized());
+    pushes.push_back({contact.closest.element, contact.closest.xi, contact.force(),
+                      load + tension * curvature_vector(centre_point), elements().EI[e]});
   }
   std::ranges::sort(pushes, [](const RollerPush& a, const RollerPush& b) {
     return a.element != b.element ? a.element > b.element : a.xi > b.xi;
@@ -156,7 +157,7 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
     add_static_yielding(yielding_, line_->mesh, how, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
-  lead_wires(bodies);
+  set_wire_ends(bodies);
   add_attached_forces(state, {}, with_tangent);
   keep_forces();
   if (with_tangent) {
@@ -164,8 +165,8 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
   }
 }
 
-LineMotion LineAssembly::motion_of(const LineState& state, const LineState& before, const Weights& weights,
-                                   const std::vector<double>& water, double* next_slip) const {
+LineMotion LineAssembly::make_motion(const LineState& state, const LineState& before, const Weights& weights,
+                                     const std::vector<double>& water, double* next_slip) const {
   LineMotion motion;
   motion.v = state.v.data();
   motion.acc = state.acc.data();
@@ -181,10 +182,10 @@ LineMotion LineAssembly::motion_of(const LineState& state, const LineState& befo
 void LineAssembly::evaluate(LineState& state, const LineState& before, const Weights& weights,
                             const std::vector<double>& water, bool with_tangent, ContactMode contacts) {
   LineTarget target = this->target(with_tangent);
-  // The last evaluation of a step is wanted with its energies: hardly ever the first, or one with a tangent.
+  // The last evaluation of a step needs its energies: rarely the first, or one with a tangent.
   energy_.reset();
   if (!with_tangent && contacts == ContactMode::free) target.energy = &energy_.emplace();
-  LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
+  LineMotion motion = make_motion(state, before, weights, water, state.bed_slip.data());
   HeldSections held;
   if (yielding_.any) {
     if (begins_) moving_yielding_.begin(before.bending, state.bending);
@@ -203,7 +204,7 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
                      {residual_, cuts_});
   keep_forces();
   if (with_tangent) {
-    if (without_contacts_.nodes() == 0) {  // at rest there is no need for it
+    if (without_contacts_.nodes() == 0) {  // not needed at rest
       without_contacts_.resize(line_->mesh.nodes());
     }
     const int nodes = line_->mesh.nodes(), first = contacts_.first_within_reach(nodes);
@@ -233,7 +234,7 @@ void LineAssembly::hold(int node, const HeldDirections& held, bool blocks) {
 }
 
 Unbalance LineAssembly::unbalance() const {
-  Unbalance largest;
+  Unbalance maximum;
   double worst = 0.0;
   for (int node = 0; node < line_->mesh.nodes(); ++node) {
     const double* r = residual_.data() + 6 * node;
@@ -243,13 +244,13 @@ Unbalance LineAssembly::unbalance() const {
       continue;
     }
     worst = std::max(force, moment);
-    if (!(force + moment < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
+    if (!(force + moment < std::numeric_limits<double>::infinity())) {  // a maximum would ignore NaN
       return {std::numeric_limits<double>::infinity(), node};
     }
-    largest.node = node;
+    maximum.node = node;
   }
-  largest.force = std::sqrt(worst);
-  return largest;
+  maximum.force = std::sqrt(worst);
+  return maximum;
 }
 
 }  // namespace overbend

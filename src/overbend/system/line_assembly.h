@@ -1,4 +1,4 @@
-/// Residual and tangent of one line with the rollers it meets: one assembly for statics and dynamics.
+/// Residual and tangent of one line with its roller contacts, for statics and dynamics.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 
 namespace overbend {
 
-/// Of the largest unbalanced force.
+/// Maximum unbalanced force.
 struct Unbalance {
-  double force = 0.0;  ///< [N]; moments count over the length of the shortest element beside the node.
+  double force = 0.0;  ///< [N]; moments count over the length of the shortest element next to the node.
   int node = 0;
 };
 
+/// Equations of one line.
 class LineAssembly {
  public:
   /// `line`, `bodies` and the blocks of `tangent` must outlive this.
@@ -27,20 +28,20 @@ class LineAssembly {
   RollerContacts& contacts() { return contacts_; }
   const LineEnvironment& environment() const { return environment_; }
   const StaticYielding& yielding_at_rest() const { return resting_; }
-  /// With the last element as long as it is now, or softened.
+  /// Element constants with the present length of the last element, or with limited axial stiffness.
   const LineElements& elements() const { return softened_ ? *softened_ : paid_ ? *paid_ : line_->elements; }
-  /// Unstressed length of the last element, where a winch gives it [m]; 0: that of the mesh.
+  /// Sets the unstressed length of the last element as given by a winch [m]; 0: that of the mesh.
   void set_last_element(double length);
-  /// How the energy of the line grows with that length while its unknowns stand [N]: minus the tension, but for what
-  /// the new length brings with it.
+  /// Returns the derivative of the line's energy by that length at constant unknowns [N]: minus the tension, apart from
+  /// the energy of the added length.
   double energy_by_length(const LineShape& shape, const LineMotion& motion) const;
-  /// Of the elements, at the state evaluated last: often made with its forces.
+  /// Returns the energy of the elements at the last evaluated state, often computed with its forces.
   LineEnergy energy(const LineState& state, const std::vector<double>& water) const;
 
-  /// Six per node: internal minus external forces, inertia included.
+  /// Internal minus external forces, inertia included; six per node.
   const std::vector<double>& residual() const { return residual_; }
   std::vector<double>& residual() { return residual_; }
-  /// What the line above a cut at each node exerts on what is below it, as LineTarget::cuts, rollers and yielding
+  /// Forces of the line above a cut at each node on the line below it, as LineTarget::cuts, rollers and yielding
   /// included.
   const std::vector<double>& cuts() const { return cuts_; }
   BlockTridiagonal& tangent() { return *tangent_; }
@@ -48,60 +49,63 @@ class LineAssembly {
 
   const Continuation& continuation() const { return continuation_; }
   void set(const Continuation& continuation);
-  /// Brings the first ends of wires to where their bodies are.
-  void lead_wires(const std::vector<RigidMotion>& bodies);
-  /// Of the wires of the line, at the state evaluated last.
+  /// Moves the first ends of wires with their bodies.
+  void set_wire_ends(const std::vector<RigidMotion>& bodies);
+  /// Pulls of the wires of the line at the last evaluated state.
   const std::vector<WirePull>& wire_pulls() const { return wire_pulls_; }
-  /// Adds what clumps, buoys and wires store and take at the state evaluated last; powers of wires' ends to `power`.
+  /// Adds the energies and powers of clumps, buoys and wires at the last evaluated state; powers of the wire ends to
+  /// `power`.
   void add_attached_energy(const LineState& state, const std::vector<double>& water, LineEnergy& sum,
                            double& power) const;
-  /// The pipe has been laid beside the route of the line, everywhere `to_port` metres away.
-  void lay_beside(double to_port);
-  /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
-  bool remembers() const { return yielding_.any && continuation_.yielding > 0.0 && before_.empty(); }
-  /// What the Gauss points were before, in place of a loading history; empty for none.
-  void begin_with(std::vector<BendingMemory> before) { before_ = std::move(before); }
+  /// Sets a constant lateral offset of the laid pipe from the line's route, `to_port` [m].
+  void set_lateral_offset(double to_port);
+  /// True if plastic memory from the bending upstream acts, which the tangent at rest ignores.
+  bool has_plastic_memory() const { return yielding_.any && continuation_.yielding > 0.0 && before_.empty(); }
+  /// Sets the initial memories of the Gauss points in place of a loading history; empty for none.
+  void set_bending_history(std::vector<BendingMemory> before) { before_ = std::move(before); }
 
-  /// At rest: damping and mass have no weight. The bodies are where contacts().place() put them last; elements that
-  /// rollers may meet are looked for anew. `keep_memory` leaves the memories of the steel in yielding_at_rest().
+  /// Evaluates the line at rest: damping and mass have no weight. The bodies are at their last contacts().place();
+  /// elements within reach of rollers are searched again. `keep_memory` keeps the plastic memories in
+  /// yielding_at_rest().
   void evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                         bool with_tangent, bool keep_memory = false);
 
-  /// Of the contacts evaluated last, by falling arc length.
+  /// Returns the pushes of the last evaluated contacts, by descending arc length.
   std::vector<RollerPush> roller_pushes(const LineState& state) const;
 
-  /// Another step begins, or the same one again.
+  /// Starts a new step or repeats one.
   void begin_step() { begins_ = true; }
-  /// In motion, `water` as Surroundings::water of the line. The memories of `state` receive what those of `before`, the
-  /// same throughout a step, have become after it; of the steel, finish_step() does so where nothing slides.
+  /// Evaluates the line in motion, with `water` as Surroundings::water of the line. The memories of `state` are updated
+  /// from those of `before`, which are constant throughout a step; finish_step() updates the plastic memories that do
+  /// not slide.
   void evaluate(LineState& state, const LineState& before, const Weights& weights, const std::vector<double>& water,
                 bool with_tangent, ContactMode contacts);
 
-  /// Brings all memories up to the state that was evaluated last, the end of a step.
+  /// Updates all memories to the last evaluated state, the end of a step.
   void finish_step(LineState& state, const LineState& before);
-  /// Energy that yielding stores beyond that of elastic bending, at the state evaluated last [J].
+  /// Returns the energy stored by yielding in excess of elastic bending at the last evaluated state [J].
   double stored_by_yielding() const { return yielding_.any ? moving_yielding_.stored() : 0.0; }
 
-  /// After evaluate() without a tangent: puts the tangent of the contacts as they are now beside that of the line as it
-  /// was at the last full one. False where contacts reach beyond what was kept, and a full tangent is needed.
+  /// After evaluate() without a tangent: combines the present tangent of the contacts with that of the line from the
+  /// last full evaluation. Returns false if contacts reach beyond the stored part and a full tangent is needed.
   bool renew_contact_tangents(const LineState& state, const Weights& weights);
-  /// The first node whose blocks renew_contact_tangents() puts in afresh.
+  /// First node whose blocks renew_contact_tangents() renews.
   int kept_from() const { return kept_from_; }
 
-  /// Removes the held directions of a node from the residual and, where asked, from the blocks.
+  /// Removes the constrained directions of a node from the residual and, if `blocks`, from the blocks.
   void hold(int node, const HeldDirections& held, bool blocks);
   Unbalance unbalance() const;
-  /// Of the first or the last end.
+  /// Node of the first or last end.
   int end_node(LineEnd end) const { return end == LineEnd::first ? 0 : line_->mesh.nodes() - 1; }
-  /// Force on it by what holds it, with its moment, before hold().
+  /// Force and moment that hold an end, before hold().
   const std::array<double, 6>& end_force(LineEnd end) const { return kept_[end == LineEnd::first ? 0 : 1].force; }
-  /// The same of a node that is an end, or whose force is kept.
+  /// The same for an end or an inner node whose force is kept.
   const std::array<double, 6>& held_force(int node) const;
-  /// From here on the force on a node between the ends is kept as theirs is.
+  /// Also keeps the holding force of an inner node from now on.
   void keep_force(int node) { kept_.push_back({node}); }
 
-  LineMotion motion_of(const LineState& state, const LineState& before, const Weights& weights,
-                       const std::vector<double>& water, double* next_slip) const;
+  LineMotion make_motion(const LineState& state, const LineState& before, const Weights& weights,
+                         const std::vector<double>& water, double* next_slip) const;
 
  private:
   struct HeldForce {
@@ -113,11 +117,11 @@ class LineAssembly {
   void keep_forces();
 
   const Line* line_;
-  LineEnvironment environment_;               ///< As the continuation has it.
-  mutable std::optional<LineElements> paid_;  ///< Where a winch gives the last element its length.
-  std::optional<LineElements> softened_;      ///< Where a continuation limits the axial stiffness.
+  LineEnvironment environment_;               ///< With the parameters of the continuation.
+  mutable std::optional<LineElements> paid_;  ///< With the last element length given by a winch.
+  std::optional<LineElements> softened_;      ///< If a continuation limits the axial stiffness.
   YieldingElements yielding_;                 ///< With its levels.
-  std::vector<LinePoint> points_;             ///< As the continuation has them.
+  std::vector<LinePoint> points_;             ///< With the parameters of the continuation.
   std::vector<LineWire> wires_;               ///< Likewise.
   std::vector<WireEnd> wire_ends_;
   std::vector<WirePull> wire_pulls_;
@@ -126,13 +130,14 @@ class LineAssembly {
   StaticYielding resting_;
   std::vector<BendingMemory> before_;
   MovingYielding moving_yielding_;
-  bool begins_ = true;  ///< A step is, whose start has not been looked at.
+  bool begins_ = true;  ///< True until the start of the present step has been processed.
   std::vector<double> residual_, cuts_;
-  std::vector<double> by_moments_;    ///< Squared moments over the shortest element at a node become forces [1/m2].
-  std::vector<HeldForce> kept_;       ///< Of the first end, of the last, of nodes between them.
-  std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.
+  /// Factors from squared moments to squared forces, by the shortest element at a node [1/m2].
+  std::vector<double> by_moments_;
+  std::vector<HeldForce> kept_;       ///< Holding forces of the first end, the last end and inner nodes.
+  std::optional<LineEnergy> energy_;  ///< Energy of the last evaluation, if computed there.
   BlockTridiagonal* tangent_;
-  BlockTridiagonal without_contacts_;  ///< From node `kept_from_` on, in motion.
+  BlockTridiagonal without_contacts_;  ///< From node `kept_from_`, in motion.
   int kept_from_ = 0;
 };
 

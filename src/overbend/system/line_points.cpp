@@ -12,35 +12,35 @@ namespace {
 
 using Vec3Map = Eigen::Map<const Vec3>;
 
-constexpr double kBedSink = 0.01;         ///< A point at rest on the bed sinks in by this [m].
-constexpr double kBedDampingShare = 0.5;  ///< Of critical.
-constexpr double kTautShare = 0.05;       ///< Of the net force: a tether with more is wholly taut.
+constexpr double kBedSink = 0.01;         ///< Penetration of a point at rest on the seabed [m].
+constexpr double kBedDampingShare = 0.5;  ///< Share of critical damping.
+constexpr double kTautShare = 0.05;       ///< Share of the net force beyond which a tether is fully taut.
 
-/// Where a point is and how it and the water move there.
+/// Position and motion of a point and of the water there.
 struct PointState {
   Vec3 r = Vec3::Zero(), v = Vec3::Zero(), acc = Vec3::Zero();
-  Vec3 water_v = Vec3::Zero(), water_a = Vec3::Zero();  ///< Waves alone.
+  Vec3 water_v = Vec3::Zero(), water_a = Vec3::Zero();  ///< Waves only.
   double surface = 0.0;
 };
 
-PointState state_of(const LinePoint& point, const double* q, const LineMotion& motion) {
+PointState make_point_state(const LinePoint& point, const double* q, const LineMotion& motion) {
   const std::size_t first = 6 * static_cast<std::size_t>(point.node);
-  PointState at;
-  at.r = Vec3Map(q + first);
+  PointState state;
+  state.r = Vec3Map(q + first);
   if (motion.v != nullptr) {
-    at.v = Vec3Map(motion.v + first);
-    at.acc = Vec3Map(motion.acc + first);
+    state.v = Vec3Map(motion.v + first);
+    state.acc = Vec3Map(motion.acc + first);
   }
   if (motion.water != nullptr) {
     const double* water = motion.water + static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(point.node);
-    at.water_v = Vec3Map(water);
-    at.water_a = Vec3Map(water + 3);
-    at.surface = water[6];
+    state.water_v = Vec3Map(water);
+    state.water_a = Vec3Map(water + 3);
+    state.surface = water[6];
   }
-  return at;
+  return state;
 }
 
-/// A value with its total derivative in the place of the node.
+/// A value with its total derivative by the position of the node.
 struct Graded {
   double value = 0.0;
   Vec3 slope = Vec3::Zero();
@@ -50,12 +50,12 @@ struct GradedForce {
   Mat3 slope = Mat3::Zero();
 };
 
-Graded wetted(const LinePoint& point, const PointState& at) {
-  const PointWetting wet = point_wetting(point.shape, point.half_height, at.r.z() + point.tether - at.surface);
+Graded wetted(const LinePoint& point, const PointState& state) {
+  const PointWetting wet = point_wetting(point.shape, point.half_height, state.r.z() + point.tether - state.surface);
   return {wet.share, wet.slope * Vec3::UnitZ()};
 }
 
-/// How deep a point is in the bed, negative over it, with the normal there and how both change with its place.
+/// Depth of a point in the seabed, negative above it, with the normal and the derivatives by its position.
 struct BedDepth {
   double value = 0.0;
   Vec3 normal = Vec3::UnitZ(), gradient = -Vec3::UnitZ();
@@ -71,40 +71,41 @@ BedDepth bed_depth(const LineEnvironment& env, const Vec3& r, double tether) {
   return {env.bed_offset - n.dot(r) - n.z() * tether, n, -n, Mat3::Zero()};
 }
 
-/// Upward force of the bed.
-Graded bed_force(const LinePoint& point, const LineEnvironment& env, const PointState& at, double velocity_share) {
-  const BedDepth depth = bed_depth(env, at.r, point.tether);
+/// Upward force of the seabed.
+Graded bed_force(const LinePoint& point, const LineEnvironment& env, const PointState& state, double velocity_share) {
+  const BedDepth depth = bed_depth(env, state.r, point.tether);
   if (depth.value <= 0.0) return {};
-  const double approach = -depth.normal.dot(at.v);
+  const double approach = -depth.normal.dot(state.v);
   Graded force{point.bed_stiffness * depth.value, point.bed_stiffness * depth.gradient};
   if (approach > 0.0) {
     force.value += point.bed_damping * approach;
-    force.slope -= point.bed_damping * (velocity_share * depth.normal + depth.turn.transpose() * at.v);
+    force.slope -= point.bed_damping * (velocity_share * depth.normal + depth.turn.transpose() * state.v);
   }
   return force;
 }
 
-/// Weight, buoyancy and bed.
+/// Weight, buoyancy and seabed force.
 Graded net_upward(const LinePoint& point, const Graded& wet, const Graded& bed) {
   return {point.buoyancy * wet.value - point.weight + bed.value, point.buoyancy * wet.slope + bed.slope};
 }
 
 /// Drag, added mass and the accelerated water at full immersion.
-GradedForce water_force(const LinePoint& point, const LineEnvironment& env, const PointState& at,
+GradedForce water_force(const LinePoint& point, const LineEnvironment& env, const PointState& state,
                         const LineMotion& motion) {
-  const Vec3 u = current_velocity(env, at.r.z()) + at.water_v - at.v;
+  const Vec3 u = current_velocity(env, state.r.z()) + state.water_v - state.v;
   const double speed = u.norm();
   GradedForce force;
-  force.value = point.drag * speed * u + point.added_mass * (at.water_a - at.acc) + point.displaced_mass * at.water_a;
+  force.value =
+      point.drag * speed * u + point.added_mass * (state.water_a - state.acc) + point.displaced_mass * state.water_a;
   Mat3 in_u = point.drag * speed * Mat3::Identity();
   if (speed > 0.0) in_u += point.drag / speed * u * u.transpose();
   Mat3 u_in_r = -motion.velocity_share * Mat3::Identity();
-  u_in_r.col(2) += current_slope(env, at.r.z());
+  u_in_r.col(2) += current_slope(env, state.r.z());
   force.slope = in_u * u_in_r - point.added_mass * motion.acceleration_share * Mat3::Identity();
   return force;
 }
 
-/// How much of a tether with this upward force on the point is taut: smooth from slack to a small part of its pull.
+/// Taut fraction of a tether with this upward force on the point: smooth from slack to a small part of its pull.
 Graded taut(const LinePoint& point, const Graded& upward) {
   if (point.tether == 0.0) return {1.0, Vec3::Zero()};
   const double scale = std::copysign(kTautShare * std::abs(point.buoyancy - point.weight), point.tether);
@@ -112,17 +113,17 @@ Graded taut(const LinePoint& point, const Graded& upward) {
   return {x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / scale * upward.slope};
 }
 
-GradedForce force_of(const LinePoint& point, const LineEnvironment& env, const PointState& at,
-                     const LineMotion& motion) {
-  const Graded wet = wetted(point, at);
-  const Graded upward = net_upward(point, wet, bed_force(point, env, at, motion.velocity_share));
+GradedForce make_graded_force(const LinePoint& point, const LineEnvironment& env, const PointState& state,
+                              const LineMotion& motion) {
+  const Graded wet = wetted(point, state);
+  const Graded upward = net_upward(point, wet, bed_force(point, env, state, motion.velocity_share));
   const Graded pull = taut(point, upward);
-  const GradedForce water = water_force(point, env, at, motion);
-  const Vec3 whole = upward.value * Vec3::UnitZ() + wet.value * water.value - point.mass * at.acc;
+  const GradedForce water = water_force(point, env, state, motion);
+  const Vec3 total = upward.value * Vec3::UnitZ() + wet.value * water.value - point.mass * state.acc;
   Mat3 slope = Vec3::UnitZ() * upward.slope.transpose() + wet.value * water.slope +
                water.value * wet.slope.transpose() - point.mass * motion.acceleration_share * Mat3::Identity();
-  slope = pull.value * slope + whole * pull.slope.transpose();
-  return {pull.value * whole, slope};
+  slope = pull.value * slope + total * pull.slope.transpose();
+  return {pull.value * total, slope};
 }
 
 }  // namespace
@@ -148,7 +149,7 @@ LinePoint line_point(const Model& model, const LinePointDescription& description
 }
 
 Vec3 point_force(const LinePoint& point, const LineEnvironment& env, const double* q) {
-  return force_of(point, env, state_of(point, q, {}), {}).value;
+  return make_graded_force(point, env, make_point_state(point, q, {}), {}).value;
 }
 
 void scale_forces(LinePoint& point, double factor) {
@@ -166,7 +167,7 @@ PointWetting point_wetting(BuoyShape shape, double half_height, double z) {
 void add_point_forces(std::span<const LinePoint> points, const LineEnvironment& env, const double* q,
                       const LineMotion& motion, double* residual, BlockTridiagonal* tangent) {
   for (const LinePoint& point : points) {
-    const GradedForce force = force_of(point, env, state_of(point, q, motion), motion);
+    const GradedForce force = make_graded_force(point, env, make_point_state(point, q, motion), motion);
     double* const diag = tangent != nullptr ? tangent->diag(point.node) : nullptr;
     for (int i = 0; i < 3; ++i) {
       residual[6 * point.node + i] -= force.value(i);
@@ -178,23 +179,23 @@ void add_point_forces(std::span<const LinePoint> points, const LineEnvironment& 
 void add_point_energy(std::span<const LinePoint> points, const LineEnvironment& env, const double* q,
                       const LineMotion& motion, LineEnergy& sum) {
   for (const LinePoint& point : points) {
-    const PointState at = state_of(point, q, motion);
+    const PointState state = make_point_state(point, q, motion);
     if (point.tether != 0.0) {
-      sum.fluid_power += force_of(point, env, at, motion).value.dot(at.v);
+      sum.fluid_power += make_graded_force(point, env, state, motion).value.dot(state.v);
       continue;
     }
-    const Graded wet = wetted(point, at);
-    const Graded bed = bed_force(point, env, at, 0.0);
-    const BedDepth depth = bed_depth(env, at.r, 0.0);
+    const Graded wet = wetted(point, state);
+    const Graded bed = bed_force(point, env, state, 0.0);
+    const BedDepth depth = bed_depth(env, state.r, 0.0);
     const double penetration = std::max(0.0, depth.value);
-    sum.kinetic += 0.5 * point.mass * at.v.squaredNorm();
-    sum.gravity += point.weight * at.r.z();
+    sum.kinetic += 0.5 * point.mass * state.v.squaredNorm();
+    sum.gravity += point.weight * state.r.z();
     sum.fluid_power +=
-        wet.value * (water_force(point, env, at, motion).value + point.buoyancy * Vec3::UnitZ()).dot(at.v);
+        wet.value * (water_force(point, env, state, motion).value + point.buoyancy * Vec3::UnitZ()).dot(state.v);
     sum.seabed += 0.5 * point.bed_stiffness * penetration * penetration;
-    sum.seabed_loss -= (bed.value - point.bed_stiffness * penetration) * at.v.z();
-    if (env.bed_shape != nullptr) {  // the force is upright, the depth is not: what both are off counts as lost
-      sum.seabed_loss -= point.bed_stiffness * penetration * (depth.gradient + Vec3::UnitZ()).dot(at.v);
+    sum.seabed_loss -= (bed.value - point.bed_stiffness * penetration) * state.v.z();
+    if (env.bed_shape != nullptr) {  // the force is vertical, the depth is not: the difference counts as lost
+      sum.seabed_loss -= point.bed_stiffness * penetration * (depth.gradient + Vec3::UnitZ()).dot(state.v);
     }
   }
 }

@@ -37,14 +37,14 @@ constexpr Jet constant(double value) {
   return {value, 0.0, 0.0};
 }
 
-/// Weights of r1, t1, r2, t2 in place and tangent at a point of an element, with their rates.
+/// Shape functions of r1, t1, r2, t2 at a point of an element for position and tangent, with their rates.
 struct PointWeights {
   std::array<Jet, 4> place, tangent;
 };
 
 PointWeights point_weights(double share, double length, const LengthRate& length_rate) {
   const Jet h{length, length_rate.rate, length_rate.acceleration};
-  const Jet x = share * length * inverse(h);  // the material stays, the length grows
+  const Jet x = share * length * inverse(h);  // the material point is fixed, the length grows
   const Jet x2 = x * x, x3 = x2 * x;
   PointWeights w;
   w.place = {constant(1.0) + -3.0 * x2 + 2.0 * x3, h * (x + -2.0 * x2 + x3), 3.0 * x2 + -2.0 * x3,
@@ -54,26 +54,26 @@ PointWeights point_weights(double share, double length, const LengthRate& length
   return w;
 }
 
-/// From the unknowns of an element, with accelerations `acc` of one kind or the other: place, rate, acceleration of one
-/// component.
+/// Position, rate and acceleration of one component from the unknowns of an element, with true or algorithmic
+/// accelerations `acc`.
 Jet weighted(const std::array<Jet, 4>& weights, const LineState& state, const std::vector<double>& acc,
              std::size_t first) {
   Jet sum;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t at = first + 3 * k;
-    sum = sum + weights[k] * Jet{state.q[at], state.v[at], acc[at]};
+    const std::size_t index = first + 3 * k;
+    sum = sum + weights[k] * Jet{state.q[index], state.v[index], acc[index]};
   }
   return sum;
 }
 
 // Rearranging ------------------------------------------------------------------------------------------------------
 
-/// Which of the old ones the new nodes and elements come from.
+/// Old nodes and elements from which the new ones come.
 struct Arrangement {
   std::vector<int> nodes, elements;
 };
 
-Arrangement as_it_is(const Line& line) {
+Arrangement make_identity_arrangement(const Line& line) {
   Arrangement a;
   for (int node = 0; node < line.mesh.nodes(); ++node) a.nodes.push_back(node);
   for (int e = 0; e < line.mesh.elements(); ++e) a.elements.push_back(e);
@@ -96,7 +96,7 @@ std::size_t padded(std::size_t count) {
   return (count + kBatch - 1) / kBatch * kBatch;
 }
 
-/// A padded array of `rows` rows, one after the other.
+/// Rearranges a padded array of `rows` consecutive rows.
 void gather_padded(AlignedDoubles& values, const std::vector<int>& from, std::size_t rows, double beyond) {
   const AlignedDoubles old = values;
   const std::size_t before = old.size() / rows, after = padded(from.size());
@@ -108,7 +108,8 @@ void gather_padded(AlignedDoubles& values, const std::vector<int>& from, std::si
   }
 }
 
-/// Every array of the elements' constants but their lengths, with its member of ElementConstants and what padding has.
+/// Visits every array of the elements' constants except their lengths, with its member of ElementConstants and its
+/// padding value.
 template <class Elements, class Visit>
 void visit_constants(Elements& e, const Visit& visit) {
   visit(e.EA, &ElementConstants::EA, 0.0);
@@ -130,7 +131,7 @@ void visit_constants(Elements& e, const Visit& visit) {
   visit(e.drag_on_bed, &ElementConstants::drag_on_bed, 0.0);
 }
 
-/// The one place that knows what a line has by node and by element.
+/// Rearranges everything that a line stores by node and by element.
 void rearrange(Line& line, LineState& state, const Arrangement& a) {
   constexpr std::size_t kBedRows = static_cast<std::size_t>(kGaussPoints * kBedDirections);
   gather(line.mesh.s, a.nodes);
@@ -143,7 +144,7 @@ void rearrange(Line& line, LineState& state, const Arrangement& a) {
   line.elements.count = static_cast<int>(a.elements.size());
   gather(line.yielding.law, a.elements);
   gather(line.yielding.mix, a.elements);
-  for (std::vector<double>* of_nodes : {&state.q, &state.low, &state.v, &state.acc, &state.alg}) {
+  for (std::vector<double>* of_nodes : {&state.q, &state.low, &state.v, &state.acc, &state.algorithmic_acceleration}) {
     gather(*of_nodes, a.nodes, 6);
   }
   gather_padded(state.bed_slip, a.elements, kBedRows, 0.0);
@@ -157,13 +158,14 @@ void put_node(LineState& state, int node, const NodeMotion& motion) {
   std::copy(motion.q.begin(), motion.q.end(), state.q.begin() + first);
   std::copy(motion.v.begin(), motion.v.end(), state.v.begin() + first);
   std::copy(motion.acc.begin(), motion.acc.end(), state.acc.begin() + first);
-  std::copy(motion.alg.begin(), motion.alg.end(), state.alg.begin() + first);
+  std::copy(motion.algorithmic_acceleration.begin(), motion.algorithmic_acceleration.end(),
+            state.algorithmic_acceleration.begin() + first);
   if (!state.low.empty()) std::fill_n(state.low.begin() + first, 6, 0.0);
 }
 
 // Memories at the Gauss points of the parts of an element ------------------------------------------------------------
 
-/// Values at the Gauss points of an element at a share of its length: straight between points, even beyond them.
+/// Value within an element from its values at the Gauss points: linear between points, also beyond them.
 double between_points(const std::array<double, kGaussPoints>& values, double share) {
   if (share <= kGaussXi[0]) return values.front();
   for (std::size_t i = 1; i < kGaussPoints; ++i) {
@@ -180,13 +182,13 @@ std::size_t nearest_point(double share) {
   return static_cast<std::size_t>(std::min_element(kGaussXi, kGaussXi + kGaussPoints, nearer) - kGaussXi);
 }
 
-/// The part of an element that a new one is: of which of its shares it begins, and how much it has.
+/// Part of an element that becomes a new one: its start and length as shares of the element.
 struct Part {
   std::size_t element = 0;
   double from = 0.0, size = 1.0;
 };
 
-/// Gives the elements `parts`, which come from one, that one's memories at the places of their own points.
+/// Gives the elements `parts`, which come from one element, its memories at the positions of their own points.
 void spread_memories(const Line& line, LineState& state, const std::array<Part, 2>& parts) {
   const std::size_t stride = line.elements.padded(), source = parts.front().element;
   for (std::size_t direction = 0; direction < kBedDirections; ++direction) {
@@ -211,7 +213,7 @@ void spread_memories(const Line& line, LineState& state, const std::array<Part, 
   }
 }
 
-/// Memories of two elements, which `before` still has, at the points of the one that they become.
+/// Transfers the memories of two elements in `before` to the points of the merged element.
 void join_memories(const Line& line, LineState& state, const LineState& before, std::size_t stride_before,
                    std::size_t element, double lower_share) {
   const std::size_t stride = line.elements.padded();
@@ -232,14 +234,14 @@ void join_memories(const Line& line, LineState& state, const LineState& before, 
   }
 }
 
-/// Axes for unbent points of an element that is new.
+/// Axes for the points of a new, unbent element.
 void unbend(LineState& state, std::size_t element, const Vec3& tangent) {
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
-    state.bending.set(kGaussPoints * element + i, fresh_memory(tangent));
+    state.bending.set(kGaussPoints * element + i, make_bending_memory(tangent));
   }
 }
 
-/// An element of a kind that may yield, in a line that had none.
+/// Prepares a line without plastic elements for one.
 void begin_yielding(Line& line, LineState& state) {
   line.yielding.any = true;
   if (state.bending.empty()) state.bending = BendingMemories(fresh_memories(line.mesh, state.q.data()));
@@ -254,7 +256,7 @@ NodeMotion node_motion(const LineState& state, int node) {
     motion.q[i] = state.q[first + i];
     motion.v[i] = state.v[first + i];
     motion.acc[i] = state.acc[first + i];
-    motion.alg[i] = state.alg[first + i];
+    motion.algorithmic_acceleration[i] = state.algorithmic_acceleration[first + i];
   }
   return motion;
 }
@@ -266,27 +268,27 @@ NodeMotion motion_within(const Line& line, const LineState& state, int element, 
   for (std::size_t i = 0; i < 6; ++i) {
     const std::array<Jet, 4>& weights = i < 3 ? w.place : w.tangent;
     const std::size_t first = 6 * static_cast<std::size_t>(element) + i % 3;
-    const Jet at = weighted(weights, state, state.acc, first);
-    motion.q[i] = at.value;
-    motion.v[i] = at.rate;
-    motion.acc[i] = at.acceleration;
-    motion.alg[i] = weighted(weights, state, state.alg, first).acceleration;
+    const Jet jet = weighted(weights, state, state.acc, first);
+    motion.q[i] = jet.value;
+    motion.v[i] = jet.rate;
+    motion.acc[i] = jet.acceleration;
+    motion.algorithmic_acceleration[i] = weighted(weights, state, state.algorithmic_acceleration, first).acceleration;
   }
   return motion;
 }
 
 void split_element(Line& line, LineState& state, int element, double share, const LengthRate& length_rate) {
-  require(share > 0.0 && share < 1.0, "a node is put inside an element");
+  require(share > 0.0 && share < 1.0, "a node can only be inserted inside an element");
   const NodeMotion motion = motion_within(line, state, element, share, length_rate);
   const std::size_t e = static_cast<std::size_t>(element);
-  const double whole = line.mesh.length[e], below = line.mesh.s[e];
-  Arrangement a = as_it_is(line);
+  const double element_length = line.mesh.length[e], below = line.mesh.s[e];
+  Arrangement a = make_identity_arrangement(line);
   a.nodes.insert(a.nodes.begin() + element + 1, element);
   a.elements.insert(a.elements.begin() + element + 1, element);
   rearrange(line, state, a);
-  line.mesh.s[e + 1] = below + share * whole;
-  line.mesh.length[e] = line.elements.length[e] = share * whole;
-  line.mesh.length[e + 1] = line.elements.length[e + 1] = (1.0 - share) * whole;
+  line.mesh.s[e + 1] = below + share * element_length;
+  line.mesh.length[e] = line.elements.length[e] = share * element_length;
+  line.mesh.length[e + 1] = line.elements.length[e + 1] = (1.0 - share) * element_length;
   put_node(state, element + 1, motion);
   spread_memories(line, state, {Part{e, 0.0, share}, Part{e + 1, share, 1.0 - share}});
   for (LinePoint& point : line.points) {
@@ -303,19 +305,19 @@ void split_element(Line& line, LineState& state, int element, double share, cons
 }
 
 void merge_elements(Line& line, LineState& state, int node) {
-  require(node > 0 && node + 1 < line.mesh.nodes(), "an inner node is taken out");
+  require(node > 0 && node + 1 < line.mesh.nodes(), "only an inner node can be removed");
   const std::size_t e = static_cast<std::size_t>(node) - 1;
   const double lower = line.mesh.length[e], whole = lower + line.mesh.length[e + 1], share = lower / whole;
   const LineState before = state;
   const std::size_t stride_before = line.elements.padded();
-  Arrangement a = as_it_is(line);
+  Arrangement a = make_identity_arrangement(line);
   a.nodes.erase(a.nodes.begin() + node);
   a.elements.erase(a.elements.begin() + node);
   rearrange(line, state, a);
   line.mesh.length[e] = line.elements.length[e] = whole;
   join_memories(line, state, before, stride_before, e, share);
   for (LinePoint& point : line.points) {
-    require(point.node != node, "no clump or buoy loses its node");
+    require(point.node != node, "a node with a clump or buoy cannot be removed");
     if (point.node > node) --point.node;
   }
   for (ContactMemory& contact : state.contacts) {
@@ -331,7 +333,7 @@ void merge_elements(Line& line, LineState& state, int node) {
 void append_element(Line& line, LineState& state, const NodeMotion& node, double length, const ElementKind& kind) {
   const std::size_t e = line.mesh.length.size();
   if (kind.law != nullptr) begin_yielding(line, state);
-  Arrangement a = as_it_is(line);
+  Arrangement a = make_identity_arrangement(line);
   a.nodes.push_back(static_cast<int>(e));
   a.elements.push_back(static_cast<int>(e) - 1);
   rearrange(line, state, a);
@@ -352,15 +354,15 @@ void append_element(Line& line, LineState& state, const NodeMotion& node, double
 }
 
 void drop_element(Line& line, LineState& state, LineEnd end) {
-  require(line.mesh.elements() > 1, "a line keeps an element");
+  require(line.mesh.elements() > 1, "the only element of a line cannot be removed");
   const bool first = end == LineEnd::first;
   const int node = first ? 0 : line.mesh.nodes() - 1, element = first ? 0 : line.mesh.elements() - 1;
-  Arrangement a = as_it_is(line);
+  Arrangement a = make_identity_arrangement(line);
   a.nodes.erase(a.nodes.begin() + node);
   a.elements.erase(a.elements.begin() + element);
   rearrange(line, state, a);
   for (LinePoint& point : line.points) {
-    require(point.node != node, "no clump or buoy loses its node");
+    require(point.node != node, "a node with a clump or buoy cannot be removed");
     if (first) --point.node;
   }
   for (ContactMemory& contact : state.contacts) {

@@ -11,44 +11,47 @@ namespace {
 using Vec3Map = Eigen::Map<const Vec3>;
 
 /// Bounds of the Bezier hull of an element in the ramp's frame.
-ElementBounds bounds_of(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Vec3& t2, double h, double reach) {
+ElementBounds make_element_bounds(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Vec3& t2, double h,
+                                  double reach) {
   const Vec3 b1 = r1 + h / 3.0 * t1;
   const Vec3 b2 = r2 - h / 3.0 * t2;
   return {std::min({r1.x(), r2.x(), b1.x(), b2.x()}) - reach, std::max({r1.x(), r2.x(), b1.x(), b2.x()}) + reach,
           std::min({r1.z(), r2.z(), b1.z(), b2.z()}) - reach};
 }
 
-/// At rest a roller holds the pipe on the side it is meant for; a moving pipe is where it is. It passes a roller over
-/// its end alone, and one that has done so is pushed further out when it comes near, not back through the steel.
+/// At rest a roller holds the pipe on its nominal side; a moving pipe is on its actual side. It passes a roller only
+/// over its end, and once past is pushed further out when it comes near, not back through the steel.
 void turn_to_actual_side(RollerDistance& distance) {
   distance.value = -distance.value;
   distance.direction = -distance.direction;
 }
 
-/// Radius of the line where it meets a roller. Where it grows thicker from one element to the next, by a head or by
-/// what is built into the pipe, the thick part begins with a cone of one in two, so that no roller meets a step; how it
-/// pushes the line along is left out [m].
+/// Radius of the line at its contact with a roller [m]. Where it grows from one element to the next, at a head or a
+/// built-in structure, the thick part begins with a cone of 1:2, so that no roller meets a step; the axial force of the
+/// cone is neglected.
 double contact_radius(const Line& line, std::size_t element, double xi) {
   constexpr double kConeSlope = 0.5;
   const AlignedDoubles& radius = line.elements.radius;
-  const double own = radius[element], h = line.mesh.length[element];
-  double found = own;
+  const double element_radius = radius[element], h = line.mesh.length[element];
+  double found = element_radius;
   const auto taper = [&](double thinner, double away) {
-    const double step = own - thinner;
+    const double step = element_radius - thinner;
     const double cone = std::min(step / kConeSlope, h);
     if (away < cone) found = std::min(found, thinner + step * away / cone);
   };
-  if (element > 0 && radius[element - 1] < own) taper(radius[element - 1], xi * h);
-  if (element + 1 < line.mesh.length.size() && radius[element + 1] < own) taper(radius[element + 1], (1.0 - xi) * h);
+  if (element > 0 && radius[element - 1] < element_radius) taper(radius[element - 1], xi * h);
+  if (element + 1 < line.mesh.length.size() && radius[element + 1] < element_radius) {
+    taper(radius[element + 1], (1.0 - xi) * h);
+  }
   return found;
 }
 
-/// The memory of a contact that does not carry; it keeps where the closest point was.
+/// Memory of a contact that does not carry; it keeps the closest point.
 ContactMemory apart(const ContactMemory& memory) {
   return {0.0, 0.0, false, Slip::stick, Slip::stick, memory.element, memory.xi, memory.passing};
 }
 
-/// Which way a contact slides whose friction pushes the pipe along its direction, or against it.
+/// Slip direction of a contact whose friction pushes the pipe along or against its direction.
 Slip slide(double push) {
   return push > 0.0 ? Slip::backward : Slip::forward;
 }
@@ -78,7 +81,7 @@ RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies
   reference_.q.resize(rollers_.empty() ? 0 : 6 * static_cast<std::size_t>(line.mesh.nodes()));
   reference_.placed.resize(rollers_.size());
   reference_.gap.resize(rollers_.size());
-  longest_ = *std::max_element(line.mesh.length.begin(), line.mesh.length.end());
+  max_length_ = *std::max_element(line.mesh.length.begin(), line.mesh.length.end());
 }
 
 void RollerContacts::place(const std::vector<RigidMotion>& bodies, const double* q, double reach) {
@@ -109,14 +112,15 @@ void RollerContacts::move(const std::vector<RigidMotion>& bodies) {
   rollers_moved_ = reference_.known ? rollers_moved() : 0.0;
 }
 
-/// Most of any end of a roller since the reference [m].
+/// Maximum motion of any end of a roller since the reference [m].
 double RollerContacts::rollers_moved() const {
-  double most = 0.0;
+  double max_distance = 0.0;
   for (std::size_t i = 0; i < placed_.size(); ++i) {
-    const PlacedRoller &now = placed_[i], &then = reference_.placed[i];
-    most = std::max(most, (now.center - then.center).norm() + now.half_face * (now.axis - then.axis).norm());
+    const PlacedRoller &current = placed_[i], &then = reference_.placed[i];
+    max_distance = std::max(
+        max_distance, (current.center - then.center).norm() + current.half_face * (current.axis - then.axis).norm());
   }
-  return most;
+  return max_distance;
 }
 
 void RollerContacts::search(std::size_t body, const double* q, double reach) {
@@ -130,36 +134,36 @@ void RollerContacts::search(std::size_t body, const double* q, double reach) {
   for (std::size_t e = 0; e < length.size(); ++e) {
     const int node = static_cast<int>(e) + 1;
     const Vec3 r2 = place_S(node), t2 = to_S(Vec3Map(q + 6 * node + 3));
-    bounds_[e] = bounds_of(r1, t1, r2, t2, length[e], reach);
+    bounds_[e] = make_element_bounds(r1, t1, r2, t2, length[e], reach);
     r1 = r2;
     t1 = t2;
   }
   search_cells((*bodies_)[body].cells, bounds_, ranges_[body]);
 }
 
-void RollerContacts::end_iteration(const std::vector<ContactMemory>& now) {
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    iterate_[i] = {now[i].axial, now[i].lateral};
+void RollerContacts::end_iteration(const std::vector<ContactMemory>& memories) {
+  for (std::size_t i = 0; i < memories.size(); ++i) {
+    iterate_[i] = {memories[i].axial, memories[i].lateral};
   }
 }
 
-/// Penetration and direction at the closest point found.
+/// Computes penetration and direction at the closest point found.
 void RollerContacts::measure(std::size_t index, RollerDistance& distance, bool on_meant_side) {
   RollerContact& contact = contacts_[index];
-  const std::size_t e = static_cast<std::size_t>(contact.at.element);
+  const std::size_t e = static_cast<std::size_t>(contact.closest.element);
   if (!on_meant_side && distance.value < 0.0) {
     turn_to_actual_side(distance);
   }
-  contact.penetration = contact_radius(*line_, e, contact.at.xi) + rollers_[index].roller->radius - distance.value;
+  contact.penetration = contact_radius(*line_, e, contact.closest.xi) + rollers_[index].roller->radius - distance.value;
   contact.normal_direction = distance.direction;
 }
 
 void RollerContacts::push(std::size_t index, const Eigen::Vector4d& shape, const ContactTarget& target) {
   const RollerContact& contact = contacts_[index];
   const Vec3 force = contact.force();
-  add_point_force(target.residual.data() + 6 * contact.at.element, shape, 0, 4, force);
-  add_point_force(target.cuts.data() + 6 * contact.at.element, shape, 2, 4, force);
-  if (contact.at.element == 0) {  // the cut at the first node is minus what the first element adds
+  add_point_force(target.residual.data() + 6 * contact.closest.element, shape, 0, 4, force);
+  add_point_force(target.cuts.data() + 6 * contact.closest.element, shape, 2, 4, force);
+  if (contact.closest.element == 0) {  // the cut at the first node is minus the contribution of the first element
     add_point_force(target.cuts.data(), shape, 0, 2, -force);
   }
 }
@@ -203,63 +207,63 @@ void RollerContacts::complete(const double* q, const double* v, std::vector<Cont
   std::copy_n(q, reference_.q.size(), reference_.q.begin());
   reference_.placed = placed_;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    reference_.gap[i] = contacts_[i].at.found ? -contacts_[i].penetration : 0.0;
-    if (!contacts_[i].at.found) look_beyond_reach(i, q, v, after[i]);
+    reference_.gap[i] = contacts_[i].closest.found ? -contacts_[i].penetration : 0.0;
+    if (!contacts_[i].closest.found) measure_beyond_reach(i, q, v, after[i]);
   }
 }
 
-/// By how much no distance between line and rollers can have changed more, twice over: what slides along may be thicker
-/// there [m].
+/// Upper bound, with a factor of two for variations of the thickness, of the change of any distance between line and
+/// rollers since the reference [m].
 double RollerContacts::moved_since_reference(const double* q) const {
   constexpr double kSure = 2.0;
   double place = 0.0, tangent = 0.0;
   for (int node = 0; node < line_->mesh.nodes(); ++node) {
-    const double *now = q + 6 * node, *then = reference_.q.data() + 6 * node;
-    const double dx = now[0] - then[0], dy = now[1] - then[1], dz = now[2] - then[2];
-    const double tx = now[3] - then[3], ty = now[4] - then[4], tz = now[5] - then[5];
+    const double *current = q + 6 * node, *then = reference_.q.data() + 6 * node;
+    const double dx = current[0] - then[0], dy = current[1] - then[1], dz = current[2] - then[2];
+    const double tx = current[3] - then[3], ty = current[4] - then[4], tz = current[5] - then[5];
     place = std::max(place, dx * dx + dy * dy + dz * dz);
     tangent = std::max(tangent, tx * tx + ty * ty + tz * tz);
   }
-  // The Bezier points of an element, whose hull holds it, move with its nodes and a third of its length with its
-  // tangents.
-  return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + rollers_moved_);
+  // The Bezier points of an element, whose hull contains it, move with its nodes and with a third of its length times
+  // its tangents.
+  return kSure * (std::sqrt(place) + max_length_ / 3.0 * std::sqrt(tangent) + rollers_moved_);
 }
 
-/// Sees where the line is closest to the rollers that are looked at, if that is in the element where it was.
+/// Finds the closest points of the line to the examined rollers if they are still in the previous elements.
 void RollerContacts::look(const double* q, const double* v, const std::vector<ContactMemory>& memory) {
   looks_.clear();
   const int last = line_->mesh.elements() - 1;
   for (const std::size_t i : looked_at_) {
-    const PlacedRoller& at = placed_[i];
+    const PlacedRoller& placed_roller = placed_[i];
     const int element = memory[i].element;
     const int passing = std::clamp(element + memory[i].passing, 0, last);
-    looks_.push_back(
-        {at.center.data(), at.axis.data(), at.normal.data(), at.half_face, memory[i].xi, element, passing});
+    looks_.push_back({placed_roller.center.data(), placed_roller.axis.data(), placed_roller.normal.data(),
+                      placed_roller.half_face, memory[i].xi, element, passing});
   }
-  meet_rollers({q, v, line_->mesh.length.data()}, looks_, meetings_, best_isa());
+  find_closest_points({q, v, line_->mesh.length.data()}, looks_, meetings_, best_isa());
 }
 
-/// Where the line is closest to a roller, as it was seen or, failing that, by looking along the line; contact.at tells
-/// whether it passes the roller at all.
-RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeeting& seen, const double* q,
+/// Finds the closest point of the line to a roller, from `seen` or else by a search along the line; contact.closest
+/// states whether it passes the roller at all.
+RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerClosestPoint& seen, const double* q,
                                              const double* v, const ContactMemory& memory) {
   using Map = Eigen::Map<const Vec3>;
-  ClosestPoint& at = contacts_[index].at;
+  ClosestPoint& closest = contacts_[index].closest;
   const std::vector<double>& length = line_->mesh.length;
   const ElementRange reachable = within_reach(rollers_[index]);
   const ElementRange range =
       reachable.first < reachable.last ? reachable : ElementRange{0, static_cast<int>(length.size())};
   const auto within = [&](int element) { return range.first <= element && element < range.last; };
   if (seen.found && within(seen.element) && within(seen.passing)) {
-    at = {true,
-          seen.element,
-          seen.passing,
-          seen.xi,
-          Map(seen.place),
-          Map(seen.tangent),
-          Map(seen.reference),
-          seen.beyond_face,
-          seen.off_end};
+    closest = {true,
+               seen.element,
+               seen.passing,
+               seen.xi,
+               Map(seen.place),
+               Map(seen.tangent),
+               Map(seen.reference),
+               seen.beyond_face,
+               seen.off_end};
     return {{seen.distance, Map(seen.direction)},
             Map(seen.velocity),
             Vec3::Zero(),
@@ -268,55 +272,55 @@ RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeet
   return search_along(index, range, q, v, memory);
 }
 
-/// Where the line is closest among some elements, from where it was outwards.
+/// Finds the closest point of the line among some elements, outwards from the previous one.
 RollerContacts::Meeting RollerContacts::search_along(std::size_t index, const ElementRange& range, const double* q,
                                                      const double* v, const ContactMemory& memory) {
-  ClosestPoint& at = contacts_[index].at;
+  ClosestPoint& closest = contacts_[index].closest;
   const std::vector<double>& length = line_->mesh.length;
-  at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, memory.element, memory.xi);
+  closest = closest_point_near(placed_[index], q, length.data(), range.first, range.last, memory.element, memory.xi);
   Meeting meeting;
-  if (at.found) {
-    meeting.distance = roller_distance(placed_[index], at);
-    meeting.shape = hermite(at.xi, length[static_cast<std::size_t>(at.element)]).value;
-    meeting.velocity = at_point(meeting.shape, dofs_of(v, at.element));
+  if (closest.found) {
+    meeting.distance = roller_distance(placed_[index], closest);
+    meeting.shape = hermite(closest.xi, length[static_cast<std::size_t>(closest.element)]).value;
+    meeting.velocity = at_point(meeting.shape, element_unknowns(v, closest.element));
   }
   return meeting;
 }
 
-/// How far the pipe is from a roller that it passes, and how fast it comes nearer.
+/// Sets distance and approach speed of the pipe at a roller that it passes.
 void RollerContacts::regard(std::size_t index, Meeting& meeting) {
   RollerContact& contact = contacts_[index];
   measure(index, meeting.distance, false);
   const RigidMotion& body = motions_[rollers_[index].body];
-  const double radius = line_->elements.radius[static_cast<std::size_t>(contact.at.element)];
-  const Vec3 arm = contact.at.place - radius * meeting.distance.direction - body.pose.p_WV;
+  const double radius = line_->elements.radius[static_cast<std::size_t>(contact.closest.element)];
+  const Vec3 arm = contact.closest.place - radius * meeting.distance.direction - body.pose.p_WV;
   contact.roller_velocity = body.velocity + body.omega.cross(arm);
   meeting.slip_rate = meeting.velocity - contact.roller_velocity;
   contact.rate = -meeting.slip_rate.dot(meeting.distance.direction);
 }
 
-/// Beyond all elements that a roller may meet: only how far it is is of interest.
-void RollerContacts::look_beyond_reach(std::size_t index, const double* q, const double* v,
-                                       const ContactMemory& memory) {
+/// Out-of-range roller: only the distance is computed.
+void RollerContacts::measure_beyond_reach(std::size_t index, const double* q, const double* v,
+                                          const ContactMemory& memory) {
   Meeting meeting = search_along(index, {0, line_->mesh.elements()}, q, v, memory);
-  if (contacts_[index].at.found) regard(index, meeting);
+  if (contacts_[index].closest.found) regard(index, meeting);
 }
 
-/// Where the pipe meets a roller and how fast; nothing where it does not pass it or is out of reach, when the
-/// separation alone is of interest.
-std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, const RollerMeeting& seen,
+/// Returns the contact geometry of the pipe and a roller; empty if it does not pass it or is out of reach, where only
+/// the distance matters.
+std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, const RollerClosestPoint& seen,
                                                             const double* q, const double* v, ContactMemory& after) {
   RollerContact& contact = contacts_[index];
   contact = RollerContact{};
   carrying_[index].carries = false;
   Meeting meeting = find(index, seen, q, v, after);
   after = apart(after);
-  if (!contact.at.found) {
+  if (!contact.closest.found) {
     return std::nullopt;
   }
-  after.element = contact.at.element;
-  after.xi = contact.at.xi;
-  after.passing = contact.at.passing - contact.at.element;
+  after.element = contact.closest.element;
+  after.xi = contact.closest.xi;
+  after.passing = contact.closest.passing - contact.closest.element;
   regard(index, meeting);
   const ElementRange reachable = within_reach(rollers_[index]);
   if (reachable.first >= reachable.last) {
@@ -341,7 +345,7 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
     return;
   }
   const Vec3& away = meeting->distance.direction;
-  const Vec3& along = contact.at.tangent;
+  const Vec3& along = contact.closest.tangent;
   contact.axial_direction = (along - along.dot(away) * away).normalized();
   contact.lateral_direction = away.cross(contact.axial_direction);
   contact.slip_rate_axial = meeting->slip_rate.dot(contact.axial_direction);
@@ -357,7 +361,8 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
       return friction_in_state(roller.law, mu, step, at_start);
     }
     const FrictionForce force = friction_force(roller.law, mu, step);
-    if (static_cast<int>(force.state) * static_cast<int>(last) < 0) {  // between sliding either way the contact sticks
+    // a contact sticks between sliding in opposite directions
+    if (static_cast<int>(force.state) * static_cast<int>(last) < 0) {
       settled_ = false;
       return friction_in_state(roller.law, mu, step, Slip::stick);
     }
@@ -399,7 +404,7 @@ int RollerContacts::first_within_reach(int beyond) const {
 int RollerContacts::first_carrying(int beyond) const {
   int first = beyond;
   for (std::size_t i = 0; i < carrying_.size(); ++i) {
-    first = carrying_[i].carries ? std::min(first, contacts_[i].at.element) : first;
+    first = carrying_[i].carries ? std::min(first, contacts_[i].closest.element) : first;
   }
   return first;
 }

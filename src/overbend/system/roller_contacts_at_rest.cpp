@@ -11,9 +11,9 @@ void RollerContacts::rub(std::size_t index, const RollerDistance& distance, cons
   const BodyRoller& roller = *rollers_[index].roller;
   RollerContact& contact = contacts_[index];
   const double across = roller.position == RollerPosition::bottom ? continuation_.roller_friction.across : 0.0;
-  const RubForce force{continuation_.roller_friction.along * roller.law.friction_axial,
-                       across * roller.law.friction_lateral, normal.force, normal.by_penetration};
-  contact.axial_direction = contact.at.tangent.normalized();  // square to the distance at the closest point
+  const MobilisedFrictionForce force{continuation_.roller_friction.along * roller.law.friction_axial,
+                                     across * roller.law.friction_lateral, normal.force, normal.by_penetration};
+  contact.axial_direction = contact.closest.tangent.normalized();  // perpendicular to the distance at the closest point
   contact.lateral_direction = distance.direction.cross(contact.axial_direction);
   contact.axial = force.along * normal.force;
   contact.lateral = force.across * normal.force;
@@ -37,11 +37,11 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   }
   const std::vector<double>& length = line_->mesh.length;
   const ElementRange range = within_reach(rollers_[index]);
-  contact.at = closest_point(placed_[index], q, length.data(), range.first, range.last);
-  if (!contact.at.found) {
+  contact.closest = closest_point(placed_[index], q, length.data(), range.first, range.last);
+  if (!contact.closest.found) {
     return;
   }
-  RollerDistance distance = roller_distance(placed_[index], contact.at);
+  RollerDistance distance = roller_distance(placed_[index], contact.closest);
   measure(index, distance, true);
   ContactLaw law = roller.law;
   law.stiffness = std::min(law.stiffness, continuation_.max_roller_stiffness);
@@ -54,7 +54,7 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (continuation_.roller_friction.any()) {
     rub(index, distance, normal);
   }
-  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]).value, target);
+  push(index, hermite(contact.closest.xi, length[static_cast<std::size_t>(contact.closest.element)]).value, target);
 }
 
 }  // namespace overbend

@@ -10,25 +10,26 @@ EndMotion attached_to(const RigidMotion& body, const Vec3& place_V, const Vec3& 
   return {place.place, place.velocity, place.acceleration, direction.direction, direction.rate, direction.acceleration};
 }
 
-void lead_attachments(const System& system, Surroundings& now) {
-  lead_attachments(system.attachments, now);
+void set_attachment_motions(const System& system, Surroundings& surroundings) {
+  set_attachment_motions(system.attachments, surroundings);
 }
 
-void lead_attachments(const std::vector<Attachment>& attachments, Surroundings& now) {
+void set_attachment_motions(const std::vector<Attachment>& attachments, Surroundings& surroundings) {
   for (std::size_t i = 0; i < attachments.size(); ++i) {
     const Attachment& attachment = attachments[i];
-    EndMotion& end = now.ends[i];
+    EndMotion& end = surroundings.ends[i];
     if (attachment.body == kGround) {
       end = EndMotion{};
       end.place = attachment.place;
       end.direction = attachment.direction;
     } else {
-      end = attached_to(now.bodies[static_cast<std::size_t>(attachment.body)], attachment.place, attachment.direction);
+      end = attached_to(surroundings.bodies[static_cast<std::size_t>(attachment.body)], attachment.place,
+                        attachment.direction);
     }
   }
 }
 
-double tensioner_authority(const System& system, double time) {
+double tensioner_ramp_factor(const System& system, double time) {
   return half_cosine(time, system.build_up).value;
 }
 

@@ -1,4 +1,4 @@
-/// The system: lines, the bodies they meet, and what holds their ends. Constant during a run.
+/// Lines, bodies and attachments of a system: constant during a run.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/roller_rub.h"
+#include "mechanics/mobilised_friction.h"
 #include "mechanics/tensioner.h"
 #include "mechanics/vessel_motion.h"
 #include "mechanics/winch.h"
@@ -17,87 +17,88 @@
 
 namespace overbend {
 
-/// What holds an end of a line to a body, or to the ground. A pipe is moved along `direction` by a machine, whether the
-/// guide holds the pipe's direction or lets it turn.
+/// Connection of a line end to a body or the ground. A pipe is moved along `direction` by a tensioner, regardless of
+/// whether the guide holds the pipe's direction or lets it rotate.
 struct Attachment {
   int line = 0;
   LineEnd end = LineEnd::first;
-  int node = 0;  ///< Of an inner one.
+  int node = 0;  ///< Node of an inner attachment.
   bool hold_place = false;
-  std::optional<Vec3> free_along;  ///< Of a held place: the unit vector (W) along which it may move all the same.
+  std::optional<Vec3> free_along;  ///< For a held position: unit vector (W) along which it may move nevertheless.
   bool hold_direction = false;     ///< The tangent keeps the guide's direction; its length stays free.
   int body = kGround;
   Vec3 place = Vec3::Zero(), direction = Vec3::UnitX();  ///< In the body's frame; W on the ground [m].
-  std::optional<TensionerLaw> tensioner;  ///< That moves the end along the guide, where it is held by one.
-  std::optional<WinchLaw> winch;  ///< Where the end leaves a winch, which changes the length of its last element.
-  /// Of an anchor on the ground: more than this drags it along the line [N].
+  std::optional<TensionerLaw> tensioner;                 ///< Moves the end along the guide, if held by a tensioner.
+  std::optional<WinchLaw> winch;  ///< If the end is on a winch, which changes the length of the last element.
+  /// Holding capacity of an anchor on the ground; beyond it drags along the line [N].
   double holding = std::numeric_limits<double>::infinity();
-  double parts_at = std::numeric_limits<double>::infinity();  ///< Lets the line go then [s].
+  double parts_at = std::numeric_limits<double>::infinity();  ///< Time of the line failure at this end [s].
 };
 
-/// The node of a line that an attachment holds.
+/// Returns the node of a line that an attachment holds.
 inline int held_node(const Attachment& held, const Line& line) {
   if (held.end == LineEnd::inner) return held.node;
   return held.end == LineEnd::first ? 0 : line.mesh.nodes() - 1;
 }
 
-/// Motion of an attachment: place and direction of the guide with their rates, W.
+/// Motion of an attachment: position and direction of the guide with their rates, W.
 struct EndMotion {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   Vec3 direction = Vec3::UnitX(), direction_rate = Vec3::Zero(), direction_acceleration = Vec3::Zero();
 };
 
-/// The surroundings that move: everything that depends on time alone.
+/// Time-dependent surroundings: everything that depends on time only.
 struct Surroundings {
-  std::vector<RigidMotion> bodies;  ///< Free ones, and the ends they hold, are brought to the state by Assembly.
-  std::vector<EndMotion> ends;      ///< Of the attachments.
-  /// Line by line: waves at its nodes, kWaterValues each; empty in calm water.
+  std::vector<RigidMotion> bodies;  ///< Free bodies, and the ends they hold, are set from the state by Assembly.
+  std::vector<EndMotion> ends;      ///< Per attachment.
+  /// Per line: waves at its nodes, kWaterValues each; empty in calm water.
   std::vector<std::vector<double>> water;
 };
 
-/// Sets the surroundings, which have their sizes, for a time. Called once per step, must not allocate after the first
+/// Sets the surroundings, which have their sizes, at a time. Called once per step; must not allocate after the first
 /// call.
-using SurroundingsAt = std::function<void(double time, Surroundings& now)>;
+using SurroundingsAt = std::function<void(double time, Surroundings& surroundings)>;
 
+/// Constant data of a system.
 struct System {
   std::vector<Line> lines;
   std::vector<Body> bodies;
   std::vector<Attachment> attachments;
   std::vector<Wire> wires;
-  std::vector<int> far_forces;  ///< Lines whose first end slides under a force of unknown size, LineState::far_force.
-  double build_up = 0.0;        ///< Before t = 0, over which the tensioner is brought in [s].
-  RollerRub rub;                ///< Friction of the rollers at rest, from which a run starts.
+  std::vector<int> far_forces;  ///< Lines whose first end slides under an unknown force, LineState::far_force.
+  double build_up = 0.0;        ///< Duration before t = 0 over which the tensioner is ramped up [s].
+  MobilisedFriction rub;        ///< Friction of the rollers at rest, the initial state of a run.
   SurroundingsAt surroundings;
 };
 
-/// Motion of an attachment whose body moves so.
+/// Returns the motion of an attachment on a body with this motion.
 EndMotion attached_to(const RigidMotion& body, const Vec3& place_V, const Vec3& direction_V);
 
-/// Sets the motion of every attachment from that of its body; on the ground it stands still.
-void lead_attachments(const System& system, Surroundings& now);
-void lead_attachments(const std::vector<Attachment>& attachments, Surroundings& now);
+/// Sets the motion of every attachment from that of its body; on the ground it is at rest.
+void set_attachment_motions(const System& system, Surroundings& surroundings);
+void set_attachment_motions(const std::vector<Attachment>& attachments, Surroundings& surroundings);
 
-/// Share of its response velocity that the tensioner may use: it is brought in with the sea.
-double tensioner_authority(const System& system, double time);
+/// Returns the ramp factor of the tensioner's response velocity: it is ramped up with the sea.
+double tensioner_ramp_factor(const System& system, double time);
 
-/// The vessel among the bodies of a system.
+/// Index of the vessel among the bodies of a system.
 inline constexpr std::size_t kVessel = 0;
 
-/// The attachments that a tensioner moves.
+/// Returns the attachments moved by a tensioner.
 std::vector<std::size_t> find_tensioners(const System& system);
 
-/// The pipe that is laid: its line and the attachment of its tensioner.
+/// The laid pipe: its line and the attachment of its tensioner.
 struct LaidPipe {
   std::size_t line = 0, tensioner = 0;
 };
 std::optional<LaidPipe> find_laid_pipe(const System& system);
 
-/// Lines of a role, in the order of the system.
+/// Returns the lines of a role, in the order of the system.
 std::vector<std::size_t> find_lines(const System& system, LineRole role);
-/// The first of them; the number of lines where there is none.
+/// Returns the first of them; the number of lines if there is none.
 std::size_t first_line(const System& system, LineRole role);
 
-/// The attachment that holds an end of a line; nothing where none does.
+/// Returns the attachment that holds an end of a line; empty if there is none.
 std::optional<std::size_t> find_attachment(const System& system, std::size_t line, LineEnd end);
 
 }  // namespace overbend

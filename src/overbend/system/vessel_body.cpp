@@ -19,7 +19,7 @@ double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W)
   return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
 }
 
-/// Damping ratio of a roller; rollers of one kind, which follow each other, share the search for it.
+/// Damping ratio of a roller; consecutive rollers of one kind share the search for it.
 class DampingRatios {
  public:
   double of(const Roller& roller) {
@@ -36,12 +36,12 @@ class DampingRatios {
   RollerDamping damping_ = RollerDamping::textbook;
 };
 
-ContactLaw law_of(const Roller& roller, double stiffness, double mass, double zeta) {
+ContactLaw make_contact_law(const Roller& roller, double stiffness, double mass, double zeta) {
   ContactLaw law;
   law.stiffness = stiffness;
   law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
   law.tangential_stiffness =
-      roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * stiffness;
+      roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialStiffnessRatio * stiffness;
   law.tangential_damping = 2.0 * zeta * std::sqrt(mass * law.tangential_stiffness);
   law.friction_axial = roller.friction_axial;
   law.friction_lateral = roller.friction_lateral;
@@ -72,7 +72,7 @@ std::vector<BodyRoller> vessel_rollers(const Model& model) {
     of_body.box = roller.box;
     of_body.position = roller.position;
     of_body.mass = impact_mass(moved_mass(model, pipe, center), pipe.EI, stiffness);
-    of_body.law = law_of(roller, stiffness, of_body.mass, ratios.of(roller));
+    of_body.law = make_contact_law(roller, stiffness, of_body.mass, ratios.of(roller));
     rollers.push_back(of_body);
   }
   return rollers;
@@ -86,7 +86,7 @@ Body vessel_body(const Model& model, double pipe_radius) {
   return body;
 }
 
-RollerRub static_rub(const Model& model) {
+MobilisedFriction static_rub(const Model& model) {
   const RollerFriction friction = model.description.statics.roller_friction;
   return {friction == RollerFriction::none ? 0.0 : friction == RollerFriction::lay ? 1.0 : -1.0, 0.0};
 }

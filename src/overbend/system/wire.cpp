@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "moorings/hanging_line.h"
+#include "moorings/suspended_line.h"
 
 namespace overbend {
 
@@ -26,18 +26,18 @@ WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second) {
 
 namespace {
 
-/// What is far too short for a catenary pulls as a straight wire does.
+/// A line far too short for a catenary pulls like a straight wire.
 WirePull line_pull(const LineWire& line, const Vec3& first, const Vec3& second) {
-  if (!line.hanging) return wire_pull(line.wire, first, second);
-  const HangingForces hung = hanging_forces(*line.hanging, first, second);
-  if (!hung.found) return wire_pull(line.wire, first, second);
+  if (!line.catenary) return wire_pull(line.wire, first, second);
+  const SuspendedLineForces catenary = suspended_line_forces(*line.catenary, first, second);
+  if (!catenary.found) return wire_pull(line.wire, first, second);
   WirePull pull;
   pull.first = first;
   pull.second = second;
   pull.span = (second - first).norm();
-  pull.force = line.share * hung.on_first;
-  pull.on_second = line.share * hung.on_second;
-  pull.stiffness = line.share * hung.stiffness;
+  pull.force = line.share * catenary.on_first;
+  pull.on_second = line.share * catenary.on_second;
+  pull.stiffness = line.share * catenary.stiffness;
   pull.tension = pull.force.norm();
   return pull;
 }

@@ -1,5 +1,5 @@
-/// Straight wires without weight: their pull on what they are between, and on nodes of a line. There they may have
-/// weight, at rest: elastic catenaries.
+/// Straight weightless wires and their pull on bodies and on nodes of a line. At line nodes they may have weight in
+/// statics: elastic catenaries.
 #pragma once
 
 #include <optional>
@@ -15,53 +15,54 @@
 
 namespace overbend {
 
-inline constexpr int kGround = -1;  ///< In place of a body: the world.
+inline constexpr int kGround = -1;  ///< In place of a body: the ground.
 
-/// A straight wire without weight between two points of bodies or of the ground. It bears tension alone.
+/// A straight weightless wire between two points of bodies or of the ground. It carries tension only.
 struct Wire {
   std::string name;
   int first_body = kGround, second_body = kGround;
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< In the frames of the bodies; W on the ground [m].
   double length = 0.0;                               ///< Unstressed [m].
   double axial_stiffness = 0.0;                      ///< EA [N]
-  std::optional<double> held_tension;                ///< By a winch that gives it what length that needs [N].
+  std::optional<double> held_tension;                ///< Tension kept by a winch at any length [N].
 };
 
-/// Of a wire between two places.
+/// Pull of a wire between two points.
 struct WirePull {
-  double tension = 0.0;           ///< At its first end; 0 while it is slack [N].
+  double tension = 0.0;           ///< At its first end; 0 if slack [N].
   double span = 0.0;              ///< Distance of its ends [m].
-  Vec3 first = Vec3::Zero();      ///< Place of its first end, W [m].
-  Vec3 second = Vec3::Zero();     ///< Of its second.
-  Vec3 force = Vec3::Zero();      ///< On what holds its first end, W [N].
-  Vec3 on_second = Vec3::Zero();  ///< On what holds its second; the opposite, but for its weight.
+  Vec3 first = Vec3::Zero();      ///< Position of its first end, W [m].
+  Vec3 second = Vec3::Zero();     ///< Position of its second end, W [m].
+  Vec3 force = Vec3::Zero();      ///< On the support of its first end, W [N].
+  Vec3 on_second = Vec3::Zero();  ///< On the support of its second end [N]; the opposite, apart from its weight.
   Mat3 stiffness = Mat3::Zero();  ///< d force / d place of the second end [N/m].
 };
 
-/// T = EA (span - length) / length where that is positive, or what its winch holds.
+/// Returns T = EA (span - length) / length where positive, or the tension of its winch.
 WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second);
 
 /// A wire from a body or the ground, its first end, to a node of a line.
 struct LineWire {
   Wire wire;
-  std::optional<CatenaryLine> hanging;  ///< Of one with weight: what hangs there, from its first end.
-  double share = 1.0;                   ///< Of that its forces are, in a continuation.
+  std::optional<CatenaryLine> catenary;  ///< Catenary of a wire with weight, from its first end.
+  double share = 1.0;                    ///< Factor on its forces in a continuation.
   int node = 0;
-  bool reversed = false;  ///< That first end is the second of the line that it is in the model.
+  bool reversed = false;  ///< True if that first end is the second one of the model's line.
 };
 
-/// Where the first end of such a wire is, and how it moves, W.
+/// Position and motion of the first end of a wire, W.
 struct WireEnd {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
 };
+/// Returns the position and motion of the first end of a wire.
 WireEnd wire_end(const Wire& wire, const std::vector<RigidMotion>& bodies);
 
-/// Subtracts the pulls of wires from `residual` (six per node) and, unless null, their derivatives from the blocks;
-/// `pulls` takes them. Each wire has its end, and its place among the pulls.
+/// Subtracts the pulls of wires from `residual` (six per node) and, unless null, adds their derivatives to the blocks;
+/// `pulls` receives them. `ends` and `pulls` have one entry per wire.
 void add_wire_forces(std::span<const LineWire> wires, std::span<const WireEnd> ends, const double* q, double* residual,
                      BlockTridiagonal* tangent, std::span<WirePull> pulls);
 
-/// Adds what wires store to the energy of a line, and what their first ends put into it to `power` [W].
+/// Adds the energy stored in wires to that of a line, and the power of their first ends to `power` [W].
 void add_wire_energy(std::span<const LineWire> wires, std::span<const WireEnd> ends, std::span<const WirePull> pulls,
                      LineEnergy& sum, double& power);
 

@@ -32,7 +32,7 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
     const ElementVector at_nodes = dofs({q, nullptr}, e);
     for (int i = 0; i < kGaussPoints; ++i) {
-      memories.push_back(fresh_memory(point_at(at_nodes, gauss_shape(i, mesh.length[e])).a.normalized()));
+      memories.push_back(make_bending_memory(point_at(at_nodes, gauss_shape(i, mesh.length[e])).a.normalized()));
     }
   }
   return memories;
@@ -50,7 +50,7 @@ MovingYielding::MovingYielding(const YieldingElements& elements, const LineMesh&
 void MovingYielding::begin(const BendingMemories& before, BendingMemories& after) {
   forget_slid();
   if (!fitted_.empty()) fitted_ = {};
-  after.become(before);
+  after.assign_from(before);
   for (std::size_t point = 0; point < before.size(); ++point) {
     const BendingLaw* law = elements_->law[point / kGaussPoints];
     const LevelMix& mix = elements_->mix[point / kGaussPoints];
@@ -58,13 +58,13 @@ void MovingYielding::begin(const BendingMemories& before, BendingMemories& after
     if (fitted_.empty()) fitted_ = before;
     BendingMemory memory = before.at(point);
     if (law == nullptr) {
-      memory = fresh_memory(memory.tangent);
+      memory = make_bending_memory(memory.tangent);
     } else {
-      bring_to_level(*law, mix, memory);
+      update_held_moment(*law, mix, memory);
     }
     fitted_.set(point, memory);
   }
-  if (!fitted_.empty()) after.become(fitted_);
+  if (!fitted_.empty()) after.assign_from(fitted_);
 }
 
 HeldSections MovingYielding::held(const BendingMemories& before, BendingMemories& after) {
@@ -85,11 +85,11 @@ double MovingYielding::add_sliding(const double* q, const BendingMemories& befor
       const std::size_t point = kGaussPoints * e + static_cast<std::size_t>(i);
       if (left(point) == 0.0) continue;
       const HermiteValues shape = gauss_shape(i, mesh_->length[e]);
-      const CentrelinePoint at = point_at(at_nodes, shape);
+      const CentrelinePoint centre_point = point_at(at_nodes, shape);
       BendingMemory memory = start(before).at(point);
-      bring_along(memory, at.a.normalized());
-      const Vec2 k = in_axes(memory, curvature_vector(at));
-      const BendingAnswer answer = bend(*elements_->law[e], elements_->mix[e], k, memory);
+      transport_axes(memory, centre_point.a.normalized());
+      const Vec2 k = in_axes(memory, curvature_vector(centre_point));
+      const BendingResponse answer = bend(*elements_->law[e], elements_->mix[e], k, memory);
       after.set(point, memory);
       if (!has_slid_[point]) slid_.push_back(point);
       has_slid_[point] = true;
@@ -97,7 +97,7 @@ double MovingYielding::add_sliding(const double* q, const BendingMemories& befor
       loss += weight * answer.loss;
       stored_sliding_ += weight * stored_beyond_elastic(k, memory);
       Vec3 moment;
-      sum.add(shape, at, weight, memory, answer, moment);
+      sum.add(shape, centre_point, weight, memory, answer, moment);
     }
     sum.scatter_to(static_cast<int>(e), target);
   }

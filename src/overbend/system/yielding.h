@@ -1,9 +1,9 @@
-/// Elements whose steel may yield: their plastic moments in statics and in motion.
+/// Elements whose steel may yield: plastic moments in statics and dynamics.
 #pragma once
 
 #include <vector>
 
-#include "mechanics/bending_memories.h"
+#include "mechanics/bending_histories.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/plastic_bending.h"
 #include "mechanics/quadrature.h"
@@ -13,75 +13,77 @@
 
 namespace overbend {
 
-/// Laws of the elements; points into the model.
+/// Bending laws of the elements; points into the model.
 struct YieldingElements {
   std::vector<const BendingLaw*> law;  ///< Null for linear steel.
   std::vector<LevelMix> mix;           ///< Between the levels of the law.
   bool any = false;
-  std::vector<bool> linear_pipe = {};  ///< Pipe of linear steel, whose places bend what passes them all the same.
+  /// Pipe of linear steel whose curvature nevertheless bends the pipe that passes it.
+  std::vector<bool> linear_pipe = {};
 
   bool bends_passing(std::size_t element) const {
     return law[element] != nullptr || (!linear_pipe.empty() && linear_pipe[element]);
   }
 };
+/// Returns the bending laws of a model's line on a mesh.
 YieldingElements yielding_elements(const Model& model, const LineMesh& mesh);
 
 /// Chooses the levels by the height of each element's middle.
 void choose_levels(YieldingElements& elements, const double* q);
 
-/// Of a line that has not been bent before.
+/// Returns the memories of a line without bending history.
 std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q);
 
-/// Where forces, and tangents unless null, are added.
+/// Targets of forces and, unless null, tangents.
 struct YieldingTarget {
   std::vector<double>* residual = nullptr;
   BlockTridiagonal* tangent = nullptr;
   std::vector<double>* cuts = nullptr;  ///< As LineTarget::cuts.
 };
 
-/// A force that a roller exerts on an element, and what else the moment there depends on.
+/// Roller force on an element, with the other loads that determine the moment there.
 struct RollerPush {
   int element = 0;
   double xi = 0.0;
   Vec3 force = Vec3::Zero();  ///< W [N].
-  Vec3 load = Vec3::Zero();   ///< Distributed on the element, with that of its tension times its curvature, W [N/m].
+  Vec3 load = Vec3::Zero();   ///< Distributed on the element, including tension times curvature, W [N/m].
   double EI = 0.0;            ///< Bending stiffness of the element [N m2].
 };
 
-/// How steel yields in statics.
+/// Settings of plasticity in statics.
 struct StaticYield {
   LayHistory history = LayHistory::laying;
-  double share = 1.0;  ///< Of the plastic moments that acts, for continuation.
-  /// What every Gauss point was before, in place of a history; null for none.
+  double share = 1.0;  ///< Factor on the plastic moments, for continuation.
+  /// Previous memory of every Gauss point, in place of a history; null for none.
   const BendingMemory* before = nullptr;
-  std::vector<RollerPush> pushes = {};  ///< By falling arc length, for LayHistory::laying.
+  std::vector<RollerPush> pushes = {};  ///< By descending arc length, for LayHistory::laying.
 };
 
 /// Pipe of one law on its way from the tensioner down the line.
 struct PassingPipe {
   const BendingLaw* law = nullptr;
-  std::size_t last = 0;  ///< The element furthest from the tensioner that is of it.
+  std::size_t last = 0;  ///< Its element furthest from the tensioner.
   bool begun = false;
   BendingMemory memory = {};
 };
 
-/// What the Gauss points of a line in statics came to, kGaussPoints per element. In use only where steel yields.
+/// Plastic state of the Gauss points of a line in statics, kGaussPoints per element. Only used if steel yields.
 struct StaticYielding {
   std::vector<Vec3> plastic_moment;   ///< World axes [N m].
-  std::vector<BendingMemory> memory;  ///< Empty unless asked for.
-  std::vector<PassingPipe> passing;   ///< One for each law.
+  std::vector<BendingMemory> memory;  ///< Empty unless requested.
+  std::vector<PassingPipe> passing;   ///< One per law.
 };
 
-/// Adds the plastic moments of a line at rest. With LayHistory::laying every section is what came to its place from
-/// the tensioner without twist, through all curvatures in between, whatever pipe lies there now: the shape stands still
-/// while the pipe moves through it. Cables and structures in between bend nothing. The tangent takes what happened
-/// upstream as given. Under a roller a cubic element knows no peak of the curvature, and its Gauss points lie above or
-/// below the true one by some per cent, as they happen to lie: there the pipe passes the curvature that its law has for
-/// the moment that balances the element (StaticYield::pushes).
+/// Adds the plastic moments of a line at rest. With LayHistory::laying every section has come to its position from the
+/// tensioner without twist, through all curvatures in between, regardless of the pipe that lies there now: the shape is
+/// constant while the pipe moves through it. Cables and structures in between do not bend it. The tangent takes the
+/// bending upstream as given. A cubic element cannot represent the curvature peak under a roller, and its Gauss points
+/// deviate from it by some per cent depending on their positions: there the pipe passes the curvature that its law has
+/// for the moment that balances the element (StaticYield::pushes).
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
                          const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
-/// A line whose steel may have been bent.
+/// A line with bending history.
 struct BentLine {
   const LineMesh& mesh;
   const std::vector<double>& q;
@@ -89,30 +91,30 @@ struct BentLine {
   const std::vector<RollerPush>& pushes;
 };
 
-/// What the Gauss points of `mesh` were when the line has moved along itself by `shift`, away from its top [m], from
-/// how it lay before: each through all curvatures between its place and the one it came to, as the line lay. What had
-/// not left the top yet begins there unbent. `elements`: of `mesh`.
+/// Returns the memories of the Gauss points of `mesh` after the line has moved along itself by `shift`, away from its
+/// top [m], from its previous configuration: each point passes all curvatures between its old and new positions. Points
+/// that had not left the top begin there unbent. `elements`: of `mesh`.
 std::vector<BendingMemory> moved_along(const BentLine& before, double shift, const YieldingElements& elements,
                                        const LineMesh& mesh);
 
-/// How the steel of a line in motion yields over a step. Sections that nothing slides in are the element kernel's
-/// (HeldSections), which also tells which those are not.
+/// Plasticity of a moving line over a step. Sections that do not slide are computed by the element kernel
+/// (HeldSections), which also detects sliding.
 class MovingYielding {
  public:
   MovingYielding(const YieldingElements& elements, const LineMesh& mesh);
 
-  /// A step that starts from `before`. `after` becomes the same, at the levels of the elements; where linear steel has
-  /// come to lie, by rearrangement, it remembers nothing of what lay there.
+  /// Starts a step at `before`. `after` becomes the same, at the levels of the elements; memories that a mesh change
+  /// has moved to linear steel are dropped.
   void begin(const BendingMemories& before, BendingMemories& after);
-  /// For the kernel, which is to be called next.
+  /// Data for the kernel, which must be called next.
   HeldSections held(const BendingMemories& before, BendingMemories& after);
-  /// Adds the plastic moments of sections that slide, and leaves their memories in `after`. Returns the heat made since
-  /// `before` [J].
+  /// Adds the plastic moments of sliding sections and stores their memories in `after`. Returns the heat dissipated
+  /// since `before` [J].
   double add_sliding(const double* q, const BendingMemories& before, BendingMemories& after,
                      const YieldingTarget& target);
-  /// Energy stored beyond that of elastic bending, as it was then [J].
+  /// Returns the energy stored in excess of elastic bending at that state [J].
   double stored() const;
-  /// Sections that slid on the way to the end of the step, and hold there, remember nothing of it.
+  /// Drops the memory of sections that slid during the iteration but hold at the end of the step.
   void finish(const BendingMemories& before, BendingMemories& after);
 
  private:
@@ -123,10 +125,10 @@ class MovingYielding {
   const YieldingElements* elements_;
   const LineMesh* mesh_;
   std::size_t padded_;
-  AlignedDoubles left_;            ///< As HeldSections.
+  AlignedDoubles left_;            ///< As in HeldSections.
   AlignedDoubles stored_held_;     ///< Partial sums.
-  BendingMemories fitted_;         ///< The start of the step, where it did not fit the elements; else empty.
-  std::vector<std::size_t> slid_;  ///< Points that slid in this step, if only on the way to its end;
+  BendingMemories fitted_;         ///< Start of the step if it did not match the elements; else empty.
+  std::vector<std::size_t> slid_;  ///< Points that slid in this step, possibly only during the iteration,
   std::vector<bool> has_slid_;     ///< and whether a point is one of them.
   double stored_sliding_ = 0.0;
 };

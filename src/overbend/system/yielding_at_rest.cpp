@@ -1,4 +1,4 @@
-// Steel that yields in statics: what passes the supports from the tensioner down.
+// Plasticity in statics: pipe passes the supports from the tensioner down.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-/// One for each law of the line.
+/// Initial state of the pipe of each law.
 void set_out(const YieldingElements& elements, std::vector<PassingPipe>& passing) {
   passing.clear();
   for (std::size_t e = 0; e < elements.law.size(); ++e) {
@@ -20,31 +20,31 @@ void set_out(const YieldingElements& elements, std::vector<PassingPipe>& passing
   }
 }
 
-/// The pipe comes to a place as it was bent before.
+/// Memory of the pipe as it arrives at a position with its previous bending.
 BendingMemory& arrive(PassingPipe& pipe, const Vec3& tangent) {
   if (pipe.begun) {
-    bring_along(pipe.memory, tangent);
+    transport_axes(pipe.memory, tangent);
   } else {
-    pipe.memory = fresh_memory(tangent);
+    pipe.memory = make_bending_memory(tangent);
     pipe.begun = true;
   }
   return pipe.memory;
 }
 
-/// What is passed in one element of a line at rest.
+/// An element of a line at rest that the pipe passes.
 struct PassedElement {
   std::size_t index = 0;
-  const BendingLaw* law = nullptr;  ///< Of the pipe that lies there; null for linear steel.
+  const BendingLaw* law = nullptr;  ///< Law of the pipe that lies there; null for linear steel.
   LevelMix mix;
-  double z = 0.0;  ///< Of its middle [m].
+  double z = 0.0;  ///< Height of its middle [m].
   ElementVector q;
   double length = 0.0;  ///< [m]
 };
 
-/// Moments below are given as the vectors E I k would be, with k the curvature vector [N m].
+/// Moments below are vectors E I k, with k the curvature vector [N m].
 
-/// Moment at `xi` that loads within an element add to the linear course that its nodes know: of a beam clamped at both
-/// ends, which has no part along that course whatever the material.
+/// Moment at `xi` from loads within an element, in excess of the linear distribution known to its nodes: that of a beam
+/// clamped at both ends, which has no linear part for any material.
 Vec3 moment_within(const PassedElement& element, std::span<const RollerPush> pushes, double xi) {
   const Vec3 chord = element.q.segment<3>(6).normalized();
   const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(chord) * chord); };
@@ -58,35 +58,34 @@ Vec3 moment_within(const PassedElement& element, std::span<const RollerPush> pus
   return moment;
 }
 
-/// Weight of a Gauss point in the linear course of the moments (least squares) at `xi`.
+/// Weight of a Gauss point in the linear fit (least squares) of the moments at `xi`.
 double linear_weight(int point, double xi) {
   return kGaussWeight[point] * (1.0 + 3.0 * (2.0 * xi - 1.0) * (2.0 * kGaussXi[point] - 1.0));
 }
 
-/// The pipe that lies in an element with rollers, as it comes to its places and as it is bent there.
+/// The pipe that lies in an element with rollers, as it arrives and as it is bent there.
 class LyingPipe {
  public:
   LyingPipe(const PassedElement& element, double share) : element_(element), share_(share) {}
 
   /// Moment at a Gauss point of a pipe with a memory.
   Vec3 moment_at(int point, BendingMemory memory, double EI) const {
-    const CentrelinePoint there = point_at(element_.q, gauss_shape(point, element_.length));
-    bring_along(memory, there.a.normalized());
-    return moment(curvature_vector(there), memory, EI).first;
+    const CentrelinePoint centre_point = point_at(element_.q, gauss_shape(point, element_.length));
+    transport_axes(memory, centre_point.a.normalized());
+    return moment(curvature_vector(centre_point), memory, EI).first;
   }
 
-  /// Moment of a pipe that is bent to a curvature, and its derivative across the pipe; the memory becomes what it is
-  /// then.
+  /// Moment of a pipe bent to a curvature, and its derivative across the pipe; the memory is updated.
   std::pair<Vec3, Mat2> moment(const Vec3& curvature, BendingMemory& memory, double EI) const {
     const Vec2 k = in_axes(memory, curvature);
-    const BendingAnswer answer = bend(*element_.law, element_.mix, k, memory);
+    const BendingResponse answer = bend(*element_.law, element_.mix, k, memory);
     return {from_axes(memory, EI * k - share_ * answer.plastic_moment),
             EI * Mat2::Identity() - share_ * answer.plastic_tangent};
   }
 
-  /// Curvature under a roller: the law has the moment there that balances the element, by the linear course of the
-  /// moments at its Gauss points and what the loads within it add. Points below the roller have passed it. `memory` as
-  /// the pipe comes to the roller.
+  /// Curvature under a roller: its moment by the law balances the element, from the linear fit of the moments at its
+  /// Gauss points and the loads within it. Points below the roller have passed it. `memory`: of the pipe as it arrives
+  /// at the roller.
   Vec3 curvature_under(std::span<const RollerPush> pushes, const RollerPush& push, const BendingMemory& memory) const {
     constexpr int kMaxCurvatureSteps = 20;
     constexpr double kTolerance = 1e-7;  // of the first limit of the law
@@ -109,7 +108,7 @@ class LyingPipe {
       for (int i = 0; i < kGaussPoints; ++i) {
         if (kGaussXi[i] < push.xi) wanted += linear_weight(i, push.xi) * moment_at(i, bent, push.EI);
       }
-      // More bending under the roller takes as much off the points below, which unload elastically.
+      // More bending under the roller reduces the points below equally, which unload elastically.
       const Mat2 change = slope + std::max(weight_below, 0.0) * (push.EI * Mat2::Identity() - slope);
       const Vec2 step = change.inverse() * in_axes(memory, wanted - moment_there);
       curvature += from_axes(memory, step);
@@ -120,7 +119,7 @@ class LyingPipe {
 
  private:
   const PassedElement& element_;
-  double share_;  ///< Of the plastic moments that acts.
+  double share_;  ///< Factor on the plastic moments.
 };
 
 /// Pipe of every law on its way from the tensioner down the line.
@@ -129,7 +128,8 @@ class PassingPipes {
   PassingPipes(const YieldingElements& elements, const StaticYield& how, std::vector<PassingPipe>& pipes)
       : elements_(elements), how_(how), pipes_(pipes) {}
 
-  /// Bends all pipes to the curvature of a Gauss point; the memory of the pipe that lies there, as it arrives, or null.
+  /// Bends all pipes to the curvature of a Gauss point. Returns the memory of the pipe that lies there, as it arrives,
+  /// or null.
   BendingMemory* pass(const PassedElement& element, const Vec3& tangent, const Vec3& curvature) {
     BendingMemory* lying = nullptr;
     for_each(element, tangent, [&](const PassingPipe& pipe, BendingMemory& memory) {
@@ -142,7 +142,7 @@ class PassingPipes {
     return lying;
   }
 
-  /// The pipe that lies there as it arrives, for a point that no other pipe is to be bent by.
+  /// Returns the memory of the pipe that lies there as it arrives, for a point that bends no other pipe.
   BendingMemory* look(const PassedElement& element, const Vec3& tangent) {
     BendingMemory* lying = nullptr;
     for_each(element, tangent, [&](const PassingPipe& pipe, BendingMemory& memory) {
@@ -151,14 +151,14 @@ class PassingPipes {
     return lying;
   }
 
-  /// Bends all pipes to the curvature that the pipe lying there has under a roller; `pushes`: all of the element.
+  /// Bends all pipes to the curvature under a roller of the pipe that lies there; `pushes`: all of the element.
   void pass_peak(const PassedElement& element, std::span<const RollerPush> pushes, const RollerPush& push) {
-    const CentrelinePoint there = centreline(element.q, push.xi, element.length);
-    const Vec3 tangent = there.a.normalized();
+    const CentrelinePoint centre_point = centreline(element.q, push.xi, element.length);
+    const Vec3 tangent = centre_point.a.normalized();
     const BendingMemory* lying = look(element, tangent);
     const Vec3 curvature = lying != nullptr
                                ? LyingPipe(element, how_.share).curvature_under(pushes, push, *lying)
-                               : curvature_vector(there) + moment_within(element, pushes, push.xi) / push.EI;
+                               : curvature_vector(centre_point) + moment_within(element, pushes, push.xi) / push.EI;
     for_each(element, tangent, [&](const PassingPipe& pipe, BendingMemory& memory) {
       bend(*pipe.law, level_at(*pipe.law, element.z), in_axes(memory, curvature), memory);
     });
@@ -189,14 +189,15 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
   points.passing.clear();
   if (laying) set_out(elements, points.passing);
   PassingPipes pipes(elements, how, points.passing);
-  BendingMemory own;
+  BendingMemory fresh;
   auto push = how.pushes.begin();
   for (std::size_t e = count; e-- > 0;) {
     const BendingLaw* law = elements.law[e];
     const PassedElement element{e,          law,           elements.mix[e], 0.5 * (q.q[6 * e + 2] + q.q[6 * e + 8]),
                                 dofs(q, e), mesh.length[e]};
-    const auto end = std::find_if(
-        push, how.pushes.end(), [e](const RollerPush& other) { return static_cast<std::size_t>(other.element) != e; });
+    const auto end = std::find_if(push, how.pushes.end(), [e](const RollerPush& candidate) {
+      return static_cast<std::size_t>(candidate.element) != e;
+    });
     const std::span<const RollerPush> pushes(push, laying ? end : push);
     const auto pass_peaks_down_to = [&](double xi) {
       for (; push != end && push->xi > xi; ++push) {
@@ -207,24 +208,24 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
     for (int i = kGaussPoints - 1; i >= 0; --i) {
       pass_peaks_down_to(kGaussXi[i]);
       const HermiteValues shape = gauss_shape(i, mesh.length[e]);
-      const CentrelinePoint at = point_at(element.q, shape);
-      const Vec3 tangent = at.a.normalized(), curvature = curvature_vector(at);
+      const CentrelinePoint centre_point = point_at(element.q, shape);
+      const Vec3 tangent = centre_point.a.normalized(), curvature = curvature_vector(centre_point);
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
       BendingMemory* memory = pushes.empty() ? pipes.pass(element, tangent, curvature) : pipes.look(element, tangent);
       if (!pushes.empty() && memory != nullptr) {
-        own = *memory;
-        memory = &own;
+        fresh = *memory;
+        memory = &fresh;
       }
-      if (memory == nullptr && (law != nullptr || keep_memory)) {  // it came here otherwise than from the tensioner
-        own = how.before != nullptr ? how.before[index] : fresh_memory(tangent);
-        bring_along(own, tangent);
-        memory = &own;
+      if (memory == nullptr && (law != nullptr || keep_memory)) {  // it did not come here from the tensioner
+        fresh = how.before != nullptr ? how.before[index] : make_bending_memory(tangent);
+        transport_axes(fresh, tangent);
+        memory = &fresh;
       }
       if (law != nullptr) {
-        BendingAnswer answer = bend(*law, elements.mix[e], in_axes(*memory, curvature), *memory);
+        BendingResponse answer = bend(*law, elements.mix[e], in_axes(*memory, curvature), *memory);
         answer.plastic_moment *= how.share;
         answer.plastic_tangent *= how.share;
-        sum.add(shape, at, kGaussWeight[i] * mesh.length[e], *memory, answer, points.plastic_moment[index]);
+        sum.add(shape, centre_point, kGaussWeight[i] * mesh.length[e], *memory, answer, points.plastic_moment[index]);
       }
       if (keep_memory) points.memory[index] = *memory;
     }
@@ -235,24 +236,24 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
 
 namespace {
 
-/// A place of a line that lay still: a Gauss point, or where a roller pushed.
+/// A position of a line in its previous configuration: a Gauss point or a roller.
 struct PassedPoint {
   double from_top = 0.0;  ///< [m]
-  double z = 0.0;         ///< Of the middle of its element [m].
+  double z = 0.0;         ///< Height of the middle of its element [m].
   Vec3 tangent, curvature;
-  std::size_t index = 0;            ///< Of the Gauss point, or of the nearest one in the element.
+  std::size_t index = 0;            ///< Index of the Gauss point, or of the nearest one in the element.
   std::optional<Vec3> moment = {};  ///< Under a roller, in place of the curvature; as the vector E I k [N m].
-  double EI = 0.0;                  ///< Of that element [N m2].
+  double EI = 0.0;                  ///< Bending stiffness of that element [N m2].
   bool bends = true;                ///< False for the Gauss points of an element with rollers: see RollerPush.
 };
 
-/// Moment under a roller: the linear course of the moments at the Gauss points and what the loads within add.
+/// Moment under a roller: the linear fit of the moments at the Gauss points plus the loads within the element.
 Vec3 moment_under(const BentLine& line, const PassedElement& element, std::span<const RollerPush> pushes,
                   const RollerPush& push) {
   Vec3 moment = moment_within(element, pushes, push.xi);
   for (int i = 0; i < kGaussPoints; ++i) {
-    const CentrelinePoint there = point_at(element.q, gauss_shape(i, element.length));
-    Vec3 at_point = push.EI * curvature_vector(there);
+    const CentrelinePoint centre_point = point_at(element.q, gauss_shape(i, element.length));
+    Vec3 at_point = push.EI * curvature_vector(centre_point);
     if (!line.memory.empty()) {
       const BendingMemory& memory = line.memory[kGaussPoints * element.index + static_cast<std::size_t>(i)];
       at_point -= from_axes(memory, memory.held);
@@ -269,19 +270,20 @@ int nearest_gauss_point(double xi) {
   return nearest;
 }
 
-/// From the top down.
+/// Returns the positions from the top down.
 std::vector<PassedPoint> points_passed(const BentLine& line) {
   std::vector<PassedPoint> points;
   auto push = line.pushes.begin();
   for (std::size_t e = line.mesh.length.size(); e-- > 0;) {
     const double h = line.mesh.length[e], z = 0.5 * (line.q[6 * e + 2] + line.q[6 * e + 8]);
     const PassedElement element{e, nullptr, {}, z, dofs({line.q.data(), nullptr}, e), h};
-    const auto end = std::find_if(
-        push, line.pushes.end(), [e](const RollerPush& other) { return static_cast<std::size_t>(other.element) != e; });
+    const auto end = std::find_if(push, line.pushes.end(), [e](const RollerPush& candidate) {
+      return static_cast<std::size_t>(candidate.element) != e;
+    });
     const std::span<const RollerPush> pushes(push, end);
-    const auto add = [&](double xi, const CentrelinePoint& there, int gauss_point) -> PassedPoint& {
-      points.push_back({line.mesh.total_length() - line.mesh.s[e] - xi * h, z, there.a.normalized(),
-                        curvature_vector(there), kGaussPoints * e + static_cast<std::size_t>(gauss_point)});
+    const auto add = [&](double xi, const CentrelinePoint& centre_point, int gauss_point) -> PassedPoint& {
+      points.push_back({line.mesh.total_length() - line.mesh.s[e] - xi * h, z, centre_point.a.normalized(),
+                        curvature_vector(centre_point), kGaussPoints * e + static_cast<std::size_t>(gauss_point)});
       return points.back();
     };
     const auto add_pushes_down_to = [&](double xi) {
@@ -310,11 +312,11 @@ std::size_t nearest_point(const std::vector<PassedPoint>& points, double from_to
 }
 
 void pass(const BendingLaw& law, const PassedPoint& point, BendingMemory& memory) {
-  bring_along(memory, point.tangent);
+  transport_axes(memory, point.tangent);
   if (!point.bends) return;
   const LevelMix mix = level_at(law, point.z);
   if (point.moment) {
-    curvature_for(law, mix, point.EI, in_axes(memory, *point.moment), memory);
+    find_curvature(law, mix, point.EI, in_axes(memory, *point.moment), memory);
   } else {
     bend(law, mix, in_axes(memory, point.curvature), memory);
   }
@@ -332,13 +334,13 @@ std::vector<BendingMemory> moved_along(const BentLine& before, double shift, con
       const double to = mesh.total_length() - (mesh.s[e] + kGaussXi[i] * mesh.length[e]);
       const double from = to - shift;
       const std::size_t end = nearest_point(points, to);
-      std::size_t at = nearest_point(points, std::max(from, 0.0));
+      std::size_t index = nearest_point(points, std::max(from, 0.0));
       const bool known = from >= 0.0 && !before.memory.empty();
-      memory = known ? before.memory[points[at].index] : fresh_memory(points[at].tangent);
+      memory = known ? before.memory[points[index].index] : make_bending_memory(points[index].tangent);
       if (elements.law[e] == nullptr) continue;
-      while (at != end) {
-        at = at < end ? at + 1 : at - 1;
-        pass(*elements.law[e], points[at], memory);
+      while (index != end) {
+        index = index < end ? index + 1 : index - 1;
+        pass(*elements.law[e], points[index], memory);
       }
     }
   }

@@ -1,4 +1,4 @@
-/// What the elements of a line whose steel yields add to its equations, at rest and in motion.
+/// Contributions of elements with plasticity to the equations of a line, at rest and in motion.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Unknowns of an element as seen from its first node: derivatives need no more, and the difference keeps digits that
+/// Unknowns of an element relative to its first node: derivatives need no more, and the difference keeps digits that
 /// positions of hundreds of metres lose.
 inline ElementVector dofs(const LineShape& shape, std::size_t element) {
   ElementVector q(Eigen::Map<const ElementVector>(shape.q + 6 * element));
@@ -26,20 +26,20 @@ inline void scatter(const ElementVector& force, const ElementMatrix& k, int elem
   if (target.cuts != nullptr) {
     double* cuts = target.cuts->data() + 6 * element;
     for (int i = 6; i < 12; ++i) cuts[i] += force(i);
-    if (element == 0) {  // the cut at the first node is minus what the first element adds
+    if (element == 0) {  // the cut at the first node is minus the contribution of the first element
       for (int i = 0; i < 6; ++i) cuts[i] -= force(i);
     }
   }
   if (target.tangent != nullptr) add_element(*target.tangent, element, k);
 }
 
-/// Sums up the points of one element.
+/// Sum over the points of one element.
 class ElementSum {
  public:
   explicit ElementSum(bool with_tangent) : with_tangent_(with_tangent) {}
 
-  void add(const HermiteValues& shape, const CentrelinePoint& at, double weight, const BendingMemory& memory,
-           const BendingAnswer& answer, Vec3& moment) {
+  void add(const HermiteValues& shape, const CentrelinePoint& centre_point, double weight, const BendingMemory& memory,
+           const BendingResponse& answer, Vec3& moment) {
     moment = from_axes(memory, answer.plastic_moment);
     if (answer.plastic_moment.isZero(0.0)) return;
     if (!any_) clear();
@@ -50,7 +50,7 @@ class ElementSum {
       axes << memory.axis, memory.tangent.cross(memory.axis);
       tangent = axes * answer.plastic_tangent * axes.transpose();
     }
-    add_plastic_point(shape, at, weight, moment, slides ? &tangent : nullptr, force_,
+    add_plastic_point(shape, centre_point, weight, moment, slides ? &tangent : nullptr, force_,
                       with_tangent_ ? &stiffness_ : nullptr);
   }
   void scatter_to(int element, const YieldingTarget& target) const {
@@ -58,7 +58,7 @@ class ElementSum {
   }
 
  private:
-  /// Not before it is needed: most elements of a line that yields in places stay elastic.
+  /// Deferred: most elements of a line with local yielding stay elastic.
   void clear() {
     any_ = true;
     force_.setZero();
@@ -70,7 +70,7 @@ class ElementSum {
   ElementMatrix stiffness_;
 };
 
-/// Derivatives of the Hermite functions at a Gauss point; values are left out.
+/// Derivatives of the Hermite functions at a Gauss point, without values.
 inline HermiteValues gauss_shape(int point, double h) {
   static const std::array<HermiteValues, kGaussPoints> unit = {hermite(kGaussXi[0], 1.0), hermite(kGaussXi[1], 1.0),
                                                                hermite(kGaussXi[2], 1.0), hermite(kGaussXi[3], 1.0)};
@@ -82,7 +82,7 @@ inline HermiteValues gauss_shape(int point, double h) {
   return shape;
 }
 
-/// Derivatives of the centreline there.
+/// Derivatives of the centreline there, without position.
 inline CentrelinePoint point_at(const ElementVector& q, const HermiteValues& shape) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());
   return {Vec3::Zero(), nodes * shape.first, nodes * shape.second};

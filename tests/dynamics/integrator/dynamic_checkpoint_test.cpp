@@ -17,13 +17,13 @@ SystemState numbered() {
   state.last_step = number();
   for (const std::size_t size : {std::size_t{12}, std::size_t{30}}) {
     LineState line;
-    for (std::vector<double>* values : {&line.q, &line.v, &line.acc, &line.alg}) {
+    for (std::vector<double>* values : {&line.q, &line.v, &line.acc, &line.algorithmic_acceleration}) {
       for (std::size_t i = 0; i < size; ++i) values->push_back(number());
     }
     for (std::size_t i = 0; i < size; ++i) line.bed_slip.push_back(number());
     line.contacts.push_back({number(), number(), true, Slip::forward, Slip::backward, 3, number()});
     BendingMemory memory;
-    memory.largest = number();
+    memory.max_curvature = number();
     memory.stamp = 0x123456789abcdefULL;
     line.bending = BendingMemories(std::vector<BendingMemory>(size == 30 ? kGaussPoints : 0, memory));
     line.bending_heat = size == 30 ? number() : 0.0;
@@ -39,7 +39,7 @@ SystemState numbered() {
     state.attachments.push_back(held);
   }
   HullState body;
-  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) *part = Vec6::NullaryExpr(number);
+  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.algorithmic_acceleration}) *part = Vec6::NullaryExpr(number);
   body.slow.value = Vec3::NullaryExpr(number);
   body.slow.rate = Vec3::NullaryExpr(number);
   body.radiation.values = {number(), number(), number()};
@@ -48,7 +48,7 @@ SystemState numbered() {
   return state;
 }
 
-/// Of the same sizes, everything else as it is made.
+/// A state of the same sizes, everything else as it is made.
 SystemState blank(const SystemState& like) {
   SystemState state;
   for (const LineState& line : like.lines) {
@@ -78,7 +78,8 @@ TEST(dynamic_checkpoint, gives_a_state_of_several_lines_and_bodies_back_bit_for_
   }
   EXPECT_EQ(restored.lines[1].q, state.lines[1].q);
   EXPECT_EQ(restored.lines[1].bending.at(1).stamp, state.lines[1].bending.at(1).stamp);
-  EXPECT_EQ(restored.attachments[2].travel.alg, state.attachments[2].travel.alg);
+  EXPECT_EQ(restored.attachments[2].travel.algorithmic_acceleration,
+            state.attachments[2].travel.algorithmic_acceleration);
   EXPECT_EQ(restored.bodies[1].h, state.bodies[1].h);
   EXPECT_EQ(restored.bodies[1].slow.rate, state.bodies[1].slow.rate);
   EXPECT_EQ(restored.bodies[0].radiation.values, state.bodies[0].radiation.values);

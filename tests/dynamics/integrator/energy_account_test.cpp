@@ -9,11 +9,11 @@ namespace {
 
 /// A mass of 2 kg pulled by 3 N from rest, resisted by friction of 1 N: v = t, s = t^2/2.
 InstantEnergy pulled(double t) {
-  InstantEnergy now;
-  now.line.kinetic = t * t;
-  now.top_power = 3.0 * t;
-  now.friction_loss = 1.0 * t;
-  return now;
+  InstantEnergy instant_energy;
+  instant_energy.line.kinetic = t * t;
+  instant_energy.top_power = 3.0 * t;
+  instant_energy.friction_loss = 1.0 * t;
+  return instant_energy;
 }
 
 EnergyAccount account_until(double end, int steps) {
@@ -44,11 +44,11 @@ TEST(energy_account, shows_energy_that_nothing_accounts_for) {
 
 TEST(energy_account, what_material_brings_with_it_is_no_error) {
   const auto heavier = [](double t) {  // something that moves and is stretched joins
-    InstantEnergy now = pulled(t);
-    now.line.kinetic += 0.3;
-    now.line.strain += 5.0;
-    now.line.gravity -= 2.0;
-    return now;
+    InstantEnergy instant_energy = pulled(t);
+    instant_energy.line.kinetic += 0.3;
+    instant_energy.line.strain += 5.0;
+    instant_energy.line.gravity -= 2.0;
+    return instant_energy;
   };
   EnergyAccount account = account_until(2.0, 3);
   account.carry(pulled(2.0), heavier(2.0));
@@ -60,9 +60,9 @@ TEST(energy_account, what_material_brings_with_it_is_no_error) {
 
 TEST(energy_account, what_holds_the_ends_does_no_work_by_a_kink_that_comes_in) {
   const auto kinked = [](double t) {
-    InstantEnergy now = pulled(t);
-    now.line.strain += 5.0;
-    return now;
+    InstantEnergy instant_energy = pulled(t);
+    instant_energy.line.strain += 5.0;
+    return instant_energy;
   };
   EnergyAccount account = account_until(2.0, 3);
   InstantEnergy at_once = kinked(2.0);
@@ -75,11 +75,11 @@ TEST(energy_account, what_holds_the_ends_does_no_work_by_a_kink_that_comes_in) {
 }
 
 /// The same, and a free body of 4 kg that waves push with 8 N from rest.
-InstantEnergy beside_a_body(double t) {
-  InstantEnergy now = pulled(t);
-  now.bodies.kinetic = 8.0 * t * t;
-  now.bodies.power = 16.0 * t;
-  return now;
+InstantEnergy account_with_body(double t) {
+  InstantEnergy instant_energy = pulled(t);
+  instant_energy.bodies.kinetic = 8.0 * t * t;
+  instant_energy.bodies.power = 16.0 * t;
+  return instant_energy;
 }
 
 double shown_in(const EnergyBalance& b) {
@@ -92,11 +92,11 @@ double shown_lost(const EnergyBalance& b) {
   return b.contact_loss + b.friction_loss + b.seabed_loss + b.yielding_loss;
 }
 
-TEST(energy_account, tells_what_free_bodies_hold_and_were_given_so_that_its_parts_make_its_error) {
+TEST(energy_account, reports_what_free_bodies_hold_and_were_given_so_that_its_parts_make_its_error) {
   EnergyAccount account;
-  account.start(beside_a_body(0.0), 1e-9, true);
-  for (int i = 1; i <= 4; ++i) account.add(beside_a_body(0.5 * i), 0.5);
-  InstantEnergy heated = beside_a_body(3.0);
+  account.start(account_with_body(0.0), 1e-9, true);
+  for (int i = 1; i <= 4; ++i) account.add(account_with_body(0.5 * i), 0.5);
+  InstantEnergy heated = account_with_body(3.0);
   heated.line.strain = 0.5;
   account.add(heated, 1.0);
   const EnergyBalance& b = account.balance();
@@ -107,8 +107,8 @@ TEST(energy_account, tells_what_free_bodies_hold_and_were_given_so_that_its_part
   EXPECT_FALSE(account_until(1.0, 2).balance().bodies);
 
   EnergyAccount untold;  // that a body is free is seen by its energy
-  untold.start(beside_a_body(0.0), 1e-9);
-  untold.add(beside_a_body(2.0), 2.0);
+  untold.start(account_with_body(0.0), 1e-9);
+  untold.add(account_with_body(2.0), 2.0);
   EXPECT_NEAR(untold.balance().bodies.value(), 32.0, 1e-12);
   EXPECT_NEAR(untold.balance().error, 0.0, 1e-12);
 }
@@ -123,8 +123,8 @@ TEST(energy_account, goes_on_from_what_was_saved) {
   EXPECT_EQ(straight.save(), restored.save());
 
   EnergyAccount with_body;
-  with_body.start(beside_a_body(0.0), 1e-9, true);
-  with_body.add(beside_a_body(1.0), 1.0);
+  with_body.start(account_with_body(0.0), 1e-9, true);
+  with_body.add(account_with_body(1.0), 1.0);
   restored.restore(with_body.save());
   EXPECT_EQ(restored.balance().on_bodies, with_body.balance().on_bodies);
 }

@@ -21,7 +21,7 @@ std::vector<BodyRoller> one_roller() {
 RollerContact struck(double speed, double t) {
   const double w = std::sqrt(kStiffness / kMass);
   RollerContact contact;
-  contact.at.found = true;
+  contact.closest.found = true;
   const bool touching = t > 0.0 && t < std::numbers::pi / w;
   contact.penetration = touching   ? speed / w * std::sin(w * t)
                         : t <= 0.0 ? speed * t
@@ -37,7 +37,7 @@ std::vector<Impact> followed(double speed, double h, const ImpactSettings& setti
   std::vector<EndedImpact> ended;
   for (double t = -20.3 * h; t < 0.1; t += h) tracker.accept({struck(speed, t)}, t, h, ended);
   std::vector<Impact> impacts;
-  for (const EndedImpact& one : ended) impacts.push_back(one.impact);
+  for (const EndedImpact& ended_impact : ended) impacts.push_back(ended_impact.impact);
   return impacts;
 }
 
@@ -54,9 +54,9 @@ TEST(impact_tracker, records_force_impulse_and_duration_of_a_half_sine) {
 }
 
 TEST(impact_tracker, passes_over_touches_too_soft_to_matter) {
-  const double least = ImpactSettings{}.least_force / std::sqrt(kStiffness * kMass);
-  EXPECT_TRUE(followed(0.9 * least, 1e-5).empty());
-  EXPECT_EQ(followed(1.1 * least, 1e-5).size(), 1U);
+  const double min_value = ImpactSettings{}.min_force / std::sqrt(kStiffness * kMass);
+  EXPECT_TRUE(followed(0.9 * min_value, 1e-5).empty());
+  EXPECT_EQ(followed(1.1 * min_value, 1e-5).size(), 1U);
 }
 
 TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
@@ -74,14 +74,14 @@ TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
 /// Apart from the roller, the gap `gap` closing at `rate`.
 RollerContact apart(double gap, double rate) {
   RollerContact contact;
-  contact.at.found = true;
+  contact.closest.found = true;
   contact.penetration = -gap;
   contact.rate = rate;
   return contact;
 }
 
 /// The longest step after one in which the pipe came nearer at a speed that fell evenly from 0.5 m/s to 0.4 m/s.
-double foreseen(double gap, const ImpactSettings& settings = {}) {
+double extrapolated(double gap, const ImpactSettings& settings = {}) {
   const std::vector<BodyRoller> rollers = one_roller();
   ImpactTracker tracker(rollers, settings);
   std::vector<EndedImpact> ended;
@@ -93,18 +93,18 @@ double foreseen(double gap, const ImpactSettings& settings = {}) {
 
 // 0.4 t - t^2 = gap, from where the pipe is on: it turns round after 0.2 s and 40 mm.
 TEST(impact_tracker, foresees_the_touch_of_a_pipe_that_slows_down) {
-  EXPECT_NEAR(foreseen(0.03), 0.2 - std::sqrt(0.2 * 0.2 - 0.03), 1e-12);
-  EXPECT_GT(foreseen(0.041), 1e100);
+  EXPECT_NEAR(extrapolated(0.03), 0.2 - std::sqrt(0.2 * 0.2 - 0.03), 1e-12);
+  EXPECT_GT(extrapolated(0.041), 1e100);
 }
 
 TEST(impact_tracker, foresees_no_touch_too_soft_to_matter_and_none_that_is_to_be_captured) {
   ImpactSettings settings;
-  settings.least_force = 0.3 * std::sqrt(kStiffness * kMass);  // touches at 0.4 and 0.2 m/s
-  EXPECT_LT(foreseen(0.001, settings), 0.01);
-  EXPECT_GT(foreseen(0.03, settings), 1e100);
+  settings.min_force = 0.3 * std::sqrt(kStiffness * kMass);  // touches at 0.4 and 0.2 m/s
+  EXPECT_LT(extrapolated(0.001, settings), 0.01);
+  EXPECT_GT(extrapolated(0.03, settings), 1e100);
   ImpactSettings captured;
   captured.captured = true;
-  EXPECT_GT(foreseen(0.03, captured), 1e100);
+  EXPECT_GT(extrapolated(0.03, captured), 1e100);
 }
 
 /// The longest step at `t` while an impact goes on, in parts of the contact time; followed in steps of a hundredth.
@@ -113,7 +113,8 @@ double limit_at(double t) {
   const double contact_time = std::numbers::pi * std::sqrt(kMass / kStiffness), h = 0.01 * contact_time;
   ImpactTracker tracker(rollers, {});
   std::vector<EndedImpact> ended;
-  for (double now = -1.5 * h; now < t * contact_time; now += h) tracker.accept({struck(0.5, now)}, now, h, ended);
+  for (double current = -1.5 * h; current < t * contact_time; current += h)
+    tracker.accept({struck(0.5, current)}, current, h, ended);
   return tracker.step_limit() / contact_time;
 }
 
@@ -167,8 +168,8 @@ TEST(impact_tracker, a_captured_impact_counts_what_the_other_rollers_of_its_box_
   const double h = 0.01, speed = 0.5;
   // Two of a box are struck in the same step, the third bears its load all the time; the fourth is of another box.
   for (int step = 0; step < 20; ++step) {
-    const RollerContact one = struck(speed, (step - 1.5) * h);
-    tracker.accept({one, one, carrying, carrying}, step * h, h, ended);
+    const RollerContact roller_contact = struck(speed, (step - 1.5) * h);
+    tracker.accept({roller_contact, roller_contact, carrying, carrying}, step * h, h, ended);
   }
   ASSERT_EQ(ended.size(), 2U);
   const RollerContact at_end = struck(speed, 0.5 * h);
@@ -201,7 +202,7 @@ TEST(impact_tracker, what_lies_on_rollers_at_the_start_has_not_struck_them) {
   ImpactTracker tracker(rollers, {});
   std::vector<EndedImpact> ended;
   RollerContact resting;
-  resting.at.found = true;
+  resting.closest.found = true;
   resting.penetration = 1e-3;
   resting.normal = kStiffness * resting.penetration;
   for (int i = 0; i < 100; ++i) tracker.accept({resting}, 0.01 * i, 0.01, ended);

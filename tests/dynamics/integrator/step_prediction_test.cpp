@@ -10,19 +10,20 @@ namespace {
 constexpr double kStep = 0.1;
 constexpr std::size_t kFreedoms = 18;  // of three nodes: more than a register holds, and no whole number of them
 
-/// A line alone whose accelerations are told.
-class ToldLine {
+/// A line alone with prescribed accelerations.
+class PrescribedLine {
  public:
-  explicit ToldLine(std::function<double(int step, std::size_t freedom)> acceleration)
+  explicit PrescribedLine(std::function<double(int step, std::size_t freedom)> acceleration)
       : acceleration_(std::move(acceleration)) {
     now_.lines.resize(1);
     LineState& line = now_.lines.front();
-    for (std::vector<double>* part : {&line.q, &line.v, &line.acc, &line.alg}) part->assign(kFreedoms, 0.0);
-    for (std::size_t i = 0; i < kFreedoms; ++i) line.acc[i] = line.alg[i] = acceleration_(0, i);
+    for (std::vector<double>* part : {&line.q, &line.v, &line.acc, &line.algorithmic_acceleration})
+      part->assign(kFreedoms, 0.0);
+    for (std::size_t i = 0; i < kFreedoms; ++i) line.acc[i] = line.algorithmic_acceleration[i] = acceleration_(0, i);
     next_ = now_;
   }
 
-  /// Predicts a step and tells what came of it: the predicted accelerations.
+  /// Predicts a step and returns the predicted accelerations.
   std::vector<double> step(double h = kStep) {
     predict(scheme, assembly_, now_, h, {}, next_);
     LineState& line = next_.lines.front();
@@ -52,23 +53,24 @@ class ToldLine {
 };
 
 TEST(step_prediction, foresees_the_whole_of_a_steady_change) {
-  ToldLine line([](int step, std::size_t i) { return 1.0 + static_cast<double>(i) * kStep * step; });
+  PrescribedLine line([](int step, std::size_t i) { return 1.0 + static_cast<double>(i) * kStep * step; });
   std::vector<double> predicted;
   for (int i = 0; i < 60; ++i) predicted = line.step();
-  EXPECT_NEAR(line.line().foresight, line.scheme.whole_foresight, 1e-9);
+  EXPECT_NEAR(line.line().acceleration_extrapolation, line.scheme.full_extrapolation, 1e-9);
   for (std::size_t i = 0; i < kFreedoms; ++i) EXPECT_NEAR(predicted[i], line.line().acc[i], 1e-9) << i;
 }
 
-TEST(step_prediction, foresees_nothing_of_what_goes_to_and_fro_from_step_to_step) {
-  ToldLine line([](int step, std::size_t i) { return (step % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i)); });
+TEST(step_prediction, extrapolates_nothing_of_what_alternates_from_step_to_step) {
+  PrescribedLine line(
+      [](int step, std::size_t i) { return (step % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i)); });
   for (int i = 0; i < 5; ++i) line.step();
   const std::vector<double> before = line.line().acc;
-  EXPECT_EQ(line.line().foresight, 0.0);
+  EXPECT_EQ(line.line().acceleration_extrapolation, 0.0);
   EXPECT_EQ(line.step(), before);
 }
 
 TEST(step_prediction, foresees_nothing_after_a_step_of_another_length) {
-  ToldLine line([](int step, std::size_t i) { return 1.0 + static_cast<double>(i) * kStep * step; });
+  PrescribedLine line([](int step, std::size_t i) { return 1.0 + static_cast<double>(i) * kStep * step; });
   for (int i = 0; i < 60; ++i) line.step();
   const std::vector<double> before = line.line().acc;
   EXPECT_EQ(line.step(0.5 * kStep), before);
@@ -76,8 +78,8 @@ TEST(step_prediction, foresees_nothing_after_a_step_of_another_length) {
 
 // Values and rates after steps of a steadily changing acceleration are those of its integrals: the scheme is of second
 // order, and what it misses of a cubic is a constant times the square of the step.
-TEST(step_prediction, corrections_lead_to_the_motion_of_the_told_accelerations) {
-  ToldLine line([](int step, std::size_t i) { return 2.0 + static_cast<double>(i) * kStep * step; });
+TEST(step_prediction, corrections_lead_to_the_motion_of_the_prescribed_accelerations) {
+  PrescribedLine line([](int step, std::size_t i) { return 2.0 + static_cast<double>(i) * kStep * step; });
   for (int i = 0; i < 50; ++i) line.step();
   const double t = line.time();
   for (std::size_t i = 0; i < kFreedoms; ++i) {

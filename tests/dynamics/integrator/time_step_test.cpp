@@ -14,7 +14,7 @@ class FreeRod {
     now_ = state_at_rest(system_, {testing::straight(system_, Vec3::Zero(), Vec3::UnitX())}, 0.0);
     assembly_.set_time(0.0, now_);
     EXPECT_TRUE(assembly_.find_accelerations(now_));
-    now_.lines.front().alg = now_.lines.front().acc;
+    now_.lines.front().algorithmic_acceleration = now_.lines.front().acc;
     next_ = now_;
   }
   StepReport step(double h) {
@@ -55,7 +55,7 @@ TEST(time_step, of_another_length_makes_factors_of_its_own) {
   EXPECT_EQ(rod.step(0.02).factorisations, 1);
 }
 
-/// A long rod at rest, and beside it a short string between two points.
+/// A long rod at rest, and next to it a short string between two points.
 System rod_and_string() {
   System system = testing::rod_system({1e6, 1e3, 10.0}, 32.0, 32);
   system.lines.push_back(testing::rod_system({1e6, 1.0, 1.0}, 4.0, 4).lines.front());
@@ -67,9 +67,9 @@ System rod_and_string() {
     system.attachments.push_back(held);
   }
   for (Line& line : system.lines) line.force_scale = 100.0;
-  system.surroundings = [](double, Surroundings& now) {
-    now.ends[2].place = Vec3::Zero();
-    now.ends[3].place = Vec3(4.004, 0.0, 0.0);
+  system.surroundings = [](double, Surroundings& surroundings) {
+    surroundings.ends[2].place = Vec3::Zero();
+    surroundings.ends[3].place = Vec3(4.004, 0.0, 0.0);
   };
   return system;
 }
@@ -87,12 +87,12 @@ TEST(time_step, makes_factors_anew_for_the_one_line_that_needs_them) {
   const auto struck = [&](bool anew) {
     Assembly assembly(system);
     TimeStepper stepper(assembly, settings);
-    SystemState now = rod_and_string_at_rest(system), next = now;
-    EXPECT_TRUE(stepper.step(now, 0.01, next).converged());
-    std::swap(now, next);
+    SystemState state = rod_and_string_at_rest(system), next = state;
+    EXPECT_TRUE(stepper.step(state, 0.01, next).converged());
+    std::swap(state, next);
     if (anew) stepper.forget();
-    for (std::size_t node = 1; node < 4; ++node) now.lines[1].v[6 * node + 2] += 4.0;
-    const StepReport report = stepper.step(now, 0.01, next);
+    for (std::size_t node = 1; node < 4; ++node) state.lines[1].v[6 * node + 2] += 4.0;
+    const StepReport report = stepper.step(state, 0.01, next);
     EXPECT_TRUE(report.converged());
     return std::pair{report, next};
   };

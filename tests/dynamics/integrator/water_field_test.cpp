@@ -46,7 +46,7 @@ TEST(water_field, agrees_with_the_sums_of_the_waves_within_its_stated_error) {
   WaterMemory memory;
   field.start(memory, 10.0, dip.q, dip.v);
   std::vector<double> water(static_cast<std::size_t>(kWaterValues) * dip.mesh.s.size());
-  double worst_v = 0.0, worst_a = 0.0, largest_v = 0.0, largest_a = 0.0;
+  double worst_v = 0.0, worst_a = 0.0, max_v = 0.0, max_a = 0.0;
   for (const double share : {0.0, 0.3, 0.5, 0.9}) {
     const double t = 10.0 + share * interval;
     field.nodes_at(memory, t, water);
@@ -59,28 +59,28 @@ TEST(water_field, agrees_with_the_sums_of_the_waves_within_its_stated_error) {
       const double* got = water.data() + static_cast<std::size_t>(kWaterValues) * node;
       worst_v = std::max(worst_v, (Vec3(got[0], got[1], got[2]) - exact.velocity).norm());
       worst_a = std::max(worst_a, (Vec3(got[3], got[4], got[5]) - exact.acceleration).norm());
-      largest_v = std::max(largest_v, exact.velocity.norm());
-      largest_a = std::max(largest_a, exact.acceleration.norm());
+      max_v = std::max(max_v, exact.velocity.norm());
+      max_a = std::max(max_a, exact.acceleration.norm());
     }
   }
   // Waves of twice the peak's frequency lose (k d)^2 / 8 = 0.6 % between stations 2 m apart and (omega D)^2 / 8 = 0.8 %
   // of their acceleration between moments; shorter ones more, of less. The moving pipe adds v k / omega of the
   // velocity's rate, a few per cent, between moments.
-  EXPECT_LT(worst_v, 0.01 * largest_v);
-  EXPECT_LT(worst_a, 0.04 * largest_a);
+  EXPECT_LT(worst_v, 0.01 * max_v);
+  EXPECT_LT(worst_a, 0.04 * max_a);
 }
 
 TEST(water_field, goes_on_from_moment_to_moment_without_a_jump) {
   const Sea sea = storm();
   const Dip dip;
-  const std::vector<double> still(dip.v.size(), 0.0);
+  const std::vector<double> at_rest(dip.v.size(), 0.0);
   const double interval = water_interval(sea, 0.5);
   WaterField field(sea, dip.mesh, dip.q, 0.0, interval);
   WaterMemory memory;
-  field.start(memory, 0.0, dip.q, still);
+  field.start(memory, 0.0, dip.q, at_rest);
   std::vector<double> before(static_cast<std::size_t>(kWaterValues) * dip.mesh.s.size()), after(before);
   field.nodes_at(memory, interval, before);
-  field.advance(memory, dip.q, still);
+  field.advance(memory, dip.q, at_rest);
   field.nodes_at(memory, interval, after);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_NEAR(after[i], before[i], 1e-12);

@@ -18,7 +18,7 @@ struct Laid {
       : system(pipe_system(c.model, c.start, c.statics.top_tension)),
         state(state_at_rest(system, {c.start.state.q}, 0.0)),
         conveyor(c.model, system, element) {
-    lay_at_rest(system.lines.front(), c.start, state.lines.front());
+    set_initial_memories(system.lines.front(), c.start, state.lines.front());
   }
 
   void pay_out(double length) {  // unstressed; the end is left where it is: bookkeeping asks for no balance

@@ -24,7 +24,7 @@ TEST(hull_limits, end_a_run_whose_hull_pitches_beyond_sixty_degrees) {
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->where, "at t = 12.50 s");
   EXPECT_EQ(failure->why, "the hull pitches beyond 60 deg");
-  system.bodies[0].free.reset();  // its motion is told
+  system.bodies[0].free.reset();  // its motion is prescribed
   EXPECT_FALSE(hull_failure(system, state));
 }
 

@@ -37,27 +37,27 @@ class Simulated : public Simulation {
       : Simulation(c.model, c.start, c.statics.top_tension, options) {}
 };
 
-/// Counts what it is told of.
+/// Counts the calls of the observer.
 class Counter : public SimulationObserver {
  public:
   int begun_ = 0, steps_ = 0, rows_ = 0;
   double time_ = 0.0, passed_ = 0.0;
   std::int64_t last_row_ = -1000;
 
-  void begun(const Instant& at) override {
+  void begun(const Instant& instant) override {
     ++begun_;
-    time_ = at.state->time;
+    time_ = instant.state->time;
   }
-  void stepped(const Instant& at) override {
+  void stepped(const Instant& instant) override {
     ++steps_;
-    passed_ += at.step;
-    EXPECT_GT(at.state->time, time_);
-    time_ = at.state->time;
+    passed_ += instant.step;
+    EXPECT_GT(instant.state->time, time_);
+    time_ = instant.state->time;
   }
-  void row(const Instant& at, std::int64_t number) override {
+  void row(const Instant& instant, std::int64_t number) override {
     ++rows_;
     last_row_ = number;
-    EXPECT_NEAR(at.state->time, 0.5 * static_cast<double>(number), 1e-12);
+    EXPECT_NEAR(instant.state->time, 0.5 * static_cast<double>(number), 1e-12);
   }
 };
 
@@ -81,11 +81,11 @@ TEST(simulation, steps_taken_one_by_one_are_those_of_the_whole_run) {
   while (single.step()) {
   }
   for (double t = -2.0; !looked_at.finished(); t += 0.37) EXPECT_TRUE(looked_at.advance(t));
-  for (const Simulation* other : {&single, &looked_at}) {
-    EXPECT_EQ(other->now().pipe().q, whole.now().pipe().q);
-    EXPECT_EQ(other->now().pipe().acc, whole.now().pipe().acc);
-    EXPECT_EQ(other->energy().error, whole.energy().error);
-    EXPECT_EQ(other->report().steps, whole.report().steps);
+  for (const Simulation* second_simulation : {&single, &looked_at}) {
+    EXPECT_EQ(second_simulation->present().pipe().q, whole.present().pipe().q);
+    EXPECT_EQ(second_simulation->present().pipe().acc, whole.present().pipe().acc);
+    EXPECT_EQ(second_simulation->energy().error, whole.energy().error);
+    EXPECT_EQ(second_simulation->report().steps, whole.report().steps);
   }
   EXPECT_EQ(whole.time(), 4.0);
   EXPECT_TRUE(whole.finished());
@@ -102,11 +102,11 @@ TEST(simulation, advances_to_rows_exactly_and_to_other_times_by_the_step_that_pa
   EXPECT_EQ(simulation.row_number(), -3);
   simulation.advance(-1.23);
   EXPECT_GE(simulation.time(), -1.23);
-  EXPECT_LE(simulation.time(), -1.23 + simulation.now().step);
+  EXPECT_LE(simulation.time(), -1.23 + simulation.present().step);
   EXPECT_EQ(simulation.next_row(), -1.0);
 }
 
-TEST(simulation, tells_every_observer_of_every_step_and_row) {
+TEST(simulation, notifies_every_observer_of_every_step_and_row) {
   Simulated simulation(brief_case());
   Counter early, late;
   simulation.observe(early);
@@ -148,11 +148,11 @@ TEST(simulation, a_restored_one_shows_the_same_present_and_goes_on_with_the_same
   second.restore(std::as_const(whole).checkpoint());
   EXPECT_EQ(second.time(), whole.time());
   EXPECT_NEAR(second.tension(), whole.tension(), 1e-6 * whole.tension());  // evaluated anew at the same state
-  EXPECT_EQ(second.now().elevation, whole.now().elevation);
+  EXPECT_EQ(second.present().elevation, whole.present().elevation);
   a.rows.clear();
   whole.advance(4.0);
   second.advance(4.0);
-  EXPECT_EQ(second.now().pipe().q, whole.now().pipe().q);
+  EXPECT_EQ(second.present().pipe().q, whole.present().pipe().q);
   EXPECT_EQ(b.rows, a.rows);
   DynamicResults expected, got;
   first_recorder.fill(expected);
@@ -176,11 +176,11 @@ TEST(simulation, a_tensioner_takes_a_new_set_point_between_two_steps) {
   EXPECT_NEAR(simulation.tension(), 245e3, 10.0);
   simulation.advance(2.0);
   EXPECT_NEAR(simulation.tension(), 245e3, 10.0);
-  EXPECT_GT(simulation.now().tensioner->travel.q, 0.0);  // paid out
+  EXPECT_GT(simulation.present().tensioner->travel.q, 0.0);  // paid out
   Simulated restored(c);
   restored.restore(changed);
   restored.advance(2.0);
-  EXPECT_EQ(restored.now().pipe().q, simulation.now().pipe().q);
+  EXPECT_EQ(restored.present().pipe().q, simulation.present().pipe().q);
 }
 
 TEST(simulation, one_that_cannot_go_on_says_why_and_stays_where_it_was) {

@@ -18,7 +18,7 @@ using testing::workable;
 TEST(laid_tail, carries_the_line_on_straight_along_the_bed) {
   const TimedLay c(workable());
   const StaticSolution longer = with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0);
-  EXPECT_LT(longer.mesh.s.front(), -0.99 * tail_to_hold(c.model, c.statics.top_tension));
+  EXPECT_LT(longer.mesh.s.front(), -0.99 * friction_anchorage_length(c.model, c.statics.top_tension));
   EXPECT_EQ(longer.mesh.s.back(), c.start.mesh.s.back());
   EXPECT_EQ(longer.state.q.size(), 6 * longer.mesh.s.size());
   const std::size_t added = longer.mesh.s.size() - c.start.mesh.s.size();
@@ -51,7 +51,7 @@ TEST(laid_tail, ends_before_a_bed_that_rises_takes_it_out_of_the_water) {
   const TimedLay c(sloping(0.1, kAhead));
   const StaticSolution longer = with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0);
   EXPECT_LT(longer.mesh.s.front(), -100.0);
-  EXPECT_GT(longer.mesh.s.front(), -0.9 * tail_to_hold(c.model, c.statics.top_tension));
+  EXPECT_GT(longer.mesh.s.front(), -0.9 * friction_anchorage_length(c.model, c.statics.top_tension));
   EXPECT_LT(longer.state.q[2], 0.0);
 }
 

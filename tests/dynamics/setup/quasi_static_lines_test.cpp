@@ -17,8 +17,8 @@ namespace {
 
 using namespace testing;
 
-constexpr double kStiffness = 1.8479e5;  ///< Of eight lines at 300 kN [N/m].
-constexpr double kPeriod = 66.96;        ///< Of surge on them [s].
+constexpr double kStiffness = 1.8479e5;  ///< Stiffness of eight lines at 300 kN [N/m].
+constexpr double kPeriod = 66.96;        ///< Period of surge on them [s].
 
 /// The barge in surge alone: a mass that makes the period of surge, a damper, the pull of the pipe.
 class SurgingBarge {
@@ -26,29 +26,29 @@ class SurgingBarge {
   SurgingBarge(const MooringSpread& spread, const std::vector<LengthTable>& programs, double pull, double damping)
       : assembly_(made(spread, programs, pull, damping)),
         stepper_(assembly_, {1.0, 1e-10, 30}),
-        now(state_at_rest(system_, {}, 0.0)) {
+        state(state_at_rest(system_, {}, 0.0)) {
     for (const int freedom : {1, 2, 3, 4, 5}) assembly_.hold_body(0, freedom, true);
   }
   SurgingBarge(const SurgingBarge&) = delete;
   SurgingBarge& operator=(const SurgingBarge&) = delete;
 
   void begin() {
-    assembly_.set_time(now.time, now);
-    assembly_.impose_ends(now);
-    ASSERT_TRUE(assembly_.find_accelerations(now));
-    now.bodies[0].alg = now.bodies[0].acc;
-    const SystemState before = now;
-    assembly_.evaluate(now, before, {}, false);
-    next_ = now;
-    energy.start(assembly_.energy(now), 1.0);
+    assembly_.set_time(state.time, state);
+    assembly_.impose_ends(state);
+    ASSERT_TRUE(assembly_.find_accelerations(state));
+    state.bodies[0].algorithmic_acceleration = state.bodies[0].acc;
+    const SystemState before = state;
+    assembly_.evaluate(state, before, {}, false);
+    next_ = state;
+    energy.start(assembly_.energy(state), 1.0);
   }
   void step(double h) {
-    ASSERT_TRUE(stepper_.step(now, h, next_).converged()) << now.time;
+    ASSERT_TRUE(stepper_.step(state, h, next_).converged()) << state.time;
     energy.add(assembly_.energy(next_), h);
-    std::swap(now, next_);
+    std::swap(state, next_);
   }
-  double surge() const { return now.bodies[0].h(0); }
-  const std::vector<LineEndForces>& lines() const { return now.bodies[0].lines; }
+  double surge() const { return state.bodies[0].h(0); }
+  const std::vector<LineEndForces>& lines() const { return state.bodies[0].lines; }
 
  private:
   const System& made(const MooringSpread& spread, const std::vector<LengthTable>& programs, double pull,
@@ -62,7 +62,7 @@ class SurgingBarge {
     FreeBody& body = system_.bodies[0].free.emplace(free_body(barge));
     body.springs = quasi_static_lines(spread, programs);
     body.force_scale = force_scale(spread, std::nullopt);
-    system_.surroundings = still(system_);
+    system_.surroundings = surroundings_at_rest(system_);
     return system_;
   }
 
@@ -72,13 +72,13 @@ class SurgingBarge {
   SystemState next_;
 
  public:
-  SystemState now;
+  SystemState state;
   EnergyAccount energy;
 };
 
-/// What a pull-ahead of one joint makes of surge and tensions.
+/// Surge and tensions of a pull-ahead of one joint.
 struct Move {
-  double overshoot = 0.0, least = 1e300, most = 0.0;  ///< [m, N]
+  double overshoot = 0.0, min_value = 1e300, max_value = 0.0;  ///< [m, N]
 };
 Move move_ahead(double speed, double ramp, MoveShape shape = MoveShape::trapezoid) {
   BargeAtWork barge;
@@ -89,20 +89,20 @@ Move move_ahead(double speed, double ramp, MoveShape shape = MoveShape::trapezoi
   profile.speed = speed;
   profile.ramp = ramp;
   profile.period = kPeriod;
-  LengthsByWay lengths;
-  for (const double way : places_of(profile)) {
-    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), way), barge.wished);
-    lengths.add(way, barge.spread);
+  LengthsByDistance lengths;
+  for (const double distance : move_positions(profile)) {
+    plan_lengths(barge.spread, barge.hull, offset_ahead(HullOffset::Zero(), distance), barge.wished);
+    lengths.add(distance, barge.spread);
   }
   SurgingBarge run(start, winch_tables(lengths, profile), -205.6e3, 0.05);
   run.begin();
   Move move;
-  while (run.now.time < 300.0) {
+  while (run.state.time < 300.0) {
     run.step(0.25);
     move.overshoot = std::max(move.overshoot, run.surge() - 12.0);
     for (const LineEndForces& line : run.lines()) {
-      move.least = std::min(move.least, line.fairlead_tension());
-      move.most = std::max(move.most, line.fairlead_tension());
+      move.min_value = std::min(move.min_value, line.fairlead_tension());
+      move.max_value = std::max(move.max_value, line.fairlead_tension());
     }
   }
   return move;
@@ -111,7 +111,7 @@ Move move_ahead(double speed, double ramp, MoveShape shape = MoveShape::trapezoi
 /// Numbers of an independent prototype of the same model, three digits given: 2 %.
 TEST(quasi_static_lines, carry_the_barge_a_joint_ahead_as_the_prototype_does) {
   const struct {
-    double speed, ramp, overshoot, least, most;
+    double speed, ramp, overshoot, min_value, max_value;
   } cases[] = {{0.10, 10.0, 0.99, 220e3, 402e3},
                {0.15, 10.0, 1.39, 205e3, 433e3},
                {0.20, 10.0, 1.18, 192e3, 466e3},
@@ -119,8 +119,8 @@ TEST(quasi_static_lines, carry_the_barge_a_joint_ahead_as_the_prototype_does) {
   for (const auto& want : cases) {
     const Move move = move_ahead(want.speed, want.ramp);
     EXPECT_NEAR(move.overshoot, want.overshoot, 0.02 * want.overshoot) << want.speed << " " << want.ramp;
-    EXPECT_NEAR(move.least, want.least, 0.02 * want.least) << want.speed << " " << want.ramp;
-    EXPECT_NEAR(move.most, want.most, 0.02 * want.most) << want.speed << " " << want.ramp;
+    EXPECT_NEAR(move.min_value, want.min_value, 0.02 * want.min_value) << want.speed << " " << want.ramp;
+    EXPECT_NEAR(move.max_value, want.max_value, 0.02 * want.max_value) << want.speed << " " << want.ramp;
   }
 }
 
@@ -132,12 +132,12 @@ TEST(quasi_static_lines, let_the_barge_overshoot_less_where_it_is_pulled_in_two_
 TEST(quasi_static_lines, give_the_hull_the_periods_of_their_stiffness) {
   const MooredCase c = moored_case(bgl1_barge());
   SurgingBarge run(c.spread, {}, 0.0, 0.0);
-  run.now.bodies[0].h(0) = 0.05;
+  run.state.bodies[0].h(0) = 0.05;
   run.begin();
   double last = run.surge(), crossing = 0.0;
   while (crossing == 0.0) {
     run.step(0.25);
-    if (run.surge() <= 0.0) crossing = run.now.time - 0.25 * run.surge() / (run.surge() - last);
+    if (run.surge() <= 0.0) crossing = run.state.time - 0.25 * run.surge() / (run.surge() - last);
     last = run.surge();
   }
   EXPECT_NEAR(4.0 * crossing, kPeriod, 0.002 * kPeriod);
@@ -148,9 +148,9 @@ TEST(quasi_static_lines, do_no_work_that_the_account_does_not_know) {
     BargeAtWork barge;
     LengthTable haul = smooth_table({0.0, 10.0, 20.0}, {0.0, -1.0, -2.0});
     SurgingBarge run(barge.spread, {haul, {}, {}, {}, {}, {}, {}, haul}, -205.6e3, 0.05);
-    run.now.bodies[0].h(0) = 1.0;
+    run.state.bodies[0].h(0) = 1.0;
     run.begin();
-    while (run.now.time < 30.0) run.step(h);
+    while (run.state.time < 30.0) run.step(h);
     return std::abs(run.energy.balance().drift());
   };
   const double coarse = error(0.5), fine = error(0.25);
@@ -161,19 +161,19 @@ TEST(quasi_static_lines, do_no_work_that_the_account_does_not_know) {
 TEST(quasi_static_lines, resume_bit_for_bit_and_ask_the_heap_for_nothing) {
   BargeAtWork barge;
   SurgingBarge run(barge.spread, {}, -205.6e3, 0.05);
-  run.now.bodies[0].h(0) = 2.0;
+  run.state.bodies[0].h(0) = 2.0;
   run.begin();
   for (int i = 0; i < 20; ++i) run.step(0.25);
   DynamicCheckpoint checkpoint;
-  save_state(checkpoint, run.now);
+  save_state(checkpoint, run.state);
   SurgingBarge again(barge.spread, {}, -205.6e3, 0.05);
   again.begin();
-  restore_state(checkpoint, again.now);
+  restore_state(checkpoint, again.state);
   const long before = allocation_count();
   run.step(0.25);
   EXPECT_EQ(allocation_count(), before);
   again.step(0.25);
-  EXPECT_EQ(run.now.bodies[0].h, again.now.bodies[0].h);
+  EXPECT_EQ(run.state.bodies[0].h, again.state.bodies[0].h);
   EXPECT_EQ(run.lines()[3].pull, again.lines()[3].pull);
   EXPECT_EQ(run.lines()[3].sink, again.lines()[3].sink);
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/material_words.h"
+#include "model/material_description.h"
 #include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {

@@ -57,14 +57,14 @@ double difference(const MomentRambergOsgood& a, const MomentRambergOsgood& b) {
   return worst;
 }
 
-// The published coefficients were fitted over a range that is not told; A and B trade against each other (0.064 and
+// The published coefficients were fitted over a range that is not given; A and B trade against each other (0.064 and
 // 13.7 here for 0.056 and 14.5), the curves may not differ by more than either differs from the fibres.
 TEST(moment_curve, fit_of_the_moment_form_is_the_published_curve) {
   const MomentRambergOsgood n25 = fit_moment_law(sixteen_inch_x60(25.0)), n15 = fit_moment_law(sixteen_inch_x60(15.0));
   EXPECT_LT(difference(n25, {0.056, 14.5}), 0.012);
   EXPECT_LT(difference(n15, {0.133, 11.0}), 0.012);
-  EXPECT_LT(n25.largest_error, 0.012);
-  EXPECT_LT(n15.largest_error, 0.012);
+  EXPECT_LT(n25.max_error, 0.012);
+  EXPECT_LT(n15.max_error, 0.012);
 }
 
 TEST(moment_curve, first_yield_of_the_24_inch_pipe) {
@@ -96,7 +96,7 @@ TEST(moment_curve, tension_takes_its_share_of_the_plastic_moment) {
   }
 }
 
-// Von Mises: beside a hoop stress h steel yields axially at h/2 +- sqrt(fy^2 - 3/4 h^2).
+// Von Mises: next to a hoop stress h steel yields axially at h/2 +- sqrt(fy^2 - 3/4 h^2).
 TEST(moment_curve, hoop_stress_shifts_both_axial_yield_stresses) {
   const SteelDescription steel = thin_bilinear();
   const double hoop = -200e6, root = std::sqrt(400e6 * 400e6 - 0.75 * hoop * hoop);
@@ -129,7 +129,7 @@ TEST(bending_law, table_is_followed) {
     EXPECT_NEAR(monotonic(law, {}, point.x).moment, point.y, 1.05 * law.fit_error * point.y);
   }
   EXPECT_NEAR(monotonic(law, {}, 0.5 * 400e3 / EI).moment, 200e3, 1e-3);
-  EXPECT_LT(law.fit_error, 0.03);  // a round wall rounds the corners of three points; the report tells the error
+  EXPECT_LT(law.fit_error, 0.03);  // a round wall rounds the corners of three points; the report gives the error
 }
 
 TEST(bending_law, levels_are_mixed_by_height) {

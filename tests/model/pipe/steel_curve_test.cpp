@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kModulus = 207e9, kYield = 414e6;
 
-SteelDescription steel_of(MaterialLaw law) {
+SteelDescription make_steel(MaterialLaw law) {
   SteelDescription steel;
   steel.outside_diameter = 0.4064;
   steel.wall_thickness = 0.0127;
@@ -23,7 +23,7 @@ SteelDescription steel_of(MaterialLaw law) {
 
 /// A rising test in four points; the first ends the straight part.
 SteelDescription tested_steel() {
-  SteelDescription steel = steel_of(MaterialLaw::stress_strain);
+  SteelDescription steel = make_steel(MaterialLaw::stress_strain);
   steel.material.stress_strain = {{0.0018, 372.6e6}, {0.004, 420e6}, {0.01, 460e6}, {0.02, 480e6}};
   return steel;
 }
@@ -33,7 +33,7 @@ double total_strain(const SteelDescription& steel, double stress) {
 }
 
 TEST(plastic_strain, power_law_reaches_the_yield_strain_at_smys) {
-  const SteelDescription steel = steel_of(MaterialLaw::ramberg_osgood);
+  const SteelDescription steel = make_steel(MaterialLaw::ramberg_osgood);
   EXPECT_NEAR(total_strain(steel, kYield), steel.material.yield_strain, 1e-15);
 }
 
@@ -57,14 +57,14 @@ TEST(plastic_strain, is_none_below_the_first_point) {
 }
 
 TEST(plastic_strain, bilinear_steel_has_its_hardening_modulus_beyond_smys) {
-  SteelDescription steel = steel_of(MaterialLaw::bilinear);
+  SteelDescription steel = make_steel(MaterialLaw::bilinear);
   steel.material.hardening_modulus = 2e9;
   EXPECT_NEAR(total_strain(steel, kYield + 10e6), kYield / kModulus + 10e6 / 2e9, 1e-15);
 }
 
 // Central differences of step h err by h^2 times the third derivative; 1e-5 of the slope leaves room for rounding.
 TEST(plastic_strain, slope_is_the_derivative) {
-  for (const SteelDescription& steel : {steel_of(MaterialLaw::ramberg_osgood), tested_steel()}) {
+  for (const SteelDescription& steel : {make_steel(MaterialLaw::ramberg_osgood), tested_steel()}) {
     const PlasticStrain plastic = plastic_strain(steel);
     for (const double stress : {390e6, 430e6, 470e6}) {
       const double h = 1e-4 * stress;
@@ -76,7 +76,7 @@ TEST(plastic_strain, slope_is_the_derivative) {
 
 // The table has 240 intervals each way, finest at zero, with cubics between.
 TEST(fibre_curve, without_hoop_stress_turns_the_law_round) {
-  const SteelDescription steel = steel_of(MaterialLaw::ramberg_osgood);
+  const SteelDescription steel = make_steel(MaterialLaw::ramberg_osgood);
   const FibreCurve fibre(steel, plastic_strain(steel), 0.0, 0.03);
   for (const double strain : {1e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.029}) {
     EXPECT_NEAR(total_strain(steel, fibre.at(strain).stress) / strain, 1.0, 1e-4) << strain;
@@ -85,7 +85,7 @@ TEST(fibre_curve, without_hoop_stress_turns_the_law_round) {
 }
 
 TEST(fibre_curve, modulus_is_the_derivative_of_the_stress) {
-  const SteelDescription steel = steel_of(MaterialLaw::ramberg_osgood);
+  const SteelDescription steel = make_steel(MaterialLaw::ramberg_osgood);
   const FibreCurve fibre(steel, plastic_strain(steel), 100e6, 0.03);
   for (const double strain : {-0.04, -0.01, -1.5e-3, 1.5e-3, 0.004, 0.02, 0.04}) {
     const double h = 1e-7;
@@ -96,7 +96,7 @@ TEST(fibre_curve, modulus_is_the_derivative_of_the_stress) {
 
 // Steel that hardly hardens flows on von Mises' ellipse: s^2 - s h + h^2 = SMYS^2.
 TEST(fibre_curve, hoop_stress_moves_the_yield_stress_along_von_mises_ellipse) {
-  SteelDescription steel = steel_of(MaterialLaw::bilinear);
+  SteelDescription steel = make_steel(MaterialLaw::bilinear);
   steel.material.hardening_modulus = 0.0;
   for (const double hoop : {-200e6, -100e6, 150e6}) {
     const FibreCurve fibre(steel, plastic_strain(steel), hoop, 0.03);
@@ -108,7 +108,7 @@ TEST(fibre_curve, hoop_stress_moves_the_yield_stress_along_von_mises_ellipse) {
 
 // Strain counts from where the hoop stress alone leaves the fibre, so that there the axial stress is none.
 TEST(fibre_curve, carries_no_axial_stress_at_no_strain) {
-  const SteelDescription steel = steel_of(MaterialLaw::ramberg_osgood);
+  const SteelDescription steel = make_steel(MaterialLaw::ramberg_osgood);
   const FibreCurve fibre(steel, plastic_strain(steel), 150e6, 0.03);
   EXPECT_EQ(fibre.at(0.0).stress, 0.0);
 }

@@ -21,7 +21,7 @@ TEST(sea_statistics, give_the_periods_of_a_pierson_moskowitz_sea) {
   EXPECT_NEAR(sea.hs, hs, 2e-3);           // the tail beyond 12 rad/s has 3e-4 of the energy
   EXPECT_NEAR(sea.tp, tp, 0.03);           // a point every 0.002 rad/s
   EXPECT_NEAR(sea.tz, tp / 1.4079, 0.02);  // the tail of m2
-  EXPECT_EQ(sea_statistics_words({{0.5, 0.0}, {0.6, 2.0}, {0.7, 0.0}}).substr(0, 9), "Hs 1.79 m");
+  EXPECT_EQ(sea_statistics_label({{0.5, 0.0}, {0.6, 2.0}, {0.7, 0.0}}).substr(0, 9), "Hs 1.79 m");
 }
 
 TEST(sea_statistics, of_a_triangle_are_exact) {

@@ -29,30 +29,30 @@ TEST(fitted_circle, of_points_on_an_arc_is_the_arc) {
 /// Sum of squared distances from the best circle of a given radius whose centre is searched on a grid that shrinks.
 double misfit(const std::vector<Eigen::Vector2d>& points, double radius) {
   Eigen::Vector2d centre(40.0, -7.0);
-  double least = INFINITY;
+  double min_value = INFINITY;
   for (double step = 4.0; step > 1e-6; step *= 0.6) {
     const Eigen::Vector2d from = centre;
     for (int i = -3; i <= 3; ++i) {
       for (int j = -3; j <= 3; ++j) {
-        const Eigen::Vector2d at = from + step * Eigen::Vector2d(i, j);
+        const Eigen::Vector2d vector2d = from + step * Eigen::Vector2d(i, j);
         double sum = 0.0;
-        for (const Eigen::Vector2d& p : points) sum += std::pow((p - at).norm() - radius, 2);
-        if (sum < least) {
-          least = sum;
-          centre = at;
+        for (const Eigen::Vector2d& p : points) sum += std::pow((p - vector2d).norm() - radius, 2);
+        if (sum < min_value) {
+          min_value = sum;
+          centre = vector2d;
         }
       }
     }
   }
-  return least;
+  return min_value;
 }
 
 TEST(fitted_circle, has_the_least_squared_distances_of_all) {
   std::vector<Eigen::Vector2d> points = arc(150.0, 0.05, 0.45, 7);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].y() += (i % 2 == 0 ? 0.05 : -0.03);
-  const double radius = fitted_radius(points).value_or(0.0), least = misfit(points, radius);
-  for (const double other : {0.98 * radius, 0.995 * radius, 1.005 * radius, 1.02 * radius}) {
-    EXPECT_LT(least, misfit(points, other)) << other / radius;
+  const double radius = fitted_radius(points).value_or(0.0), min_magnitude = misfit(points, radius);
+  for (const double second : {0.98 * radius, 0.995 * radius, 1.005 * radius, 1.02 * radius}) {
+    EXPECT_LT(min_magnitude, misfit(points, second)) << second / radius;
   }
 }
 

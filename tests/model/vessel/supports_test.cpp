@@ -51,7 +51,7 @@ TEST(gap_springs, stand_one_in_the_middle_of_each_box) {
   }
 }
 
-TEST(gap_springs, have_no_gap_below_the_pipe_and_the_clearance_of_the_side_rollers_beside_it) {
+TEST(gap_springs, have_no_gap_below_the_pipe_and_the_clearance_of_the_side_rollers_next_to_it) {
   const Supports s = place_supports(two_boxes(), kPipeRadius);
   for (const Roller& roller : s.rollers) {
     const SupportBox& box = s.boxes[static_cast<std::size_t>(roller.box)];
@@ -59,7 +59,7 @@ TEST(gap_springs, have_no_gap_below_the_pipe_and_the_clearance_of_the_side_rolle
     const double gap = (pipe_axis - roller.face_middle_S()).dot(roller.normal_S) - kPipeRadius;
     const bool bottom = roller.position == RollerPosition::bottom;
     EXPECT_NEAR(gap, bottom ? 0.0 : 0.05, 1e-12);
-    // Below it acts along the box's normal, beside it across the vessel and neither up nor down.
+    // Below it acts along the box's normal, next to it across the vessel and neither up nor down.
     EXPECT_NEAR(roller.normal_S.dot(box.normal_S), bottom ? 1.0 : 0.0, 1e-12);
     EXPECT_NEAR(std::abs(roller.normal_S.y()), bottom ? 0.0 : 1.0, 1e-12);
   }

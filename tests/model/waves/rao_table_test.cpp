@@ -109,7 +109,7 @@ TEST(rao_limits, a_wrong_phase_sign_and_a_wrong_unit_show) {
                                   {"positive.pitch", "bow_up"},
                                   {"heading_zero", "bow"}}) {
     RaoSettings given;
-    given.words[key] = word;
+    given.values[key] = word;
     const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
     EXPECT_FALSE(limit_findings(long_wave_limits(table, 120.0, 5.182, 89.0)).empty()) << key << " " << word;
   }
@@ -117,7 +117,7 @@ TEST(rao_limits, a_wrong_phase_sign_and_a_wrong_unit_show) {
 
 TEST(rao_limits, a_freedom_that_disagrees_is_warned_of_once_with_all_its_headings) {
   RaoSettings given;
-  given.words["phase"] = "lead";
+  given.values["phase"] = "lead";
   const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
   const std::vector<std::string> warnings = messages(limit_findings(long_wave_limits(table, 120.0, 5.182, 89.0)));
   ASSERT_EQ(warnings.size(), 4U);  // surge, pitch, sway, roll; heave has no sign to get wrong
@@ -127,7 +127,7 @@ TEST(rao_limits, a_freedom_that_disagrees_is_warned_of_once_with_all_its_heading
 
 TEST(rao_limits, waves_that_are_not_long_judge_nothing) {
   RaoSettings given;
-  given.words["phase"] = "lead";
+  given.values["phase"] = "lead";
   const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
   EXPECT_TRUE(limit_findings(long_wave_limits(table, 500.0, 5.182, 89.0)).empty());
 }

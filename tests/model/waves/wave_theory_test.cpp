@@ -80,7 +80,7 @@ TEST(wave_theory, low_stokes_waves_have_the_linear_wave_number) {
   }
 }
 
-TEST(wave_theory, an_impossible_stokes_wave_is_refused) {
+TEST(wave_theory, an_impossible_stokes_wave_is_rejected) {
   EXPECT_THROW(stokes_wave_number(50.0, 4.0, 5.0), std::domain_error);
 }
 

@@ -1,11 +1,11 @@
-// What a file gives, in the members of the description.
+// Content of a file in the members of the description.
 #include "modelfile/binding/binding.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/pipe/contact_stiffness.h"
 #include "modelfile/fields/field_table.h"
 #include "modelfile/model_texts.h"
@@ -24,9 +24,9 @@ Description read_good(const std::string& text) {
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
+  const std::size_t index = text.find(from);
+  EXPECT_NE(index, std::string::npos) << from;
+  return text.replace(index, from.size(), to);
 }
 
 YamlNode scalar(const std::string& text) {
@@ -67,9 +67,9 @@ TEST(binding, the_default_stiffness_of_a_roller_is_the_one_that_the_model_takes)
   EXPECT_EQ(std::get<double>(row.member.standard.value()), kRollerStructure);
 }
 
-TEST(binding, a_choice_has_the_words_of_its_enumeration) {
-  EXPECT_EQ(field_node("environment.waves.type").scalar->choices, words_of<WaveType>());
-  EXPECT_EQ(field_node("checks.manufacture").scalar->choices, words_of<Manufacture>());
+TEST(binding, a_choice_has_the_names_of_its_enumeration) {
+  EXPECT_EQ(field_node("environment.waves.type").scalar->choices, enum_names<WaveType>());
+  EXPECT_EQ(field_node("checks.manufacture").scalar->choices, enum_names<Manufacture>());
   EXPECT_EQ(field_node("checks.point_load").scalar->choices, (std::vector<std::string>{"no", "yes"}));
   // The other motions are keys, not words.
   EXPECT_EQ(field_node("vessel.motion").scalar->choices, (std::vector<std::string>{"fixed"}));
@@ -106,7 +106,7 @@ TEST(binding, a_row_under_the_wrong_group_is_a_broken_promise) {
   EXPECT_THROW(object<WavesDescription>(target), std::logic_error);
 }
 
-TEST(binding, files_are_found_beside_the_model_file) {
+TEST(binding, files_are_found_next_to_the_model_file) {
   EXPECT_EQ(resolved_file("rao.csv", "folder/good.yaml"), "folder/rao.csv");
   EXPECT_EQ(resolved_file("../rao.csv", "folder/good.yaml"), "rao.csv");
   EXPECT_EQ(resolved_file("/data/rao.csv", "folder/good.yaml"), "/data/rao.csv");
@@ -127,20 +127,20 @@ std::string with_segment(const std::string& keys) {
 TEST(binding, a_segment_that_says_nothing_of_its_steel_yields_as_the_line_does) {
   const Description d = read_good(with_segment(""));
   ASSERT_EQ(d.pipe.segments.size(), 1U);
-  const MaterialDescription& own = d.pipe.segments[0].section.steel.material;
-  EXPECT_EQ(own.law, MaterialLaw::ramberg_osgood);
-  EXPECT_EQ(own.hardening_exponent, 20.0);
+  const MaterialDescription& material_description = d.pipe.segments[0].section.steel.material;
+  EXPECT_EQ(material_description.law, MaterialLaw::ramberg_osgood);
+  EXPECT_EQ(material_description.hardening_exponent, 20.0);
 }
 
 TEST(binding, a_segment_changes_only_what_it_gives) {
   const Description d = read_good(with_segment(", steel: {wall_thickness: 25 mm, material: {law: linear}}"));
   ASSERT_EQ(d.pipe.segments.size(), 1U);
-  const SectionDescription& own = d.pipe.segments[0].section;
-  EXPECT_DOUBLE_EQ(own.steel.wall_thickness, 0.025);
-  EXPECT_EQ(own.steel.material.law, MaterialLaw::linear);
-  EXPECT_EQ(own.steel.outside_diameter, d.pipe.section.steel.outside_diameter);
-  EXPECT_EQ(own.coatings.size(), d.pipe.section.coatings.size());
-  EXPECT_EQ(own.hydrodynamics.drag_normal, d.pipe.section.hydrodynamics.drag_normal);
+  const SectionDescription& section_description = d.pipe.segments[0].section;
+  EXPECT_DOUBLE_EQ(section_description.steel.wall_thickness, 0.025);
+  EXPECT_EQ(section_description.steel.material.law, MaterialLaw::linear);
+  EXPECT_EQ(section_description.steel.outside_diameter, d.pipe.section.steel.outside_diameter);
+  EXPECT_EQ(section_description.coatings.size(), d.pipe.section.coatings.size());
+  EXPECT_EQ(section_description.hydrodynamics.drag_normal, d.pipe.section.hydrodynamics.drag_normal);
   EXPECT_EQ(d.pipe.section.steel.material.law, MaterialLaw::ramberg_osgood);
 }
 

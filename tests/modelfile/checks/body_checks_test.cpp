@@ -1,4 +1,4 @@
-// Bodies besides the vessel: what their keys fill, and what the reader refuses by name.
+// Bodies in addition the vessel: what their keys fill, and what the reader rejects by name.
 #include <gtest/gtest.h>
 
 #include "base/constants.h"
@@ -28,18 +28,18 @@ lines:
 
 std::string with(const std::string& before, const std::string& after) {
   std::string text = kModel;
-  const auto at = text.find(before);
-  EXPECT_NE(at, std::string::npos) << before;
-  return text.replace(at, before.size(), after);
+  const auto sample = text.find(before);
+  EXPECT_NE(sample, std::string::npos) << before;
+  return text.replace(sample, before.size(), after);
 }
 
 /// The one complaint, which names the line, the key and what is wrong.
-void expect_complaint(const std::string& text, const std::string& key, const std::string& words) {
+void expect_complaint(const std::string& text, const std::string& key, const std::string& message) {
   const std::vector<std::string> errors = read_model_text(text, "tug.yaml").diagnostics.lines(Severity::error);
-  ASSERT_EQ(errors.size(), 1U) << words;
+  ASSERT_EQ(errors.size(), 1U) << message;
   EXPECT_NE(errors.front().find("tug.yaml:"), std::string::npos) << errors.front();
   EXPECT_NE(errors.front().find(key), std::string::npos) << errors.front();
-  EXPECT_NE(errors.front().find(words), std::string::npos) << errors.front();
+  EXPECT_NE(errors.front().find(message), std::string::npos) << errors.front();
 }
 
 TEST(body_keys, fill_a_body_and_the_ends_that_are_on_it) {
@@ -61,24 +61,24 @@ TEST(body_keys, fill_a_body_and_the_ends_that_are_on_it) {
   EXPECT_TRUE(reading.diagnostics.lines(Severity::warning).empty());
 }
 
-TEST(body_keys, refuse_an_end_on_a_body_that_is_not_there) {
+TEST(body_keys, reject_an_end_on_a_body_that_is_not_there) {
   expect_complaint(with("{body: tug, at", "{body: tgu, at"), "body", "did you mean 'tug'");
 }
 
-TEST(body_keys, refuse_a_second_body_of_a_name_and_the_name_of_the_vessel) {
+TEST(body_keys, reject_a_second_body_of_a_name_and_the_name_of_the_vessel) {
   expect_complaint(with("    heading: 270 deg", "  - name: tug\n    place: {x: 0 m, y: 0 m}\n    heading: 270 deg"),
                    "name", "again");
   expect_complaint(with("    heading: 270 deg", "  - name: vessel\n    place: {x: 0 m, y: 0 m}\n    heading: 270 deg"),
                    "bodies", "that of the lay vessel");
 }
 
-TEST(body_keys, refuse_a_body_without_a_place_and_an_end_without_a_point) {
+TEST(body_keys, reject_a_body_without_a_place_and_an_end_without_a_point) {
   expect_complaint(with("    place: {x: 200 m, y: 10 m}\n", ""), "place", "bodies[0]");
   expect_complaint(with(", at: {x: -12 m, y: 0 m, z: 3 m}", ""), "at", "the point of the body");
 }
 
 /// The motion of a body is prescribed: what would let it float is no key of it.
-TEST(body_keys, refuse_a_hull_that_floats_free) {
+TEST(body_keys, reject_a_hull_that_floats_free) {
   const std::string text = with("{harmonic: {heave: {amplitude: 1 m, period: 8 s}}}", "{coupled: {mass: 500 t}}");
   const std::vector<std::string> errors = read_model_text(text, "tug.yaml").diagnostics.lines(Severity::error);
   ASSERT_FALSE(errors.empty());
@@ -86,7 +86,7 @@ TEST(body_keys, refuse_a_hull_that_floats_free) {
   EXPECT_NE(errors.front().find("raos, history, harmonic"), std::string::npos) << errors.front();
 }
 
-TEST(body_keys, refuse_two_sources_of_a_motion) {
+TEST(body_keys, reject_two_sources_of_a_motion) {
   expect_complaint(with("period: 8 s}}}", "period: 8 s}}, history: tug.csv}"), "motion", "1 of");
 }
 
@@ -95,7 +95,7 @@ TEST(body_keys, warn_of_a_body_that_no_line_is_on) {
   ASSERT_TRUE(reading.description);
   const std::vector<std::string> warnings = reading.diagnostics.lines(Severity::warning);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings.front().find("no line is on this body"), std::string::npos);
+  EXPECT_NE(warnings.front().find("no line is attached to this body"), std::string::npos);
 }
 
 TEST(lift_keys, move_bodies_by_their_names) {
@@ -113,7 +113,7 @@ TEST(lift_keys, move_bodies_by_their_names) {
 TEST(lift_keys, move_no_vessel_that_floats_free) {
   std::string text = with("motion: fixed", "hydrostatics: {heave: 10 MN/m, roll: 1000 MN*m, pitch: 10000 MN*m}");
   text += "operation:\n  type: lift\n  stages:\n    - {name: ahead, vessel: {x: 5 m}}\n";
-  expect_complaint(text, "vessel", "floats free");
+  expect_complaint(text, "vessel", "free-floating");
 }
 
 }  // namespace

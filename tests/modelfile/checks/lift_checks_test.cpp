@@ -1,4 +1,4 @@
-// Lines that hold each other and stages of a lift: what the reader refuses, by name.
+// Lines that hold each other and stages of a lift: what the reader rejects, by name.
 #include <gtest/gtest.h>
 
 #include "modelfile/reading/yaml_reader.h"
@@ -9,18 +9,18 @@ namespace {
 
 std::string lift_with(const std::string& before, const std::string& after) {
   std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/validation/lift_cases/TI12-closed.yaml");
-  const auto at = text.find(before);
-  EXPECT_NE(at, std::string::npos) << before;
-  return text.replace(at, before.size(), after);
+  const auto sample = text.find(before);
+  EXPECT_NE(sample, std::string::npos) << before;
+  return text.replace(sample, before.size(), after);
 }
 
 /// The one complaint, which names the line, the key and what is wrong.
-void expect_complaint(const std::string& text, const std::string& key, const std::string& words) {
+void expect_complaint(const std::string& text, const std::string& key, const std::string& message) {
   const std::vector<std::string> errors = read_model_text(text, "lift.yaml").diagnostics.lines(Severity::error);
-  ASSERT_EQ(errors.size(), 1U) << words;
+  ASSERT_EQ(errors.size(), 1U) << message;
   EXPECT_NE(errors.front().find("lift.yaml:"), std::string::npos) << errors.front();
   EXPECT_NE(errors.front().find(key), std::string::npos) << errors.front();
-  EXPECT_NE(errors.front().find(words), std::string::npos) << errors.front();
+  EXPECT_NE(errors.front().find(message), std::string::npos) << errors.front();
 }
 
 TEST(lift_keys, fill_ends_on_lines_and_stages) {
@@ -37,32 +37,32 @@ TEST(lift_keys, fill_ends_on_lines_and_stages) {
   EXPECT_EQ(d.operation.lay.stages[0].lengths.size(), 4U);
 }
 
-TEST(lift_keys, refuse_an_attachment_beyond_the_line) {
+TEST(lift_keys, reject_an_attachment_beyond_the_line) {
   expect_complaint(lift_with("{line: pipe A, arc_length: 6 m}", "{line: pipe A, arc_length: 600 m}"), "arc_length",
                    "at most the length of 'pipe A'");
 }
 
-TEST(lift_keys, refuse_an_attachment_where_the_end_is_held) {
+TEST(lift_keys, reject_an_attachment_where_the_end_is_held) {
   expect_complaint(lift_with("{line: pipe A, arc_length: 6 m}", "{line: pipe A, arc_length: 301.185 m}"), "arc_length",
-                   "where the line's end is held");
+                   "which is the held end of that line");
 }
 
-TEST(lift_keys, refuse_a_line_on_itself_and_lines_in_a_ring) {
+TEST(lift_keys, reject_a_line_on_itself_and_lines_in_a_ring) {
   expect_complaint(lift_with("{line: pipe A, arc_length: 6 m}", "{line: davit 1, arc_length: 6 m}"), "line",
                    "the line itself");
 }
 
-TEST(lift_keys, refuse_a_line_on_a_straight_wire) {
+TEST(lift_keys, reject_a_line_on_a_straight_wire) {
   expect_complaint(lift_with("{line: pipe B, arc_length: 6 m}", "{line: davit 1, arc_length: 6 m}"), "line",
                    "a straight wire without weight");
 }
 
-TEST(lift_keys, refuse_two_free_ends_without_a_start) {
+TEST(lift_keys, reject_two_free_ends_without_a_start) {
   std::string text = lift_with("- bed: {x: -300 m, y: 16 m}\n        direction: {x: -1}", "- free: true");
   expect_complaint(text, "start", "both its ends are free");
 }
 
-TEST(lift_keys, refuse_stages_that_name_what_is_not_there) {
+TEST(lift_keys, reject_stages_that_name_what_is_not_there) {
   expect_complaint(lift_with("lengths: {davit 1: 7.5 m", "lengths: {davit 7: 7.5 m"), "davit 7", "davit 1");
   expect_complaint(lift_with("lengths: {davit 1: 7.5 m", "lengths: {pipe A: 7.5 m"), "pipe A", "pipe");
   expect_complaint(lift_with("lines: [pipe A, pipe B]", "lines: [pipe A, pipe C]"), "pipe C", "pipe B");
@@ -70,23 +70,23 @@ TEST(lift_keys, refuse_stages_that_name_what_is_not_there) {
   expect_complaint(lift_with("lines: [pipe A, pipe B]", "lines: [pipe A]"), "join", "two lines");
 }
 
-TEST(lift_keys, refuse_a_length_and_a_tension_of_one_line) {
+TEST(lift_keys, reject_a_length_and_a_tension_of_one_line) {
   expect_complaint(lift_with("lengths: {davit 1: 7.5 m", "tensions: {davit 1: 5 kN}, lengths: {davit 1: 7.5 m"),
                    "davit 1", "one of them");
 }
 
-TEST(lift_keys, refuse_to_weld_pipes_of_two_diameters) {
+TEST(lift_keys, reject_welds_of_pipes_of_two_diameters) {
   expect_complaint(lift_with("outside_diameter: 0.3239 m", "outside_diameter: 0.508 m"), "join",
                    "one outside diameter");
 }
 
-TEST(lift_keys, refuse_to_weld_what_does_not_begin_with_pipe) {
+TEST(lift_keys, reject_welds_of_what_does_not_begin_with_pipe) {
   expect_complaint(lift_with("    segments:\n      - length: 301.185 m",
                              "    segments:\n      - {length: 20 m, type: davit wire}\n      - length: 301.185 m"),
                    "join", "first segment of 'pipe A'");
 }
 
-TEST(lift_keys, refuse_to_weld_where_another_line_is_attached) {
+TEST(lift_keys, reject_welds_where_another_line_is_attached) {
   expect_complaint(lift_with("{line: pipe A, arc_length: 6 m}", "{line: pipe A, arc_length: 0 m}"), "join",
                    "'davit 1' is attached");
 }

@@ -1,9 +1,9 @@
-// Clumps, buoys and lines on a pipe that is laid: what the reader fills, and what it refuses by name.
+// Clumps, buoys and lines on a pipe that is laid: what the reader fills, and what it rejects by name.
 #include <gtest/gtest.h>
 
 #include "base/constants.h"
 #include "modelfile/reading/yaml_reader.h"
-#include "statics/solver/static_obstacle.h"
+#include "statics/solver/unsupported_statics.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -11,17 +11,17 @@ namespace {
 
 std::string lay_with(const std::string& before, const std::string& after) {
   std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/examples/buoys-on-pipe.yaml");
-  const auto at = text.find(before);
-  EXPECT_NE(at, std::string::npos) << before;
-  return text.replace(at, before.size(), after);
+  const auto sample = text.find(before);
+  EXPECT_NE(sample, std::string::npos) << before;
+  return text.replace(sample, before.size(), after);
 }
 
-void expect_complaint(const std::string& text, const std::string& key, const std::string& words) {
+void expect_complaint(const std::string& text, const std::string& key, const std::string& message) {
   const std::vector<std::string> errors = read_model_text(text, "lay.yaml").diagnostics.lines(Severity::error);
-  ASSERT_EQ(errors.size(), 1U) << words;
+  ASSERT_EQ(errors.size(), 1U) << message;
   EXPECT_NE(errors.front().find("lay.yaml:"), std::string::npos) << errors.front();
   EXPECT_NE(errors.front().find(key), std::string::npos) << errors.front();
-  EXPECT_NE(errors.front().find(words), std::string::npos) << errors.front();
+  EXPECT_NE(errors.front().find(message), std::string::npos) << errors.front();
 }
 
 TEST(pipe_attachment_keys, make_mass_and_net_force_of_weight_and_buoyancy) {
@@ -34,7 +34,7 @@ TEST(pipe_attachment_keys, make_mass_and_net_force_of_weight_and_buoyancy) {
   EXPECT_EQ(d.lines[0].second.line, "pipe");
 }
 
-TEST(pipe_attachment_keys, refuse_places_that_the_pipe_does_not_have) {
+TEST(pipe_attachment_keys, reject_places_that_the_pipe_does_not_have) {
   expect_complaint(lay_with("arc_length: 150 m", "arc_length: 0 m"), "pipe.points[0].arc_length", "more than 0 m");
   expect_complaint(lay_with("{line: pipe, arc_length: 40 m}", "{line: pipe, arc_length: 0 m}"),
                    "lines[0].ends[1].arc_length", "more than 0 m");
@@ -42,18 +42,18 @@ TEST(pipe_attachment_keys, refuse_places_that_the_pipe_does_not_have) {
                    "less than the length of the pipe");
 }
 
-TEST(pipe_attachment_keys, refuse_a_name_again_and_a_line_that_is_not_there) {
-  expect_complaint(lay_with("name: buoy 1", "name: clump"), "pipe.points[1].name", "a name of its own");
+TEST(pipe_attachment_keys, reject_a_name_again_and_a_line_that_is_not_there) {
+  expect_complaint(lay_with("name: buoy 1", "name: clump"), "pipe.points[1].name", "a unique name");
   expect_complaint(lay_with("{line: pipe, arc_length: 40 m}", "{line: pip, arc_length: 40 m}"), "lines[0].ends[1].line",
                    "did you mean 'pipe'?");
 }
 
-TEST(pipe_attachment_keys, refuse_a_line_whose_other_end_has_no_place_of_its_own) {
+TEST(pipe_attachment_keys, reject_a_line_whose_other_end_has_no_place_of_its_own) {
   const std::string end = "{body: vessel, at: {x: -90 m, y: 0 m, z: 9 m}}";
-  for (const char* other : {"{free: true}", "{line: pipe, arc_length: 90 m}"}) {
-    const Description d = *read_model_text(lay_with(end, other), "lay.yaml").description;
-    const std::optional<StaticFailure> failure = static_obstacle(d);
-    ASSERT_TRUE(failure) << other;
+  for (const char* second : {"{free: true}", "{line: pipe, arc_length: 90 m}"}) {
+    const Description d = *read_model_text(lay_with(end, second), "lay.yaml").description;
+    const std::optional<StaticFailure> failure = unsupported_in_statics(d);
+    ASSERT_TRUE(failure) << second;
     EXPECT_TRUE(failure->input);
     EXPECT_EQ(failure->where, "wire");
   }

@@ -1,4 +1,4 @@
-// Keys of a goal seek: what they fill, and what the reader refuses.
+// Keys of a goal seek: what they fill, and what the reader rejects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ ModelReading with_seek(const std::string& seek) {
   return read_model_text(testing::kGoodModel + "\nseek:\n" + seek, "seek.yaml");
 }
 
-SeekDescription seek_of(const std::string& text) {
+SeekDescription read_seek_text(const std::string& text) {
   const ModelReading reading = with_seek(text);
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
   return reading.description ? read_seek(*reading.description).value_or(SeekDescription{}) : SeekDescription{};
@@ -28,12 +28,12 @@ std::string complaint(const std::string& seek) {
   return errors.empty() ? "" : errors.front();
 }
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
+void expect_arguments(const std::string& text, const std::vector<std::string>& arguments) {
+  for (const std::string& word : arguments) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
 TEST(seek_keys, fill_bounds_and_conditions_in_si) {
-  const SeekDescription seek = seek_of(
+  const SeekDescription seek = read_seek_text(
       "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n"
       "  until: {result: static.sagbend.max_bending_stress, equals: 100 MPa}\n");
   ASSERT_EQ(seek.vary.size(), 1U);
@@ -46,7 +46,7 @@ TEST(seek_keys, fill_bounds_and_conditions_in_si) {
 }
 
 TEST(seek_keys, take_results_by_object) {
-  const SeekDescription seek = seek_of(
+  const SeekDescription seek = read_seek_text(
       "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n"
       "  until: {result: 'lines[pipe].static.sagbend.max_bending_stress', at_most: 100 MPa}\n"
       "  minimise: 'spread(supports[*].static.reaction)'\n");
@@ -59,11 +59,12 @@ TEST(seek_keys, do_not_take_the_radius_of_listed_boxes) {
   const std::string line = complaint(
       "  vary: {key: supports.stinger.radius, from: 100 m, to: 200 m}\n"
       "  until: {result: static.lay_back, equals: 200 m}\n");
-  expect_words(line, {"seek.vary", "supports.stinger.radius' of listed boxes", "replace the list by a row of boxes"});
+  expect_arguments(line,
+                   {"seek.vary", "supports.stinger.radius' of listed boxes", "replace the list by a row of boxes"});
 }
 
 TEST(seek_keys, take_lists_patterns_plain_numbers_and_something_to_minimise) {
-  const SeekDescription seek = seek_of(
+  const SeekDescription seek = read_seek_text(
       "  vary:\n"
       "    - {key: 'supports.stinger.boxes[*].z', within: 300 mm}\n"
       "    - {key: environment.seabed.friction, from: 0.1, to: 1}\n"
@@ -83,12 +84,12 @@ TEST(seek_keys, take_lists_patterns_plain_numbers_and_something_to_minimise) {
 
 TEST(seek_keys, a_key_has_to_be_a_number_of_the_model) {
   const std::string until = "  until: {result: static.lay_back, equals: 300 m}\n";
-  expect_words(complaint("  vary: {key: tensioner.tention, from: 1 kN, to: 2 kN}\n" + until),
-               {"seek.yaml:", "seek.vary.key", "tensioner.tention", "tensioner.tension"});
-  expect_words(complaint("  vary: {key: vessel.name, from: 1 kN, to: 2 kN}\n" + until),
-               {"seek.vary.key", "vessel.name"});
-  expect_words(complaint("  vary: {key: 'supports.stinger.boxes[nobody].z', within: 1 m}\n" + until),
-               {"seek.vary.key", "nobody", "an item that the list has"});
+  expect_arguments(complaint("  vary: {key: tensioner.tention, from: 1 kN, to: 2 kN}\n" + until),
+                   {"seek.yaml:", "seek.vary.key", "tensioner.tention", "tensioner.tension"});
+  expect_arguments(complaint("  vary: {key: vessel.name, from: 1 kN, to: 2 kN}\n" + until),
+                   {"seek.vary.key", "vessel.name"});
+  expect_arguments(complaint("  vary: {key: 'supports.stinger.boxes[unknown].z', within: 1 m}\n" + until),
+                   {"seek.vary.key", "unknown", "an item in the list"});
 }
 
 TEST(seek_keys, may_be_those_of_lines_by_themselves) {
@@ -102,44 +103,46 @@ TEST(seek_keys, may_be_those_of_lines_by_themselves) {
   }
 }
 
-/// Nothing that a goal seek looks at hangs on them.
+/// No result used by a goal seek depends on them.
 TEST(seek_keys, a_key_of_the_operation_is_none_to_vary) {
-  expect_words(complaint("  vary: {key: operation.head.weight_submerged, from: 5 kN, to: 30 kN}\n"
-                         "  until: {result: static.lay_back, equals: 300 m}\n"),
-               {"seek.vary.key", "a goal seek looks at the lay as such"});
+  expect_arguments(complaint("  vary: {key: operation.head.weight_submerged, from: 5 kN, to: 30 kN}\n"
+                             "  until: {result: static.lay_back, equals: 300 m}\n"),
+                   {"seek.vary.key", "a goal seek evaluates the normal lay configuration"});
 }
 
 TEST(seek_keys, bounds_have_the_dimension_and_the_range_of_their_key) {
   const std::string until = "  until: {result: static.lay_back, equals: 300 m}\n";
-  expect_words(complaint("  vary: {key: tensioner.tension, from: 1 m, to: 600 kN}\n" + until),
-               {"seek.vary.from", "a length", "a force"});
-  expect_words(complaint("  vary: {key: environment.water_depth, from: -5 m, to: 60 m}\n" + until),
-               {"seek.vary.from", "-5 m"});
-  expect_words(complaint("  vary: {key: tensioner.tension, from: 600 kN, to: 150 kN}\n" + until),
-               {"seek.vary.to", "more than the lower bound"});
-  expect_words(complaint("  vary: {key: tensioner.tension, from: 600 kN}\n" + until),
-               {"seek.vary", "from and to, or within"});
-  expect_words(complaint("  vary: {key: tensioner.tension, from: 1 kN, to: 2 kN, within: 3 kN}\n" + until),
-               {"bounds given twice"});
+  expect_arguments(complaint("  vary: {key: tensioner.tension, from: 1 m, to: 600 kN}\n" + until),
+                   {"seek.vary.from", "a length", "a force"});
+  expect_arguments(complaint("  vary: {key: environment.water_depth, from: -5 m, to: 60 m}\n" + until),
+                   {"seek.vary.from", "-5 m"});
+  expect_arguments(complaint("  vary: {key: tensioner.tension, from: 600 kN, to: 150 kN}\n" + until),
+                   {"seek.vary.to", "more than the lower bound"});
+  expect_arguments(complaint("  vary: {key: tensioner.tension, from: 600 kN}\n" + until),
+                   {"seek.vary", "from and to, or within"});
+  expect_arguments(complaint("  vary: {key: tensioner.tension, from: 1 kN, to: 2 kN, within: 3 kN}\n" + until),
+                   {"bounds given twice"});
 }
 
 TEST(seek_keys, a_result_has_to_be_one_and_its_value_of_its_dimension) {
   const std::string vary = "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n";
-  expect_words(complaint(vary + "  until: {result: static.sagbend.max_bending_stres, equals: 100 MPa}\n"),
-               {"seek.until.result", "did you mean 'static.sagbend.max_bending_stress'?"});
-  expect_words(complaint(vary + "  until: {result: 'lines[pipe].static.sagbend.max_bending_stres', equals: 1 MPa}\n"),
-               {"seek.until.result", "did you mean 'lines[pipe].static.sagbend.max_bending_stress'?"});
-  expect_words(complaint(vary + "  until: {result: 'stages[2].lines[pipe].static.lay_back', equals: 1 m}\n"),
-               {"seek.until.result", "not at the stages"});
-  expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 100 MPa}\n"),
-               {"seek.until.equals", "a force per area", "a length"});
-  expect_words(complaint(vary + "  until: {result: static.lay_back}\n"), {"one of equals, at_most or at_least"});
-  expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 1 m, at_most: 2 m}\n"),
-               {"several values for the result"});
-  expect_words(complaint(vary), {"seek.until", "a condition on a result"});
-  expect_words(complaint(vary + "  until: {result: 'operation.stages[A].sagbend.max_strain', at_most: 0.2 %}\n"),
-               {"seek.until.result", "a goal seek looks at the lay as such, not at the stages of its operation"});
-  expect_words(complaint(vary + "  minimise: static.lay_bak\n"), {"seek.minimise", "static.lay_back"});
+  expect_arguments(complaint(vary + "  until: {result: static.sagbend.max_bending_stres, equals: 100 MPa}\n"),
+                   {"seek.until.result", "did you mean 'static.sagbend.max_bending_stress'?"});
+  expect_arguments(
+      complaint(vary + "  until: {result: 'lines[pipe].static.sagbend.max_bending_stres', equals: 1 MPa}\n"),
+      {"seek.until.result", "did you mean 'lines[pipe].static.sagbend.max_bending_stress'?"});
+  expect_arguments(complaint(vary + "  until: {result: 'stages[2].lines[pipe].static.lay_back', equals: 1 m}\n"),
+                   {"seek.until.result", "not the stages"});
+  expect_arguments(complaint(vary + "  until: {result: static.lay_back, equals: 100 MPa}\n"),
+                   {"seek.until.equals", "a force per area", "a length"});
+  expect_arguments(complaint(vary + "  until: {result: static.lay_back}\n"), {"one of equals, at_most or at_least"});
+  expect_arguments(complaint(vary + "  until: {result: static.lay_back, equals: 1 m, at_most: 2 m}\n"),
+                   {"several values for the result"});
+  expect_arguments(complaint(vary), {"seek.until", "a condition on a result"});
+  expect_arguments(
+      complaint(vary + "  until: {result: 'operation.stages[A].sagbend.max_strain', at_most: 0.2 %}\n"),
+      {"seek.until.result", "a goal seek evaluates the normal lay configuration, not the stages of its operation"});
+  expect_arguments(complaint(vary + "  minimise: static.lay_bak\n"), {"seek.minimise", "static.lay_back"});
 }
 
 /// A lift of the examples with another goal seek.
@@ -171,23 +174,24 @@ TEST(seek_keys, of_a_lift_are_entries_of_stages_by_index_name_or_pattern) {
 TEST(seek_keys, of_a_lift_name_what_its_stages_have) {
   const std::string vary = "  vary: {key: 'operation.stages[level].lengths.davit 1', from: 3 m, to: 20 m}\n";
   const std::string until = "  until: {result: 'operation.stages[level].lines.pipe.first_end.z', equals: 2 m}\n";
-  expect_words(lift_complaint("  vary: {key: 'operation.stages[levl].lengths.davit 1', from: 3 m, to: 20 m}\n" + until),
-               {"seek.vary.key", "picked up, half way, vessel moved and level"});
-  expect_words(
+  expect_arguments(
+      lift_complaint("  vary: {key: 'operation.stages[levl].lengths.davit 1', from: 3 m, to: 20 m}\n" + until),
+      {"seek.vary.key", "picked up, half way, vessel moved and level"});
+  expect_arguments(
       lift_complaint("  vary: {key: 'operation.stages[level].lengths[winch *]', from: 3 m, to: 20 m}\n" + until),
       {"seek.vary.key", "davit 1, davit 2 and davit 3"});
-  expect_words(
+  expect_arguments(
       lift_complaint(vary + "  until: {result: 'operation.stages[levl].lines.pipe.first_end.z', equals: 2 m}\n"),
       {"seek.until.result", "there is no 'levl'", "picked up, half way, vessel moved and level"});
-  expect_words(
+  expect_arguments(
       lift_complaint(vary + "  until: {result: 'operation.stages[level].davits.davit 9.length', equals: 2 m}\n"),
       {"seek.until.result", "there is no 'davit 9'", "davit 3"});
-  expect_words(lift_complaint(vary + "  until: {result: static.lay_back, equals: 2 m}\n"),
-               {"seek.until.result", "a result of a stage of the operation"});
-  expect_words(
+  expect_arguments(lift_complaint(vary + "  until: {result: static.lay_back, equals: 2 m}\n"),
+                   {"seek.until.result", "a result of a stage of the operation"});
+  expect_arguments(
       lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.w', equals: 2 m}\n"),
       {"seek.until.result", "did you mean 'operation.stages[].lines[].first_end."});
-  expect_words(
+  expect_arguments(
       lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.z', equals: 2 kN}\n"),
       {"seek.until.equals", "a force", "a length"});
 }
@@ -204,8 +208,8 @@ TEST(seek_keys, of_a_pull_name_results_of_its_stages) {
   EXPECT_TRUE(errors("operation.stages[10].tension.winch").empty());
   EXPECT_TRUE(errors("max(operation.stages[*].wire_largest_tension)").empty());
   ASSERT_EQ(errors("static.top_tension").size(), 1U);
-  expect_words(errors("static.top_tension").front(),
-               {"seek.until.result", "operation.stages[0].tension.winch of a pull"});
+  expect_arguments(errors("static.top_tension").front(),
+                   {"seek.until.result", "operation.stages[0].tension.winch of a pull"});
 }
 
 }  // namespace

@@ -60,10 +60,10 @@ schema, instances = json.load(open(sys.argv[1])), json.load(open(sys.argv[2]))
 validator = jsonschema.Draft7Validator
 answers = [""]
 try: validator.check_schema(schema)
-except jsonschema.SchemaError as fault: answers = [fault.message]
+except jsonschema.SchemaError as error: answers = [error.message]
 for instance in instances:
-    faults = sorted(validator(schema).iter_errors(instance), key=str)
-    answers.append(faults[0].message[:300] if faults else "")
+    errors = sorted(validator(schema).iter_errors(instance), key=str)
+    answers.append(errors[0].message[:300] if errors else "")
 json.dump(answers, open(sys.argv[3], "w"))
 )";
   const std::filesystem::path folder =
@@ -104,7 +104,7 @@ TEST(json_schema, judges_the_bad_corpus_as_the_reader_does_where_a_schema_can) {
   const std::vector<std::string> answers = verdicts(instances);
   ASSERT_EQ(answers.size(), instances.size() + 1);
   for (std::size_t i = 0; i < claims.size(); ++i) {
-    EXPECT_NE(answers[i + 1], "") << claims[i] << ": the reader refuses it, the schema does not";
+    EXPECT_NE(answers[i + 1], "") << claims[i] << ": the reader rejects it, the schema does not";
   }
 }
 
@@ -118,7 +118,7 @@ TEST(json_schema, every_row_of_the_table_is_in_it) {
   }
 }
 
-TEST(field_table, every_row_has_words_and_a_unit_that_fits) {
+TEST(field_table, every_row_has_a_label_and_a_unit_that_fits) {
   for (const Field& field : field_table()) {
     EXPECT_FALSE(field.text.empty()) << field.path;
     EXPECT_EQ(field.text.back(), '.') << field.path;

@@ -173,7 +173,7 @@ TEST(yaml_reader, a_file_that_only_dynamics_needs_is_missed_with_a_warning) {
   text.replace(text.find("../data/bgl1/rao.csv"), 20, "nowhere.csv");
   const Description d = read_good(text);
   ASSERT_EQ(d.findings.size(), 1U);
-  const std::string place = "good.yaml:" + std::to_string(testing::line_of(text, "nowhere.csv"));
+  const std::string place = "good.yaml:" + std::to_string(testing::find_line_number(text, "nowhere.csv"));
   EXPECT_NE(messages(d.findings)[0].find(place + ": vessel.motion.raos: the file 'nowhere.csv'"), std::string::npos)
       << messages(d.findings)[0];
 }
@@ -220,9 +220,9 @@ TEST(yaml_reader, seeds_are_a_list_or_how_many) {
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
+  const std::size_t index = text.find(from);
+  EXPECT_NE(index, std::string::npos) << from;
+  return text.replace(index, from.size(), to);
 }
 
 TEST(yaml_reader, contact_in_time_has_options_for_each_kind_of_roller) {
@@ -257,7 +257,7 @@ TEST(yaml_reader, time_steps_can_be_made_finer) {
   EXPECT_FALSE(left_out.dynamics->step_error);
 }
 
-TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_told) {
+TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_reported) {
   const auto warnings = [](const std::string& velocity, const std::string& mode) {
     const Description d = read_good(replaced(kGoodModel, "  velocity: 0.25 m/s\n", velocity + mode));
     return std::ranges::count_if(messages(d.findings),
@@ -271,13 +271,13 @@ TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_told) {
 }
 
 TEST(yaml_reader, what_is_left_out_keeps_the_default_of_the_description) {
-  const std::string least = R"(overbend: 1
+  const std::string min_value = R"(overbend: 1
 environment: {water_depth: 400 m, seabed: {stiffness: 150 kN/m^2}}
 pipe: {steel: {outside_diameter: 0.3239 m, wall_thickness: 0.0206 m, yield_stress: 414 MPa}}
 vessel: {stern_shoe: {x: -60 m, z: 0 m}}
 tensioner: {x: 0 m, z: 15 m, tension: 560 kN}
 )";
-  const Description d = read_good(least);
+  const Description d = read_good(min_value);
   const Description defaults;
   EXPECT_EQ(d.title, "good");
   EXPECT_DOUBLE_EQ(d.environment.water_weight_density, defaults.environment.water_weight_density);
@@ -337,7 +337,7 @@ TEST(yaml_reader, a_tensile_strength_that_no_steel_has_is_warned_of) {
   EXPECT_NE(messages(d.findings)[0].find("pipe.steel.tensile_strength"), std::string::npos);
 }
 
-TEST(yaml_reader, what_is_no_model_file_is_told_plainly) {
+TEST(yaml_reader, what_is_no_model_file_is_reported_plainly) {
   const auto complaint = [](const ModelReading& reading) {
     EXPECT_FALSE(reading.description.has_value());
     EXPECT_EQ(reading.diagnostics.error_count(), 1);

@@ -11,22 +11,22 @@ namespace {
 using testing::Scratch;
 
 /// A study of the small lay.
-StudyReading reading_of(const std::string& text) {
+StudyReading read_test_study(const std::string& text) {
   const Scratch scratch;
   scratch.write("lay.yaml", testing::kSmallLay);
   scratch.write("seas.csv", "hs_m,5,7\n0.25,10,20\n0.75,5,10\n");
   return read_study_text("overbend_study: 1\nbase: lay.yaml\n" + text, scratch.file("study.yaml"));
 }
 
-StudyDescription study_of(const std::string& text) {
-  const StudyReading reading = reading_of(text);
+StudyDescription read_valid_study(const std::string& text) {
+  const StudyReading reading = read_test_study(text);
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
   return reading.study.value_or(StudyDescription{});
 }
 
 /// The one error of a text.
-std::string error_of(const std::string& text) {
-  const std::vector<std::string> lines = reading_of(text).diagnostics.lines(Severity::error);
+std::string first_study_error(const std::string& text) {
+  const std::vector<std::string> lines = read_test_study(text).diagnostics.lines(Severity::error);
   EXPECT_EQ(lines.size(), 1U) << ::testing::PrintToString(lines);
   return lines.empty() ? "" : lines.front();
 }
@@ -35,8 +35,8 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(study_reader, ranges_are_told_by_step_or_by_their_number_of_values) {
-  const StudyDescription study = study_of(
+TEST(study_reader, ranges_are_given_by_step_or_by_their_number_of_values) {
+  const StudyDescription study = read_valid_study(
       "axes:\n"
       "  - {key: environment.waves.from, from: 0 deg, to: 330 deg, step: 30 deg}\n"
       "  - {key: tensioner.tension, from: 200 kN, to: 400 kN, steps: 5}\n"
@@ -49,8 +49,8 @@ TEST(study_reader, ranges_are_told_by_step_or_by_their_number_of_values) {
   EXPECT_EQ(study.axes[2].values[3], "20.7 m");
 }
 
-TEST(study_reader, words_and_items_of_lists_vary_too) {
-  const StudyDescription study = study_of(
+TEST(study_reader, names_and_items_of_lists_vary_too) {
+  const StudyDescription study = read_valid_study(
       "axes:\n"
       "  - {key: environment.waves.type, values: [jonswap, pierson_moskowitz]}\n"
       "  - {key: \"supports.stinger.boxes[*].z\", values: [-4 m, -5 m], with: environment.waves.type}\n");
@@ -58,58 +58,59 @@ TEST(study_reader, words_and_items_of_lists_vary_too) {
   EXPECT_EQ(study.axes[1].with, "environment.waves.type");
 }
 
-TEST(study_reader, an_unknown_key_is_told_with_its_line_and_the_nearest_one) {
-  const std::string line = error_of("axes:\n  - {key: tensioner.tensoin, values: [200 kN]}\n");
+TEST(study_reader, an_unknown_key_is_reported_with_its_line_and_the_nearest_one) {
+  const std::string line = first_study_error("axes:\n  - {key: tensioner.tensoin, values: [200 kN]}\n");
   EXPECT_TRUE(has(line, "study.yaml:4: axes[0].key")) << line;
   EXPECT_TRUE(has(line, "did you mean 'tensioner.tension'?")) << line;
 }
 
 TEST(study_reader, values_are_held_to_unit_and_range_of_the_key) {
-  EXPECT_TRUE(has(error_of("axes:\n  - {key: tensioner.tension, values: [200 kN, 3 m]}\n"), "axes[0].values[1]"));
-  EXPECT_TRUE(has(error_of("axes:\n  - {key: environment.water_depth, values: [-3 m]}\n"), "above 0 m"));
-  EXPECT_TRUE(has(error_of("axes:\n  - {key: environment.waves.type, values: [jonswop]}\n"), "jonswap"));
+  EXPECT_TRUE(
+      has(first_study_error("axes:\n  - {key: tensioner.tension, values: [200 kN, 3 m]}\n"), "axes[0].values[1]"));
+  EXPECT_TRUE(has(first_study_error("axes:\n  - {key: environment.water_depth, values: [-3 m]}\n"), "above 0 m"));
+  EXPECT_TRUE(has(first_study_error("axes:\n  - {key: environment.waves.type, values: [jonswop]}\n"), "jonswap"));
 }
 
-TEST(study_reader, items_that_a_list_does_not_have_are_refused) {
-  const std::string line = error_of("axes:\n  - {key: \"supports.stinger.boxes[7].z\", values: [-4 m]}\n");
-  EXPECT_TRUE(has(line, "an item that the list has")) << line;
+TEST(study_reader, items_that_a_list_does_not_have_are_rejected) {
+  const std::string line = first_study_error("axes:\n  - {key: \"supports.stinger.boxes[7].z\", values: [-4 m]}\n");
+  EXPECT_TRUE(has(line, "an item in the list")) << line;
 }
 
 TEST(study_reader, the_radius_of_listed_boxes_is_no_key_to_vary) {
   for (const char* structure : {"ramp", "stinger"}) {
     const std::string key = std::string("supports.") + structure + ".radius";
-    const std::string line = error_of("axes:\n  - {key: " + key + ", values: [100 m, 150 m]}\n");
+    const std::string line = first_study_error("axes:\n  - {key: " + key + ", values: [100 m, 150 m]}\n");
     EXPECT_TRUE(has(line, "study.yaml:4: axes[0].key: found '" + key + "' of listed boxes")) << line;
     EXPECT_TRUE(has(line, "replace the list by a row of boxes")) << line;
   }
 }
 
 TEST(study_reader, axes_that_change_together_have_as_many_values) {
-  const std::string line = error_of(
+  const std::string line = first_study_error(
       "axes:\n"
       "  - {key: tensioner.tension, values: [200 kN, 250 kN]}\n"
       "  - {key: environment.water_depth, values: [20 m, 21 m, 22 m], with: tensioner.tension}\n");
   EXPECT_TRUE(has(line, "found 3 values, expected as many as tensioner.tension has, 2")) << line;
 }
 
-TEST(study_reader, axes_that_change_together_in_a_ring_are_refused) {
+TEST(study_reader, axes_that_change_together_in_a_ring_are_rejected) {
   const std::string text =
       "axes:\n"
       "  - {key: tensioner.tension, values: [200 kN], with: environment.water_depth}\n"
       "  - {key: environment.water_depth, values: [20 m], with: tensioner.tension}\n";
-  EXPECT_FALSE(reading_of(text).study);
+  EXPECT_FALSE(read_test_study(text).study);
 }
 
 TEST(study_reader, a_key_is_set_once) {
-  const std::string line = error_of(
+  const std::string line = first_study_error(
       "axes:\n"
       "  - {key: \"supports.stinger.boxes[0].z\", values: [-4 m]}\n"
       "  - {key: \"supports.stinger.boxes[*].z\", values: [-4 m]}\n");
   EXPECT_TRUE(has(line, "which is set twice")) << line;
 }
 
-TEST(study_reader, an_absurd_number_of_cases_is_refused_with_the_arithmetic) {
-  const std::string line = error_of(
+TEST(study_reader, an_absurd_number_of_cases_is_rejected_with_the_arithmetic) {
+  const std::string line = first_study_error(
       "axes:\n"
       "  - {key: tensioner.tension, from: 200 kN, to: 400 kN, steps: 2001}\n"
       "  - {key: environment.water_depth, from: 20 m, to: 30 m, steps: 1001}\n");
@@ -117,7 +118,7 @@ TEST(study_reader, an_absurd_number_of_cases_is_refused_with_the_arithmetic) {
 }
 
 TEST(study_reader, a_sample_knows_the_parameters_of_its_distributions) {
-  const StudyDescription study = study_of(
+  const StudyDescription study = read_valid_study(
       "sample:\n"
       "  count: 20\n"
       "  keys:\n"
@@ -127,25 +128,29 @@ TEST(study_reader, a_sample_knows_the_parameters_of_its_distributions) {
   EXPECT_EQ(study.sample->keys[0].mean, 300e3);
   EXPECT_TRUE(study.sample->keys[0].bounded);
   EXPECT_EQ(study.sample->keys[1].to, 21.0);
-  EXPECT_TRUE(has(error_of("sample: {count: 2, keys: {tensioner.tension: {distribution: normal, mean: 300 kN}}}\n"),
-                  "sample.keys.tensioner.tension.std"));
-  EXPECT_TRUE(has(error_of("sample: {count: 2, keys: {tensioner.tension: {from: 1 kN, to: 2 kN, mode: 1 kN}}}\n"),
-                  "no such parameter of a uniform distribution"));
+  EXPECT_TRUE(
+      has(first_study_error("sample: {count: 2, keys: {tensioner.tension: {distribution: normal, mean: 300 kN}}}\n"),
+          "sample.keys.tensioner.tension.std"));
+  EXPECT_TRUE(
+      has(first_study_error("sample: {count: 2, keys: {tensioner.tension: {from: 1 kN, to: 2 kN, mode: 1 kN}}}\n"),
+          "no such parameter of a uniform distribution"));
 }
 
 TEST(study_reader, results_are_those_of_the_analysis) {
   const std::string axis = "axes: [{key: tensioner.tension, values: [300 kN]}]\n";
-  EXPECT_EQ(study_of(axis + "gather: [static.top_tension, \"max(static.supports[*].reaction)\"]\n").gather.size(), 2U);
-  const std::string dynamic = "analysis: dynamic\ngather: [dynamic.top_tension.max, dynamic.overbend.max_von_mises]\n";
-  EXPECT_EQ(study_of(axis + dynamic).gather.size(), 2U);
-  EXPECT_TRUE(has(error_of(axis + "gather: [static.top_tensoin]\n"), "did you mean 'static.top_tension'?"));
   EXPECT_EQ(
-      study_of(axis + "gather: ['lines[pipe].static.top_tension', 'max(supports[*].static.reaction)']\n").gather.size(),
+      read_valid_study(axis + "gather: [static.top_tension, \"max(static.supports[*].reaction)\"]\n").gather.size(),
       2U);
-  EXPECT_TRUE(has(error_of(axis + "gather: ['lines[pipe].static.top_tensoin']\n"),
+  const std::string dynamic = "analysis: dynamic\ngather: [dynamic.top_tension.max, dynamic.overbend.max_von_mises]\n";
+  EXPECT_EQ(read_valid_study(axis + dynamic).gather.size(), 2U);
+  EXPECT_TRUE(has(first_study_error(axis + "gather: [static.top_tensoin]\n"), "did you mean 'static.top_tension'?"));
+  EXPECT_EQ(read_valid_study(axis + "gather: ['lines[pipe].static.top_tension', 'max(supports[*].static.reaction)']\n")
+                .gather.size(),
+            2U);
+  EXPECT_TRUE(has(first_study_error(axis + "gather: ['lines[pipe].static.top_tensoin']\n"),
                   "did you mean 'lines[pipe].static.top_tension'?"));
-  EXPECT_TRUE(has(error_of(axis + "gather: ['lines[pipe].dynamic.top_tension.max']\n"), "static analysis"));
-  EXPECT_TRUE(has(error_of(axis + "gather: [dynamic.top_tension.max]\n"), "static analysis"));
+  EXPECT_TRUE(has(first_study_error(axis + "gather: ['lines[pipe].dynamic.top_tension.max']\n"), "static analysis"));
+  EXPECT_TRUE(has(first_study_error(axis + "gather: [dynamic.top_tension.max]\n"), "static analysis"));
 }
 
 TEST(study_reader, a_goal_seek_of_several_keys_has_no_single_slope) {
@@ -164,17 +169,18 @@ TEST(study_reader, a_goal_seek_of_several_keys_has_no_single_slope) {
   const std::string tension = "{key: tensioner.tension, from: 250 kN, to: 400 kN}";
   EXPECT_EQ(error(tension), "");
   EXPECT_TRUE(has(error("[" + tension + ", {key: environment.seabed.friction, from: 0.1, to: 0.5}]"),
-                  "of several keys there is no single slope"));
+                  "a slope is defined for a single key only"));
 }
 
 TEST(study_reader, seeds_are_a_number_or_a_list) {
-  EXPECT_EQ(study_of("analysis: dynamic\nseeds: 3\n").seeds, (std::vector<std::uint64_t>{1, 2, 3}));
-  EXPECT_EQ(study_of("analysis: dynamic\nseeds: [7, 9]\n").seeds, (std::vector<std::uint64_t>{7, 9}));
-  EXPECT_TRUE(has(error_of("axes: [{key: tensioner.tension, values: [300 kN]}]\nseeds: 3\n"), "analysis: dynamic"));
+  EXPECT_EQ(read_valid_study("analysis: dynamic\nseeds: 3\n").seeds, (std::vector<std::uint64_t>{1, 2, 3}));
+  EXPECT_EQ(read_valid_study("analysis: dynamic\nseeds: [7, 9]\n").seeds, (std::vector<std::uint64_t>{7, 9}));
+  EXPECT_TRUE(
+      has(first_study_error("axes: [{key: tensioner.tension, values: [300 kN]}]\nseeds: 3\n"), "analysis: dynamic"));
 }
 
 TEST(study_reader, operability_reads_its_criterion_and_resolution) {
-  const StudyDescription study = study_of(
+  const StudyDescription study = read_valid_study(
       "analysis: dynamic\n"
       "axes: [{key: environment.waves.hs, values: [0.5 m, 3 m]}]\n"
       "operability:\n"
@@ -190,23 +196,23 @@ TEST(study_reader, operability_reads_its_criterion_and_resolution) {
   EXPECT_TRUE(study.operability->scatter_file.ends_with("seas.csv"));
   ASSERT_TRUE(study.operability->scatter);
   EXPECT_EQ(study.operability->scatter->seas.size(), 4U);
-  EXPECT_TRUE(has(error_of("analysis: dynamic\naxes: [{key: environment.waves.tp, values: [6 s, 8 s]}]\n"
-                           "operability: {over: environment.waves.hs}\n"),
+  EXPECT_TRUE(has(first_study_error("analysis: dynamic\naxes: [{key: environment.waves.tp, values: [6 s, 8 s]}]\n"
+                                    "operability: {over: environment.waves.hs}\n"),
                   "the key of an axis"));
 }
 
 TEST(study_reader, limits_are_found_to_a_quarter_metre_or_a_hundredth_of_the_range) {
-  EXPECT_EQ(study_of("axes: [{key: environment.water_depth, values: [15 m, 30 m]}]\n"
-                     "operability: {over: environment.water_depth}\n")
+  EXPECT_EQ(read_valid_study("axes: [{key: environment.water_depth, values: [15 m, 30 m]}]\n"
+                             "operability: {over: environment.water_depth}\n")
                 .operability->resolution,
             0.25);
-  EXPECT_DOUBLE_EQ(study_of("axes: [{key: tensioner.tension, values: [40 kN, 60 kN, 50 kN]}]\n"
-                            "operability: {over: tensioner.tension}\n")
+  EXPECT_DOUBLE_EQ(read_valid_study("axes: [{key: tensioner.tension, values: [40 kN, 60 kN, 50 kN]}]\n"
+                                    "operability: {over: tensioner.tension}\n")
                        .operability->resolution,
                    200.0);
 }
 
-TEST(study_reader, faults_of_the_base_model_are_told_at_its_own_lines) {
+TEST(study_reader, errors_of_the_base_model_are_reported_at_its_own_lines) {
   const Scratch scratch;
   scratch.write("lay.yaml", testing::with(testing::kSmallLay, "water_depth: 20 m", "water_depth: 20"));
   const StudyReading reading =

@@ -11,7 +11,7 @@ const char* const kModel =
     "  seabed: {bathymetry: data/bed.csv}\n"
     "  waves: {type: user, spectrum_file: /srv/sea/storm.csv}\n";
 
-TEST(moved_text, files_beside_the_model_are_named_from_the_other_folder) {
+TEST(moved_text, files_next_to_the_model_are_named_from_the_other_folder) {
   const std::string text = moved_text(kModel, "/srv/lay/model.yaml", "/srv/results/one");
   EXPECT_NE(text.find("bathymetry: ../../lay/data/bed.csv"), std::string::npos) << text;
 }

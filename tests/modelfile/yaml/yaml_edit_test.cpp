@@ -34,9 +34,9 @@ empty:
 last: end of it
 )";
 
-std::string with(const std::string& old, const std::string& now) {
+std::string with(const std::string& old, const std::string& new_text) {
   std::string text = kText;
-  return text.replace(text.find(old), old.size(), now);
+  return text.replace(text.find(old), old.size(), new_text);
 }
 
 TEST(yaml_edit, a_value_is_replaced_where_it_stands) {
@@ -53,8 +53,8 @@ TEST(yaml_edit, a_value_is_replaced_where_it_stands) {
 TEST(yaml_edit, a_quoted_value_gives_way_to_one_with_quotation_marks_or_backslashes) {
   for (const std::string value : {"12\" pipe", "it's \"x\"", "a\\b", "\"x\": y"}) {
     for (const std::string before : {"t: \"yes\"   # kept\n", "t: 'yes'   # kept\n"}) {
-      const std::string now = set(before, "t", value);
-      EXPECT_NE(now.find("   # kept"), std::string::npos) << now;
+      const std::string new_text = set(before, "t", value);
+      EXPECT_NE(new_text.find("   # kept"), std::string::npos) << new_text;
     }
   }
   EXPECT_EQ(set("t: \"yes\"\n", "t", "12\" pipe"), "t: 12\" pipe\n");
@@ -96,7 +96,7 @@ TEST(yaml_edit, a_list_grows_at_its_end_only) {
   EXPECT_EQ(edit_yaml(kText, {{"list[2]", Kind::flow, "{x: 5, y: 6}"}}), with("y: 4}\n", "y: 4}\n- {x: 5, y: 6}\n"));
   EXPECT_EQ(set(kText, "b.d.f[2]", "3"), with("[1, 2]", "[1, 2, 3]"));
   EXPECT_EQ(set(kText, "list[2].x", "5"), with("y: 4}\n", "y: 4}\n- {x: 5}\n"));
-  EXPECT_THROW(set(kText, "list[3].x", "5"), YamlEditFault);
+  EXPECT_THROW(set(kText, "list[3].x", "5"), YamlEditError);
 }
 
 TEST(yaml_edit, a_group_gives_way_to_a_word_and_back) {
@@ -120,7 +120,7 @@ TEST(yaml_edit, a_key_is_removed_with_its_line) {
 TEST(yaml_edit, a_group_that_loses_its_last_key_goes_with_it) {
   EXPECT_EQ(removed("a: 1\nb:\n  c:\n    d: 1\n", "b.c.d"), "a: 1\n");
   EXPECT_EQ(removed("a: 1\nb: {c: {d: 1}}\n", "b.c.d"), "a: 1\n");
-  EXPECT_THROW(removed("a: 1\n", "a"), YamlEditFault);
+  EXPECT_THROW(removed("a: 1\n", "a"), YamlEditError);
 }
 
 TEST(yaml_edit, names_may_hold_blanks_and_points) {
@@ -137,10 +137,10 @@ TEST(yaml_edit, letters_beyond_ascii_do_not_shift_places) {
 }
 
 TEST(yaml_edit, what_it_does_not_understand_it_leaves_and_says_so) {
-  EXPECT_THROW(set("a: |\n  text\n  more\nb: 1\n", "a", "2"), YamlEditFault);
-  EXPECT_THROW(set("a: [1\n", "a", "2"), YamlEditFault);
-  EXPECT_THROW(set("a: 1\n", "a[0][1]", "2"), YamlEditFault);
-  EXPECT_THROW(set("", "a", "2"), YamlEditFault);
+  EXPECT_THROW(set("a: |\n  text\n  more\nb: 1\n", "a", "2"), YamlEditError);
+  EXPECT_THROW(set("a: [1\n", "a", "2"), YamlEditError);
+  EXPECT_THROW(set("a: 1\n", "a[0][1]", "2"), YamlEditError);
+  EXPECT_THROW(set("", "a", "2"), YamlEditError);
 }
 
 TEST(yaml_edit, every_value_of_the_example_can_be_set_and_reads_the_same) {
@@ -156,8 +156,8 @@ TEST(yaml_edit, every_value_of_the_example_can_be_set_and_reads_the_same) {
 }
 
 TEST(yaml_edit, a_tree_takes_the_same_simple_changes_as_the_text) {
-  Diagnostics faults;
-  YamlNode root = *parse_yaml(kText, "", faults);
+  Diagnostics errors;
+  YamlNode root = *parse_yaml(kText, "", errors);
   ASSERT_TRUE(edit_tree(
       root, {{"b.d.e", Kind::scalar, "4 m"}, {"list[1].y", Kind::scalar, "9"}, {"b.new", Kind::scalar, "5"}}));
   EXPECT_EQ(root.entries[1].value.entries[1].value.entries[0].value.text, "4 m");
@@ -168,14 +168,14 @@ TEST(yaml_edit, a_tree_takes_the_same_simple_changes_as_the_text) {
   EXPECT_FALSE(edit_tree(root, {{"a", Kind::remove, ""}}));
 }
 
-TEST(yaml_edit, a_path_deeper_than_any_key_is_refused_shortly) {
+TEST(yaml_edit, a_path_deeper_than_any_key_is_rejected_shortly) {
   std::string path = "a";
   for (int i = 0; i < 30000; ++i) path += ".a";
   try {
     edit_yaml("b: 1\n", {{path, YamlChange::Kind::scalar, "2"}});
     FAIL() << "accepted";
-  } catch (const YamlEditFault& fault) {
-    EXPECT_LT(std::string(fault.what()).size(), 200U);
+  } catch (const YamlEditError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 200U);
   }
   YamlNode root;
   root.kind = YamlNode::Kind::map;

@@ -30,8 +30,8 @@ TEST(hull_section, shows_what_the_uncertain_drag_coefficient_decides_of_the_curr
     EXPECT_NE(section.find(force), std::string::npos) << force;
   }
   HullResults table = synthetic_hull();
-  table.current_least = table.current_most = 0.0;
-  EXPECT_EQ(shown_text(hull_section(table)).find("drag coefficient decides"), std::string::npos);
+  table.min_current_force = table.max_current_force = 0.0;
+  EXPECT_EQ(shown_text(hull_section(table)).find("effect of the drag coefficient"), std::string::npos);
 }
 
 TEST(hull_section, has_the_fit_entry_by_entry_and_the_least_eigenvalue_of_each_group) {

@@ -33,7 +33,7 @@ TEST(moored_dynamics_section, shows_slow_and_wave_parts_and_the_most_probable_la
   EXPECT_EQ(std::ranges::count(blocks.json()[0]["body"], "figure", [](const Json& b) { return b["kind"]; }), 3);
 }
 
-TEST(moored_dynamics_section, shows_what_dynamic_positioning_gave_and_marks_a_limit_that_was_reached) {
+TEST(moored_dynamics_section, shows_what_dynamic_positioning_supplied_and_marks_a_limit_that_was_reached) {
   DynamicResults results = moored();
   EXPECT_EQ(shown_text(moored_dynamics_section(results)).find("Dynamic positioning"), std::string::npos);
   results.thrust = {{"surge", {-120e3, 800e3, 310e3, 95e3}, 941e3, 800e3, 12.3},
@@ -51,22 +51,22 @@ TEST(moored_dynamics_section, lists_events_and_what_a_brake_let_out_only_where_t
   DynamicResults results = moored();
   const std::string section = shown_text(moored_dynamics_section(results));
   EXPECT_NE(section.find("\n1234.5 | starboard forward breast | brake renders\n"), std::string::npos);
-  EXPECT_NE(section.find("Brake let out"), std::string::npos);
+  EXPECT_NE(section.find("Brake rendered"), std::string::npos);
   results.moorings[6].events.clear();
   results.moorings[6].brake_rendered = 0.0;
   const std::string calm = shown_text(moored_dynamics_section(results));
   EXPECT_EQ(calm.find("Events of the mooring lines"), std::string::npos);
-  EXPECT_EQ(calm.find("Brake let out"), std::string::npos);
+  EXPECT_EQ(calm.find("Brake rendered"), std::string::npos);
 }
 
 TEST(moored_dynamics_section, is_empty_for_a_run_with_a_prescribed_motion) {
   EXPECT_TRUE(moored_dynamics_section(DynamicResults{}).empty());
 }
 
-TEST(mooring_histories, hold_the_slow_part_beside_the_whole_motion_and_every_line) {
+TEST(mooring_histories, hold_the_slow_part_in_addition_to_the_whole_motion_and_every_line) {
   const Json all = mooring_history_data(moored());
   ASSERT_EQ(all.size(), 11u);
-  EXPECT_EQ(all[1]["title"], "Sway from as drawn");
+  EXPECT_EQ(all[1]["title"], "Sway from the nominal pose");
   EXPECT_EQ(all[1]["slow"]["low"].size(), all[1]["low"].size());
   EXPECT_EQ(all[2]["unit"], "deg");
   EXPECT_EQ(all[3]["group"], "moorings");

@@ -93,11 +93,11 @@ TEST(operation_section, of_a_pull_ahead_with_a_pipe_has_what_the_pipe_bears_plac
   MooringResults results = synthetic_pull_ahead();
   const std::string laid = shown_text(operation_section(results));
   EXPECT_NE(laid.find("\n12.00 | 259.6 | 0.0 | 287.6 | 0.1400 | 145.2 |"), std::string::npos) << laid;
-  EXPECT_NE(laid.find("# Lengths and tensions at 25 places"), std::string::npos);
+  EXPECT_NE(laid.find("# Lengths and tensions at 25 positions"), std::string::npos);
   for (MoveStep& step : results.steps) step.pipe.reset();
   const Blocks bare = operation_section(results);
   EXPECT_EQ(figure_parts(bare).find("move_pipe"), std::string::npos);
-  EXPECT_EQ(shown_text(bare).find("The pipe at the places"), std::string::npos);
+  EXPECT_EQ(shown_text(bare).find("The pipe at the positions"), std::string::npos);
 }
 
 TEST(operation_section, lists_the_anchors_that_are_due_though_there_are_no_stages) {

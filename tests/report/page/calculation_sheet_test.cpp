@@ -21,9 +21,9 @@ std::vector<SheetLine> short_sheet() {
 }
 
 TEST(formula_text, numbers_stand_with_their_units_in_place_of_symbols) {
-  EXPECT_EQ(numbers_put_in(short_sheet(), 2),
+  EXPECT_EQ(substituted_formula(short_sheet(), 2),
             "430\u00a0MPa \u00b7 (2 \u00b7 11.1\u00a0mm)^2 \u00b7 11.1\u00a0mm/sqrt(3)");
-  EXPECT_EQ(numbers_put_in(short_sheet(), 0), "");
+  EXPECT_EQ(substituted_formula(short_sheet(), 0), "");
 }
 
 TEST(formula_text, values_have_six_digits_and_no_exponent_where_that_can_be) {

@@ -15,7 +15,7 @@ namespace {
 using testing::bgl1;
 using testing::section_text;
 
-CheckRow check_of(const char* name, CheckRegion region, CheckStatus status, double utilisation) {
+CheckRow make_check_row(const char* name, CheckRegion region, CheckStatus status, double utilisation) {
   CheckRow row;
   row.name = name;
   row.code = "DNV-ST-F101 (2021)";
@@ -25,14 +25,14 @@ CheckRow check_of(const char* name, CheckRegion region, CheckStatus status, doub
   return row;
 }
 
-CheckTable table_of(const std::vector<CheckRow>& rows) {
+CheckTable make_row_table(const std::vector<CheckRow>& rows) {
   CheckTable table;
   table.rows = rows;
   return table;
 }
 
-std::string words_of(const std::vector<CheckRow>& rows, const Findings& findings = {}) {
-  return make_verdict(table_of(rows), findings).words;
+std::string enum_names(const std::vector<CheckRow>& rows, const Findings& findings = {}) {
+  return make_verdict(make_row_table(rows), findings).headline;
 }
 
 std::vector<std::string> bar_titles(const Json& front) {
@@ -42,56 +42,57 @@ std::vector<std::string> bar_titles(const Json& front) {
 }
 
 TEST(verdict, is_passed_where_nothing_governing_is_exceeded) {
-  CheckRow information = check_of("Propagation of a buckle", CheckRegion::line, CheckStatus::exceeded, 1.8);
+  CheckRow information = make_check_row("Propagation of a buckle", CheckRegion::line, CheckStatus::exceeded, 1.8);
   information.governing = false;
-  const CheckRow passed = check_of("Equivalent stress, 0.87 f_y", CheckRegion::sagbend, CheckStatus::passed, 0.4);
-  EXPECT_EQ(words_of({information, passed}), "PASSED");
+  const CheckRow passed = make_check_row("Equivalent stress, 0.87 f_y", CheckRegion::sagbend, CheckStatus::passed, 0.4);
+  EXPECT_EQ(enum_names({information, passed}), "PASSED");
 }
 
 TEST(verdict, names_the_exceeded_check_that_is_used_most_and_how_much) {
-  const CheckRow tip = check_of("Clearance at the stinger tip", CheckRegion::line, CheckStatus::exceeded, 1.4321);
+  const CheckRow tip = make_check_row("Clearance at the stinger tip", CheckRegion::line, CheckStatus::exceeded, 1.4321);
   const CheckRow strain =
-      check_of("Laying criterion I, static strain", CheckRegion::overbend, CheckStatus::exceeded, 1.1);
-  EXPECT_EQ(words_of({strain, tip}), "EXCEEDED 1.43, clearance at the stinger tip");
-  EXPECT_EQ(words_of({strain}), "EXCEEDED 1.10, laying criterion I, static strain, overbend");
-  EXPECT_NE(make_verdict(table_of({strain, tip}), {}).because.find("2 governing checks are exceeded."),
+      make_check_row("Laying criterion I, static strain", CheckRegion::overbend, CheckStatus::exceeded, 1.1);
+  EXPECT_EQ(enum_names({strain, tip}), "EXCEEDED 1.43, clearance at the stinger tip");
+  EXPECT_EQ(enum_names({strain}), "EXCEEDED 1.10, laying criterion I, static strain, overbend");
+  EXPECT_NE(make_verdict(make_row_table({strain, tip}), {}).because.find("2 governing checks are exceeded."),
             std::string::npos);
 }
 
 TEST(verdict, an_exceeded_check_is_never_rounded_to_one) {
-  EXPECT_EQ(words_of({check_of("Roller force", CheckRegion::line, CheckStatus::exceeded, 1.0004)}),
+  EXPECT_EQ(enum_names({make_check_row("Roller force", CheckRegion::line, CheckStatus::exceeded, 1.0004)}),
             "EXCEEDED 1.0004, roller force");
 }
 
 TEST(verdict, what_was_not_judged_and_serious_findings_are_reservations) {
-  const CheckRow passed = check_of("Equivalent stress", CheckRegion::sagbend, CheckStatus::passed, 0.4);
-  const CheckRow outside = check_of("Local buckling", CheckRegion::overbend, CheckStatus::outside_validity, 0.0);
-  EXPECT_EQ(words_of({passed, outside}, unjudged_checks(table_of({outside}))),
+  const CheckRow passed = make_check_row("Equivalent stress", CheckRegion::sagbend, CheckStatus::passed, 0.4);
+  const CheckRow outside = make_check_row("Local buckling", CheckRegion::overbend, CheckStatus::outside_validity, 0.0);
+  EXPECT_EQ(enum_names({passed, outside}, find_invalid_checks(make_row_table({outside}))),
             "PASSED WITH RESERVATIONS: 1 serious finding: check-not-judged");
   Findings findings = {{FindingCode::compression, "compression"}, {FindingCode::pipe_off_rollers, "off"}};
-  EXPECT_EQ(words_of({passed}, findings),
+  EXPECT_EQ(enum_names({passed}, findings),
             "PASSED WITH RESERVATIONS: 2 serious findings: compression, pipe-off-rollers");
-  EXPECT_EQ(words_of({passed}, {{FindingCode::free_spans, "spans"}}), "PASSED");
+  EXPECT_EQ(enum_names({passed}, {{FindingCode::free_spans, "spans"}}), "PASSED");
   accept(findings, {"compression", "pipe-off-rollers"});
-  EXPECT_EQ(words_of({passed}, findings), "PASSED");
+  EXPECT_EQ(enum_names({passed}, findings), "PASSED");
 }
 
 TEST(verdict, without_any_judged_check_nothing_is_claimed) {
-  EXPECT_EQ(words_of({}), "NOT JUDGED");
-  EXPECT_EQ(words_of({check_of("Laying criterion II", CheckRegion::overbend, CheckStatus::not_done, 0.0)}),
+  EXPECT_EQ(enum_names({}), "NOT JUDGED");
+  EXPECT_EQ(enum_names({make_check_row("Laying criterion II", CheckRegion::overbend, CheckStatus::not_done, 0.0)}),
             "NOT JUDGED");
 }
 
 TEST(front_page, a_line_that_is_used_most_does_not_hide_the_equipment) {
   CheckTable checks;
-  CheckRow anchor = check_of("Anchor, holding power over safety factor", CheckRegion::line, CheckStatus::passed, 0.9);
+  CheckRow anchor =
+      make_check_row("Anchor, holding power over safety factor", CheckRegion::line, CheckStatus::passed, 0.9);
   anchor.id = "anchor_load";
-  checks.rows = {anchor, check_of("Roller force", CheckRegion::line, CheckStatus::passed, 0.4)};
+  checks.rows = {anchor, make_check_row("Roller force", CheckRegion::line, CheckStatus::passed, 0.4)};
   const std::vector<std::string> titles = bar_titles(front_page(FrontPage{}, bgl1().results, checks));
   EXPECT_EQ(titles, (std::vector<std::string>{"Line and equipment", "Anchors"}));
 }
 
-/// Whether the sentences begin with these words, one by one.
+/// True if the sentences begin with these words, one by one.
 void expect_beginnings(const std::vector<std::string>& sentences, const std::vector<std::string>& beginnings) {
   ASSERT_EQ(sentences.size(), beginnings.size());
   for (std::size_t i = 0; i < sentences.size(); ++i) {
@@ -160,7 +161,7 @@ TEST(front_page, what_only_a_checker_reads_stands_in_the_appendix) {
   EXPECT_EQ(appendices, (std::vector<std::string>{"rollers", "calculation-sheet", "check-inputs", "balance", "model"}));
 }
 
-TEST(lay_setting, tells_of_every_box_how_it_is_set_and_what_that_makes_it_carry) {
+TEST(lay_setting, reports_for_every_box_how_it_is_set_and_what_that_makes_it_carry) {
   const Document document = report_document(bgl1().results, bgl1().model_text);
   const std::vector<std::string> ids = testing::section_ids(document);
   EXPECT_LT(std::ranges::find(ids, "lay-setting"), std::ranges::find(ids, "checks"));
@@ -168,7 +169,7 @@ TEST(lay_setting, tells_of_every_box_how_it_is_set_and_what_that_makes_it_carry)
   EXPECT_EQ(testing::row_count(body), bgl1().results.supports.size());
   Json table = body[0];
   table["rows"] = {table["rows"].back()};
-  const std::string last = testing::table_words(table);
+  const std::string last = testing::table_as_text(table);
   EXPECT_NE(last.find("412"), std::string::npos) << last;
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 #include "report/synthetic_operation.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
@@ -14,8 +14,9 @@ namespace {
 using testing::synthetic_abandonment;
 
 const HoldPoint* named(const std::vector<HoldPoint>& points, const std::string& what) {
-  const auto at = std::find_if(points.begin(), points.end(), [&](const HoldPoint& one) { return one.what == what; });
-  return at == points.end() ? nullptr : &*at;
+  const auto sample =
+      std::find_if(points.begin(), points.end(), [&](const HoldPoint& hold_point) { return hold_point.what == what; });
+  return sample == points.end() ? nullptr : &*sample;
 }
 
 TEST(hold_points, are_where_the_head_crosses_between_two_stages) {
@@ -26,7 +27,7 @@ TEST(hold_points, are_where_the_head_crosses_between_two_stages) {
   const StageResult &before = results.stages[water->stage - 1], &after = results.stages[water->stage];
   EXPECT_GT(before.lay->head->p_W.z(), 0.0);
   EXPECT_LT(after.lay->head->p_W.z(), 0.0);
-  // Linear between the two: at the length out that is told, the interpolated height of the head is zero.
+  // Linear between the two: at the reported length out, the interpolated height of the head is zero.
   const double share = (*water->out - *before.stage.cable_out) / (*after.stage.cable_out - *before.stage.cable_out);
   EXPECT_NEAR((1.0 - share) * before.lay->head->p_W.z() + share * after.lay->head->p_W.z(), 0.0, 1e-9);
 }
@@ -42,10 +43,10 @@ TEST(hold_points, of_abandonment_read_backwards_are_those_of_recovery) {
       {"the head leaves the stinger tip", "the head comes to the stinger tip"},
       {"the head goes under water", "the head comes out of the water"}};
   for (const auto& [out, back] : pairs) {
-    const HoldPoint *there = named(down, out), *again = named(up, back);
-    ASSERT_TRUE(there != nullptr && again != nullptr) << out;
-    EXPECT_NEAR(*there->out, *again->out, 1e-9) << out;
-    EXPECT_EQ(there->stage + again->stage, results.stages.size()) << out;
+    const HoldPoint *hold_point = named(down, out), *again = named(up, back);
+    ASSERT_TRUE(hold_point != nullptr && again != nullptr) << out;
+    EXPECT_NEAR(*hold_point->out, *again->out, 1e-9) << out;
+    EXPECT_EQ(hold_point->stage + again->stage, results.stages.size()) << out;
   }
 }
 
@@ -79,12 +80,12 @@ TEST(hold_points, hardest_stage_is_that_of_the_largest_check_or_cable) {
   cable.status = CheckStatus::exceeded;
   cable.utilisation = 7.5;
   results.stages[2].lay->checks.rows.push_back(cable);
-  EXPECT_EQ(hardest_stage(results), 2u);
-  EXPECT_NE(largest_use(results.stages[2])->what.find("cable"), std::string::npos);
+  EXPECT_EQ(find_governing_stage_index(results), 2u);
+  EXPECT_NE(find_max_utilisation(results.stages[2])->what.find("cable"), std::string::npos);
   results.stages[4].lay->checks.rows.front().governing = true;
   results.stages[4].lay->checks.rows.front().status = CheckStatus::exceeded;
   results.stages[4].lay->checks.rows.front().utilisation = 8.0;
-  EXPECT_EQ(hardest_stage(results), 4u);
+  EXPECT_EQ(find_governing_stage_index(results), 4u);
 }
 
 }  // namespace

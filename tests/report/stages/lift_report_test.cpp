@@ -25,7 +25,7 @@ const OperationResults& solved() {
   return kResults;
 }
 
-/// What its first figure draws.
+/// Content of its first figure.
 Json side_view(const OperationResults& results) {
   const Document document = operation_report_document(results, described().source_text);
   for (const Json& block : testing::section_body(document, "stages")) {

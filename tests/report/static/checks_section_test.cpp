@@ -16,7 +16,7 @@ std::string section_text(const CheckTable& table) {
   return testing::shown_text(checks_section(bgl1().results, table));
 }
 
-TEST(checks_section, tells_every_check_with_its_code) {
+TEST(checks_section, reports_every_check_with_its_code) {
   const CheckTable& table = bgl1().results.checks;
   const std::string text = section_text(table);
   for (const CheckRow& row : table.rows) {

@@ -22,15 +22,15 @@ TEST(friction_section, says_what_the_seabed_and_the_supports_carry_and_to_which_
   results.route->side_load_supports = 43.28e3;
   results.route->laid_offset = 11.104;
   const std::string text = testing::shown_text(friction_section(results));
-  expect_parts(text, {"What friction decides", "Touchdown beside the route [m] | 11.10 to port",
+  expect_parts(text, {"Effect of roller friction", "Touchdown offset from the route [m] | 11.10 to port",
                       "Side load on the seabed [kN] | 7.42 to starboard", " | 43.28 to port"});
-  EXPECT_EQ(text.find("Smallest radius"), std::string::npos);
+  EXPECT_EQ(text.find("Minimum radius"), std::string::npos);
 }
 
 TEST(friction_section, says_whether_a_bend_holds) {
   StaticResults results;
   results.route = RouteResults{800.0, 1116.0, false, 5.06, 582.8, 408.8, 0.0, 0.0, 0.0};
-  expect_parts(testing::shown_text(friction_section(results)), {" | 800, does not hold", " | 1116", " | 408.8"});
+  expect_parts(testing::shown_text(friction_section(results)), {" | 800, not stable", " | 1116", " | 408.8"});
 }
 
 TEST(friction_section, lists_the_limits_in_customary_units) {

@@ -18,7 +18,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string page_of(const StudyResults& results) {
+std::string render_page(const StudyResults& results) {
   return testing::shown_text(study_document(results));
 }
 
@@ -58,20 +58,20 @@ TEST(study_page, a_group_passes_where_every_seed_does) {
 }
 
 TEST(study_page, failed_cases_are_listed_with_reason_and_command) {
-  const std::string page = page_of(synthetic_study("maps"));
+  const std::string page = render_page(synthetic_study("maps"));
   EXPECT_TRUE(has(page, "is below the suspended weight, 163 kN"));
   EXPECT_TRUE(has(page, "overbend study waves.yaml -o waves.study --case 129"));
   EXPECT_TRUE(has(page, "3 have no result"));
 }
 
 TEST(study_page, extremes_are_shown_with_their_confidence) {
-  const std::string page = page_of(synthetic_study("maps"));
+  const std::string page = render_page(synthetic_study("maps"));
   EXPECT_TRUE(has(page, "318 (306 to 333)"));
   EXPECT_TRUE(has(page, "315 (309 to 324)"));
 }
 
-TEST(study_page, operability_tells_limits_governing_checks_and_workability) {
-  const std::string page = page_of(synthetic_study("operability"));
+TEST(study_page, operability_reports_limits_governing_checks_and_workability) {
+  const std::string page = render_page(synthetic_study("operability"));
   EXPECT_TRUE(has(page, "clearance at the stinger tip"));
   EXPECT_TRUE(has(page, "over 4"));
   EXPECT_TRUE(has(page, "two seeds had no result"));
@@ -83,9 +83,9 @@ TEST(study_page, operability_tells_limits_governing_checks_and_workability) {
 
 TEST(study_page, a_long_table_is_cut_and_says_so) {
   StudyResults results = synthetic_study("sample");
-  const StudyCase one = results.cases.front();
+  const StudyCase study_case = results.cases.front();
   while (results.cases.size() < 1000) {
-    results.cases.push_back(one);
+    results.cases.push_back(study_case);
     results.cases.back().number = results.cases.back().group = results.cases.size() - 1;
   }
   const Document document = study_document(results);
@@ -99,33 +99,33 @@ TEST(study_page, a_value_that_is_not_a_number_reaches_the_page_as_none) {
   results.cases[0].values[0].reset();
   EXPECT_TRUE(study_data(results)["groups"][0]["x"][0].is_null());
   EXPECT_FALSE(has(json_text(study_data(results)), "nan"));
-  EXPECT_FALSE(has(page_of(results), "| nan"));
+  EXPECT_FALSE(has(render_page(results), "| nan"));
 }
 
 TEST(study_page, a_study_without_anything_that_changes_has_a_page) {
   StudyResults results = synthetic_study("curves");
   results.inputs.clear();
   results.cases.resize(1);
-  results.cases[0].at.clear();
-  results.cases[0].words.clear();
+  results.cases[0].value_indices.clear();
+  results.cases[0].value_texts.clear();
   results.cases[0].inputs.clear();
-  EXPECT_TRUE(has(page_of(results), "1 of 1 cases pass"));
+  EXPECT_TRUE(has(render_page(results), "1 of 1 cases pass"));
 }
 
 TEST(study_page, a_study_without_code_checks_does_not_say_that_any_is_passed) {
   StudyResults results = synthetic_study("curves");
-  for (StudyCase& one : results.cases) {
-    one.governing.clear();
-    one.utilisation.reset();
-    one.verdict = VerdictKind::not_judged;
+  for (StudyCase& study_case : results.cases) {
+    study_case.governing.clear();
+    study_case.utilisation.reset();
+    study_case.verdict = VerdictKind::not_judged;
   }
-  const std::string all = std::to_string(results.cases.size()), page = page_of(results);
+  const std::string all = std::to_string(results.cases.size()), page = render_page(results);
   EXPECT_TRUE(has(page, all + " of " + all + " cases solved"));
   EXPECT_TRUE(has(page, "are not judged"));
   EXPECT_FALSE(has(page, "governing check passed"));
   EXPECT_FALSE(has(page, "| passed\n"));
-  for (StudyCase& one : results.cases) one.verdict = VerdictKind::passed;
-  EXPECT_TRUE(has(page_of(results), all + " of " + all + " cases pass\n"));
+  for (StudyCase& study_case : results.cases) study_case.verdict = VerdictKind::passed;
+  EXPECT_TRUE(has(render_page(results), all + " of " + all + " cases pass\n"));
 }
 
 TEST(study_page, rank_correlation_sees_order_alone) {

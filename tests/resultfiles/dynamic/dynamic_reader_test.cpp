@@ -6,7 +6,7 @@
 
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "resultfiles/static/results_writer.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "support/dynamic_case.h"
 #include "support/result_visitors.h"
 #include "support/solved_case.h"
@@ -56,13 +56,13 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   EXPECT_EQ(extremes * sizeof(DynamicExtreme), sizeof(DynamicRegion));
   // supports, hardest_impacts, histories, spectra, extremes
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 3 * sizeof(DynamicRegion) +
-                sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks) +
-                sizeof(results.vessel) + sizeof(results.thrust) + sizeof(results.moorings) + sizeof(results.lines) +
-                sizeof(results.bodies) + sizeof(results.stinger) + sizeof(results.fatigue),
+                sizeof(results.min_effective_tension) + 5 * kListBytes + sizeof(results.design) +
+                sizeof(results.checks) + sizeof(results.vessel) + sizeof(results.thrust) + sizeof(results.moorings) +
+                sizeof(results.lines) + sizeof(results.bodies) + sizeof(results.stinger) + sizeof(results.fatigue),
             sizeof(DynamicResults));
 }
 
-std::string bits_of(const DynamicResults& r) {
+std::string result_bits(const DynamicResults& r) {
   BitsVisitor bits;
   visit_dynamic_keys(r, bits, true);
   visit_energy(r.energy, bits);
@@ -71,7 +71,7 @@ std::string bits_of(const DynamicResults& r) {
   const auto extreme = [&](const ResultField& f, const DynamicExtreme& e) { visit_dynamic_extreme(f, e, bits); };
   visit_dynamic_region(r.overbend, extreme);
   visit_dynamic_region(r.tower, extreme);
-  visit_dynamic_extreme(ResultField{}, r.smallest_tension, bits);
+  visit_dynamic_extreme(ResultField{}, r.min_effective_tension, bits);
   visit_dynamic_region(r.sagbend, extreme);
   visit_dynamic_stations(r, bits);
   for (const SupportDynamics& support : r.supports) {
@@ -106,8 +106,8 @@ void expect_round_trip(const std::string& name) {
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
   EXPECT_TRUE(has_dynamic(folder / "results.h5"));
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
-  EXPECT_EQ(bits_of(stored.results), bits_of(results));
-  EXPECT_GT(std::ranges::count(bits_of(results), '\n'),
+  EXPECT_EQ(result_bits(stored.results), result_bits(results));
+  EXPECT_GT(std::ranges::count(result_bits(results), '\n'),
             17'000);  // 4 histories of 2,000 stretches twice, 46 columns of 40
   EXPECT_EQ(stored.results.supports.size(), statics.supports.size());
   EXPECT_EQ(stored.statics.results.top_tension, statics.top_tension);
@@ -132,10 +132,10 @@ TEST(dynamic_reader, gives_back_a_run_without_histories_spectra_and_impacts) {
   RunStore store = RunStore::create(folder.path(), "", 1);
   store.begin({{"time", "s", "Time", false, false}}, {40, 0});
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
-  EXPECT_EQ(bits_of(read_dynamic_results(folder / "results.h5").results), bits_of(results));
+  EXPECT_EQ(result_bits(read_dynamic_results(folder / "results.h5").results), result_bits(results));
 }
 
-TEST(dynamic_reader, tells_a_static_file_from_a_dynamic_one) {
+TEST(dynamic_reader, distinguishes_a_static_file_from_a_dynamic_one) {
   const TemporaryFolder folder;
   const auto& [description, statics] = solved_case("J12-D400-T560");
   write_static_hdf5(statics, description, folder / "results.h5");

@@ -16,7 +16,7 @@ namespace {
 using testing::filled_dynamics;
 using testing::solved_case;
 
-Json summary_of(const std::string& name) {
+Json make_results_summary(const std::string& name) {
   const StaticResults& statics = solved_case(name).results;
   return read_json(dynamic_summary(statics, filled_dynamics(statics)));
 }
@@ -57,7 +57,7 @@ void expect_common_keys(const Json& dynamic) {
 }
 
 TEST(dynamic_summary, has_every_key_of_the_contract_in_s_lay) {
-  const Json dynamic = summary_of("BGL1-T250")["dynamic"];
+  const Json dynamic = make_results_summary("BGL1-T250")["dynamic"];
   expect_common_keys(dynamic);
   expect_spreads(dynamic, {"stinger_tip_clearance"}, "dynamic");
   expect_region(dynamic["overbend"]);
@@ -77,7 +77,7 @@ TEST(dynamic_summary, has_every_key_of_the_contract_in_s_lay) {
 }
 
 TEST(dynamic_summary, leaves_null_what_has_no_sense_in_j_lay) {
-  const Json dynamic = summary_of("J12-D400-T560")["dynamic"];
+  const Json dynamic = make_results_summary("J12-D400-T560")["dynamic"];
   expect_common_keys(dynamic);
   EXPECT_TRUE(dynamic["stinger_tip_clearance"].is_null());
   EXPECT_TRUE(dynamic["overbend"].is_null());
@@ -99,8 +99,8 @@ TEST(dynamic_summary, keeps_rollers_in_their_rows_and_takes_the_largest_of_a_sup
   rollers = {{}, {}, {}};
   rollers[1].row = rollers[2].row = 1;
   rollers[2].position = RollerPosition::port;
-  rollers[1].largest_impact_force = 5e5;
-  rollers[2].largest_impact_force = 4e5;
+  rollers[1].max_impact_force = 5e5;
+  rollers[2].max_impact_force = 4e5;
   rollers[2].reaction.max = 3.5;
   const Json dynamic = read_json(dynamic_summary(statics, results))["dynamic"];
   EXPECT_EQ(dynamic["impacts"][2]["largest_impact_force"], 5e5);

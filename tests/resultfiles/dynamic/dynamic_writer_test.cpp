@@ -62,8 +62,8 @@ std::string named(Spoil spoil) {
   spoil(results);
   try {
     require_finite(results);
-  } catch (const std::runtime_error& fault) {
-    return std::string(fault.what()).substr(0, std::string(fault.what()).find(" is not"));
+  } catch (const std::runtime_error& error) {
+    return std::string(error.what()).substr(0, std::string(error.what()).find(" is not"));
   }
   return "";
 }
@@ -116,28 +116,29 @@ TEST(dynamic_writer, marks_where_a_history_is_absent) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
-TEST(dynamic_writer, refuses_stored_numbers_that_are_none_and_names_them) {
+TEST(dynamic_writer, rejects_stored_numbers_that_are_none_and_names_them) {
   const auto& [description, statics] = solved_case("J12-D400-T560");
   const DynamicResults dynamics = filled_dynamics(statics);
-  const auto fault_with = [&](auto spoil) -> std::string {
+  const auto error_after_change = [&](auto spoil) -> std::string {
     const TemporaryFolder folder;
     RunStore store = RunStore::create(folder.path(), "", 0);
     store.begin({{"time", "s", "Time", false, false}, {"heave", "m", "Heave", false, false}}, {0, 0});
     spoil(store);
     try {
       write_dynamic_hdf5(statics, dynamics, store, description, folder / "results.h5");
-    } catch (const std::runtime_error& fault) {
-      return fault.what();
+    } catch (const std::runtime_error& error) {
+      return error.what();
     }
     return "";
   };
   const std::vector<double> row = {0.0, NAN};
   std::vector<double> pose(12, 1.0);
   pose[3] = INFINITY;
-  EXPECT_EQ(fault_with([](RunStore&) {}), "");
-  EXPECT_NE(fault_with([&](RunStore& s) { s.row(row); }).find("dynamic.histories.heave"), std::string::npos);
-  EXPECT_NE(fault_with([&](RunStore& s) { s.snapshot(0.0, pose); }).find("dynamic.snapshots"), std::string::npos);
-  EXPECT_NE(fault_with([&](RunStore& s) {
+  EXPECT_EQ(error_after_change([](RunStore&) {}), "");
+  EXPECT_NE(error_after_change([&](RunStore& s) { s.row(row); }).find("dynamic.histories.heave"), std::string::npos);
+  EXPECT_NE(error_after_change([&](RunStore& s) { s.snapshot(0.0, pose); }).find("dynamic.snapshots"),
+            std::string::npos);
+  EXPECT_NE(error_after_change([&](RunStore& s) {
               s.impact({0, 1.0, NAN});
             }).find("dynamic.impacts.approach_velocity"),
             std::string::npos);

@@ -30,7 +30,7 @@ DynamicResults with_fatigue(const StaticResults& statics) {
   return results;
 }
 
-std::string bits_of(const FatigueResults& fatigue) {
+std::string result_bits(const FatigueResults& fatigue) {
   testing::BitsVisitor bits;
   visit_fatigue(fatigue, bits);
   for (const FatigueSpot& spot : fatigue.spots) {
@@ -57,7 +57,7 @@ TEST(fatigue_files, results_h5_gives_fatigue_back_bit_for_bit) {
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
   const DynamicResults read = read_dynamic_results(folder / "results.h5").results;
   ASSERT_TRUE(read.fatigue);
-  EXPECT_EQ(bits_of(*read.fatigue), bits_of(*results.fatigue));
+  EXPECT_EQ(result_bits(*read.fatigue), result_bits(*results.fatigue));
 }
 
 TEST(fatigue_files, a_run_without_fatigue_has_none_in_its_files) {

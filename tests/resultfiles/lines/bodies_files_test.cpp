@@ -72,7 +72,7 @@ TEST(bodies_files, stand_in_the_summary_by_list_and_by_object) {
   EXPECT_EQ(summary["objects"]["bodies"]["tug"]["static"]["heading"], 1.5);
 }
 
-TEST(bodies_files, refuse_what_is_no_number) {
+TEST(bodies_files, reject_what_is_no_number) {
   StaticResults results = with_bodies();
   results.bodies[1].moment.z() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(require_finite(results.bodies), std::runtime_error);

@@ -56,8 +56,8 @@ TEST(lines_files, over_time_come_back_bit_for_bit) {
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].name, "jumper");
   EXPECT_EQ(read[0].second_tension.std, lines[0].second_tension.std);
-  EXPECT_EQ(read[0].largest_tension, lines[0].largest_tension);
-  EXPECT_EQ(read[0].largest_at_nodes, lines[0].largest_at_nodes);
+  EXPECT_EQ(read[0].max_tension, lines[0].max_tension);
+  EXPECT_EQ(read[0].max_tension_at_nodes, lines[0].max_tension_at_nodes);
   EXPECT_FALSE(read[0].utilisation);
 }
 
@@ -69,7 +69,7 @@ TEST(lines_files, the_table_has_a_row_per_node_and_what_a_run_added) {
   EXPECT_NE(moved.find("33,26.4,42.9"), std::string::npos);
 }
 
-TEST(lines_files, refuse_what_is_no_number) {
+TEST(lines_files, reject_what_is_no_number) {
   StaticResults results = testing::synthetic_lines();
   results.lines[0].second.tension = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(write_static_files(results, described(), "/nowhere"), std::runtime_error);

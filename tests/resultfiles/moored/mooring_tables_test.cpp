@@ -47,7 +47,7 @@ StaticResults hull_alone(MooringResults moorings) {
   return results;
 }
 
-TEST(mooring_files, the_summary_tells_where_hull_and_lines_are) {
+TEST(mooring_files, the_summary_reports_where_hull_and_lines_are) {
   const Json summary = static_summary_json(hull_alone(two_states()));
   const Json& rest = summary["static"];
   EXPECT_EQ(rest["vessel"]["surge"], 1.5);
@@ -62,7 +62,7 @@ TEST(mooring_files, the_summary_tells_where_hull_and_lines_are) {
   EXPECT_TRUE(rest["moorings"][0]["clearance"].is_null());
 }
 
-TEST(mooring_files, the_summary_tells_what_the_winches_do) {
+TEST(mooring_files, the_summary_reports_what_the_winches_do) {
   const Json operation = static_summary_json(hull_alone(two_states()))["operation"];
   EXPECT_EQ(operation["type"], "pull_ahead");
   EXPECT_EQ(operation["stages"][0]["name"], "pulled ahead");
@@ -77,15 +77,15 @@ TEST(mooring_files, the_table_has_a_row_per_state_and_line) {
   EXPECT_NE(table.find("pulled ahead,\"bow, port\""), std::string::npos);
 }
 
-TEST(mooring_files, refuses_what_is_no_number) {
+TEST(mooring_files, rejects_what_is_no_number) {
   MooringResults results = two_states();
   results.rest.moorings[0].horizontal = std::numeric_limits<double>::quiet_NaN();
   try {
     write_static_files(hull_alone(results), {}, "/nowhere");
     FAIL() << "a number that is none was written";
-  } catch (const std::runtime_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("static.moorings.bow, port.horizontal"), std::string::npos)
-        << fault.what();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("static.moorings.bow, port.horizontal"), std::string::npos)
+        << error.what();
   }
 }
 
@@ -97,8 +97,8 @@ HullResults hull() {
   hull.damping = {{"sway", 77.1, 4.54e6, 0.0002, 0.032, 0.06, 0.0, 0.0, 0.0922, 0.0001}};
   hull.drift = {-45.4e3, 217.8e3, 1.2e6};
   hull.current = {1e3, 265.3e3, 0.0};
-  hull.current_least = 146e3;
-  hull.current_most = 398e3;
+  hull.min_current_force = 146e3;
+  hull.max_current_force = 398e3;
   return hull;
 }
 
@@ -118,7 +118,7 @@ TEST(mooring_files, results_h5_gives_back_what_was_written) {
   step.lengths = {744.0};
   step.tensions = {3.05e5};
   step.pipe.emplace();
-  step.pipe->largest_reaction_support = "stinger 3";
+  step.pipe->max_reaction_support = "stinger 3";
   results.steps = {step, step};
   results.anchors = {{17, "bow, port", "its length", Vec3(1.0, 2.0, -89.0), Vec3(3.0, 4.0, -89.0), 980.0}};
   Description description;
@@ -133,25 +133,25 @@ TEST(mooring_files, results_h5_gives_back_what_was_written) {
   EXPECT_EQ(stored.rest.moorings[0].shape_W, results.rest.moorings[0].shape_W);
   EXPECT_TRUE(stored.stages[0].mooring_stiffness.empty());
   EXPECT_EQ(move_table(stored), move_table(results));
-  EXPECT_EQ(stored.steps[1].pipe.value().largest_reaction_support, "stinger 3");
+  EXPECT_EQ(stored.steps[1].pipe.value().max_reaction_support, "stinger 3");
   EXPECT_EQ(stored.anchors.at(0).joint, 17);
   EXPECT_EQ(stored.anchors[0].to_W, results.anchors[0].to_W);
   EXPECT_EQ(stored.stages[0].mooring_force, results.stages[0].mooring_force);
 }
 
-TEST(mooring_files, the_summary_tells_what_damps_the_hull) {
+TEST(mooring_files, the_summary_reports_what_damps_the_hull) {
   StaticResults results = hull_alone(two_states());
   results.hull = hull();
-  const Json told = static_summary_json(results)["static"]["hull"];
-  EXPECT_EQ(told["damping"][0]["mode"], "sway");
-  EXPECT_EQ(told["damping"][0]["drift"], 0.032);
-  EXPECT_EQ(told["radiation"][0]["added_mass_error"], 0.0075);
-  EXPECT_EQ(told["fit"][0]["order"], 12);
-  EXPECT_EQ(told["drift"]["sway"], 217.8e3);
-  EXPECT_EQ(told["current_range"]["most"], 398e3);
+  const Json prescribed = static_summary_json(results)["static"]["hull"];
+  EXPECT_EQ(prescribed["damping"][0]["mode"], "sway");
+  EXPECT_EQ(prescribed["damping"][0]["drift"], 0.032);
+  EXPECT_EQ(prescribed["radiation"][0]["added_mass_error"], 0.0075);
+  EXPECT_EQ(prescribed["fit"][0]["order"], 12);
+  EXPECT_EQ(prescribed["drift"]["sway"], 217.8e3);
+  EXPECT_EQ(prescribed["current_range"]["most"], 398e3);
 }
 
-TEST(mooring_files, the_table_of_a_dynamic_analysis_has_its_tensions_beside_the_rest) {
+TEST(mooring_files, the_table_of_a_dynamic_analysis_has_its_tensions_in_addition_to_the_rest) {
   MooringLineDynamics line;
   line.name = "bow, port";
   line.fairlead_tension.whole = {2e5, 5e5, 3.1e5, 4e4};
@@ -178,10 +178,10 @@ TEST(mooring_files, moored_dynamics_come_back_from_results_h5) {
   line.points = {0.0, 0.5, 1.0};
   line.events = {{12.5, "parted"}};
   line.parted_at = 12.5;
-  MooringLineDynamics other;
-  other.name = "stern";
-  other.points = {0.0, 1.0};
-  results.moorings = {line, other};
+  MooringLineDynamics second_mooring_line_dynamics;
+  second_mooring_line_dynamics.name = "stern";
+  second_mooring_line_dynamics.points = {0.0, 1.0};
+  results.moorings = {line, second_mooring_line_dynamics};
   {
     Hdf5Writer file(folder.path() / "results.h5");
     file.group("/dynamic", "A run");
@@ -195,7 +195,7 @@ TEST(mooring_files, moored_dynamics_come_back_from_results_h5) {
   add_moored_dynamics(read, found);
   EXPECT_EQ(found, wanted);
   EXPECT_EQ(read.moorings[0].points, line.points);
-  EXPECT_EQ(read.moorings[1].points, other.points);
+  EXPECT_EQ(read.moorings[1].points, second_mooring_line_dynamics.points);
   EXPECT_FALSE(read.moorings[1].parted_at);
   EXPECT_EQ(wanted["dynamic"]["vessel"]["sway"]["slow"]["std"], 0.6);
   EXPECT_EQ(wanted["dynamic"]["thrust"][0]["given"]["max"], 3e5);

@@ -21,7 +21,7 @@ MooringResults pulled_ahead() {
   step.tensions = {3.4e5};
   step.pipe.emplace();
   step.pipe->top_tension = 250e3;
-  step.pipe->largest_reaction_support = "ramp 1";
+  step.pipe->max_reaction_support = "ramp 1";
   results.steps = {step, step};
   results.steps[1].advance = 0.5;
   results.steps[1].lengths = {1006.5};
@@ -29,7 +29,7 @@ MooringResults pulled_ahead() {
   return results;
 }
 
-Json summary_of(const MooringResults& moorings) {
+Json make_results_summary(const MooringResults& moorings) {
   StaticResults results;
   results.moorings = moorings;
   return static_summary_json(results);
@@ -48,7 +48,7 @@ TEST(move_table, has_a_row_per_place_with_hull_lines_and_pipe) {
 }
 
 TEST(move_table, is_in_the_summary_too) {
-  const Json operation = summary_of(pulled_ahead())["operation"]["pull_ahead"];
+  const Json operation = make_results_summary(pulled_ahead())["operation"]["pull_ahead"];
   ASSERT_EQ(operation["steps"].size(), 2U);
   EXPECT_EQ(operation["steps"][1]["advance"], 0.5);
   EXPECT_EQ(operation["steps"][1]["winch_lengths"]["bow, port"], 1006.5);
@@ -61,7 +61,7 @@ TEST(move_table, of_anchors_says_what_is_due_when) {
   MooringResults results;
   results.operation = "anchor_plan";
   results.anchors = {{29, "bow, port", "least length", Vec3(963.0, 438.0, -89.0), Vec3(1323.0, 438.0, -89.0), 1061.0}};
-  const Json operation = summary_of(results)["operation"];
+  const Json operation = make_results_summary(results)["operation"];
   EXPECT_EQ(operation["anchors"][0]["joint"], 29);
   EXPECT_EQ(operation["anchors"][0]["line"], "bow, port");
   EXPECT_EQ(operation["anchors"][0]["reason"], "least length");

@@ -16,7 +16,7 @@
 namespace overbend {
 namespace {
 
-using testing::bits_of;
+using testing::result_bits;
 using testing::solved_case;
 using testing::TemporaryFolder;
 
@@ -83,7 +83,7 @@ TEST(operation_writer, the_pipe_has_its_derived_properties_at_the_top_as_in_stat
   EXPECT_EQ(read_json(operation_summary(fallen))["derived"], Json::object());
 }
 
-TEST(operation_writer, the_head_is_told_astern_of_the_shoe_and_above_the_water) {
+TEST(operation_writer, the_head_is_reported_astern_of_the_shoe_and_above_the_water) {
   const Json head = summary()["operation"]["stages"][0]["head"];
   EXPECT_EQ(head["x"], 39.5);
   EXPECT_EQ(head["z"], -15.75);
@@ -95,7 +95,7 @@ TEST(operation_writer, the_head_is_told_astern_of_the_shoe_and_above_the_water) 
   EXPECT_FALSE(summary()["operation"]["stages"][2].contains("head"));
 }
 
-TEST(operation_writer, the_anchor_of_a_start_up_has_its_distance_beside_its_place) {
+TEST(operation_writer, the_anchor_of_a_start_up_has_its_distance_next_to_its_place) {
   const Json anchor = summary()["operation"]["stages"][2]["anchor"];
   EXPECT_EQ(anchor["distance"], 900.0);
   EXPECT_EQ(anchor["uplift"], 290.0);
@@ -114,15 +114,15 @@ TEST(operation_writer, a_stage_that_cannot_be_says_why_and_has_no_results) {
 
 TEST(operation_writer, the_check_used_most_names_its_stage) {
   const Json worst = summary()["checks"]["worst"];
-  double largest = 0.0;
-  std::string at;
+  double max_value = 0.0;
+  std::string text_place;
   for (const Json& stage : summary()["operation"]["stages"]) {
-    if (stage["status"] != "converged" || stage["checks"]["worst"]["utilisation"] <= largest) continue;
-    largest = stage["checks"]["worst"]["utilisation"];
-    at = stage["name"];
+    if (stage["status"] != "converged" || stage["checks"]["worst"]["utilisation"] <= max_value) continue;
+    max_value = stage["checks"]["worst"]["utilisation"];
+    text_place = stage["name"];
   }
-  EXPECT_EQ(worst["utilisation"], largest);
-  EXPECT_EQ(worst["stage"], at);
+  EXPECT_EQ(worst["utilisation"], max_value);
+  EXPECT_EQ(worst["stage"], text_place);
 }
 
 TEST(operation_writer, all_or_no_stages_have_a_word) {
@@ -146,13 +146,13 @@ TEST(operation_writer, results_come_back_bit_for_bit) {
   EXPECT_EQ(csv_text(stages_table(stored.results)), csv_text(stages_table(results)));
   ASSERT_EQ(stored.results.stages.size(), 3U);
   for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
-    EXPECT_EQ(bits_of(*stored.results.stages[i].lay), bits_of(*results.stages[i].lay)) << i;
+    EXPECT_EQ(result_bits(*stored.results.stages[i].lay), result_bits(*results.stages[i].lay)) << i;
   }
   EXPECT_FALSE(stored.results.stages[1].lay);
-  EXPECT_EQ(stored.results.stages[1].failure->least_tension, 61e3);
+  EXPECT_EQ(stored.results.stages[1].failure->min_tension, 61e3);
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> csv_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = text.find("\r\n", start);
@@ -163,7 +163,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST(stage_table, has_a_row_per_stage_in_engineering_units) {
-  const std::vector<std::string> lines = lines_of(csv_text(stages_table(three_stages())));
+  const std::vector<std::string> lines = csv_lines(csv_text(stages_table(three_stages())));
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0].rfind("stage,cable out [m],tension [kN],status,", 0), 0U) << lines[0];
   EXPECT_EQ(lines[1].rfind("over the stinger,60,420,converged,", 0), 0U) << lines[1];

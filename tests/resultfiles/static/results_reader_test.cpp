@@ -6,8 +6,8 @@
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 #include "results/operation_results.h"
 #include "support/lay_bits.h"
 #include "support/result_visitors.h"
@@ -16,8 +16,8 @@
 namespace overbend {
 namespace {
 
-using testing::bits_of;
 using testing::kListBytes;
+using testing::result_bits;
 using testing::SizeVisitor;
 using testing::solved_case;
 using testing::TemporaryFolder;
@@ -73,7 +73,7 @@ TEST(field_lists, hold_every_single_value) {
   int extremes = 0;
   visit_region(results.sagbend, [&](const ResultField&, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
-                sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
+                sizeof(results.tower) + sizeof(results.min_effective_tension) + sizeof(results.sagbend) + kListBytes +
                 kListBytes + kListBytes + kListBytes + sizeof(results.points) + sizeof(results.wires) +
                 sizeof(results.sum_attached) + sizeof(results.checks) + sizeof(results.moorings) +
                 sizeof(results.hull) + sizeof(results.head) + sizeof(results.cable) + sizeof(results.far_anchor) +
@@ -96,7 +96,7 @@ StoredStatics through_file(const StaticResults& results, const Description& desc
 TEST(results_reader, gives_back_an_s_lay_bit_for_bit) {
   const auto& [description, results] = solved_case("BGL1-T250");
   const StoredStatics stored = through_file(results, description);
-  EXPECT_EQ(bits_of(stored.results), bits_of(results));
+  EXPECT_EQ(result_bits(stored.results), result_bits(results));
   EXPECT_EQ(stored.model_text, testing::file_text(testing::case_file("BGL1-T250")));
   EXPECT_GT(stored.results.checks.rows.size(), 10U);
 }
@@ -104,7 +104,7 @@ TEST(results_reader, gives_back_an_s_lay_bit_for_bit) {
 TEST(results_reader, gives_back_a_j_lay_without_supports_and_overbend) {
   const auto& [description, results] = solved_case("J12-D400-T560");
   const StoredStatics stored = through_file(results, description);
-  EXPECT_EQ(bits_of(stored.results), bits_of(results));
+  EXPECT_EQ(result_bits(stored.results), result_bits(results));
   EXPECT_FALSE(stored.results.overbend);
   EXPECT_FALSE(stored.results.stinger_tip_clearance);
   EXPECT_TRUE(stored.results.supports.empty());
@@ -116,7 +116,7 @@ TEST(results_reader, gives_back_the_tower_of_a_j_lay_and_the_part_of_the_current
   results.tower->von_mises.value = 1.5e9;
   results.stations.back().region = Region::tower;
   results.stations.back().current_lateral_moment = -7.0;
-  EXPECT_EQ(bits_of(through_file(results, description).results), bits_of(results));
+  EXPECT_EQ(result_bits(through_file(results, description).results), result_bits(results));
 }
 
 TEST(field_lists, hold_every_member_of_head_cable_anchor_and_stage) {
@@ -143,7 +143,7 @@ TEST(results_reader, gives_back_head_cable_and_anchor_and_the_stage_they_are_of)
   results.far_anchor = StartUpAnchorResult{900.0, 205e3, -0.0};
   description.stage = LayStageDescription{"bed", 430.0, {}, {}, {}, 200e3, {}, {}, {}};
   const StoredStatics stored = through_file(results, description);
-  EXPECT_EQ(bits_of(stored.results), bits_of(results));
+  EXPECT_EQ(result_bits(stored.results), result_bits(results));
   ASSERT_TRUE(stored.results.head && stored.results.cable && stored.results.far_anchor && stored.stage);
   EXPECT_EQ(stored.stage->name, "bed");
   EXPECT_EQ(stored.stage->cable_out, 430.0);
@@ -160,7 +160,7 @@ TEST(results_reader, gives_back_structures_in_the_line) {
   tee.upper.bending_moment = -7.0;
   results.structures.push_back(tee);
   results.structures.back().support = "ramp 1";
-  EXPECT_EQ(bits_of(through_file(results, {}).results), bits_of(results));
+  EXPECT_EQ(result_bits(through_file(results, {}).results), result_bits(results));
 }
 
 TEST(field_lists, hold_every_member_of_the_laid_pipe) {
@@ -181,10 +181,10 @@ TEST(results_reader, gives_back_the_laid_pipe_on_an_uneven_bed) {
   bed.heights = {{0.0, -89.0}, {2.0, -89.25}};
   bed.contacts = {{350.0, 360.5, 400.0, 389.0, 0.03}, {380.0, 500.0, 368.0, 1.0, 0.02}};
   bed.spans = {{360.5, 380.0, 389.0, 368.0, 19.75, 0.5, 371.0, 44e3, 370.0, 12e6}};
-  bed.largest_penetration = 0.03;
+  bed.max_penetration = 0.03;
   bed.hogging_moment = 91e3;
   bed.tail_tension = 251e3;
-  EXPECT_EQ(bits_of(through_file(results, {}).results), bits_of(results));
+  EXPECT_EQ(result_bits(through_file(results, {}).results), result_bits(results));
   EXPECT_EQ(through_file(results, {}).results.bed.value().spans.size(), 1U);
   EXPECT_FALSE(through_file(solved_case("S16-T300").results, {}).results.bed);
 }
@@ -195,7 +195,7 @@ TEST(results_reader, gives_back_the_route_and_the_limits_of_friction) {
   results.roller_friction = {{"lay", 250e3, 206e3, 335.0, 0.21, 0.071, 330e6, 74e6, 48e3},
                              {"haul", 250e3, 205e3, 334.0, 0.22, 0.0, 331e6, 75e6, 49e3}};
   const StaticResults back = through_file(results, {}).results;
-  EXPECT_EQ(bits_of(back), bits_of(results));
+  EXPECT_EQ(result_bits(back), result_bits(results));
   ASSERT_TRUE(back.route);
   EXPECT_FALSE(back.route->holds);
   EXPECT_EQ(back.route->side_load_supports, 43.3e3);
@@ -215,10 +215,10 @@ TEST(results_reader, keeps_rollers_with_their_rows_and_boxes) {
   results.supports.at(1).rows.push_back(second);
   results.supports.at(1).has_sides = true;
   results.title = "Größe \"A\", 16\xe2\x80\xb3";
-  EXPECT_EQ(bits_of(through_file(results, {}).results), bits_of(results));
+  EXPECT_EQ(result_bits(through_file(results, {}).results), result_bits(results));
 }
 
-TEST(results_reader, refuses_a_file_that_is_none_of_ours) {
+TEST(results_reader, rejects_a_file_that_is_none_of_ours) {
   const TemporaryFolder folder;
   testing::write_file(folder / "a.h5", "not HDF5");
   EXPECT_THROW(read_static_results(folder / "a.h5"), std::runtime_error);

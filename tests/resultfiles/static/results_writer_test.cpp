@@ -27,12 +27,12 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// What writing throws; empty when it does not.
-std::string fault_of(const StaticResults& results, const fs::path& folder) {
+/// Returns the message thrown by writing; empty if none.
+std::string find_write_error(const StaticResults& results, const fs::path& folder) {
   try {
     write_static_results(results, {}, folder);
-  } catch (const std::runtime_error& fault) {
-    return fault.what();
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
   return "";
 }
@@ -60,29 +60,30 @@ TEST(results_writer, writes_nothing_when_a_number_is_none_and_names_it) {
   const TemporaryFolder folder;
   StaticResults results = solved_case("BGL1-T250").results;
   results.stations.at(12).bending_moment = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(fault_of(results, folder / "out").find("stations[12].bending_moment"), std::string::npos);
+  EXPECT_NE(find_write_error(results, folder / "out").find("stations[12].bending_moment"), std::string::npos);
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
 TEST(finite_check, finds_what_is_not_finite_wherever_it_is) {
   const double infinite = std::numeric_limits<double>::infinity();
-  const auto fault_with = [](auto spoil) -> std::string {
+  const auto error_after_change = [](auto spoil) -> std::string {
     StaticResults results = solved_case("BGL1-T250").results;
     spoil(results);
     try {
       require_finite(results);
-    } catch (const std::runtime_error& fault) {
-      return std::string(fault.what()).substr(0, std::string(fault.what()).find(' '));
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(0, std::string(error.what()).find(' '));
     }
     return "";
   };
-  EXPECT_EQ(fault_with([](StaticResults&) {}), "");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.lay_back = infinite; }), "lay_back");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.stinger_tip_clearance = -infinite; }), "stinger_tip_clearance");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.touchdown.p_W.y() = NAN; }), "touchdown.position_y");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.overbend->strain.s = NAN; }), "overbend.strain.s");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.sections[0].EI = NAN; }), "sections[0].EI");
-  EXPECT_EQ(fault_with([&](StaticResults& r) { r.supports[3].rows[0].rollers[0].normal_W.z() = NAN; }),
+  EXPECT_EQ(error_after_change([](StaticResults&) {}), "");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.lay_back = infinite; }), "lay_back");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.stinger_tip_clearance = -infinite; }),
+            "stinger_tip_clearance");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.touchdown.p_W.y() = NAN; }), "touchdown.position_y");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.overbend->strain.s = NAN; }), "overbend.strain.s");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.sections[0].EI = NAN; }), "sections[0].EI");
+  EXPECT_EQ(error_after_change([&](StaticResults& r) { r.supports[3].rows[0].rollers[0].normal_W.z() = NAN; }),
             "supports[3].rows[0].rollers[0].normal_z");
 }
 
@@ -90,8 +91,8 @@ TEST(results_writer, says_why_a_folder_can_not_be_written) {
   const TemporaryFolder folder;
   testing::write_file(folder / "file", "mine");
   const StaticResults& results = solved_case("J12-D400-T560").results;
-  EXPECT_NE(fault_of(results, folder / "file/results").find("cannot be written"), std::string::npos);
-  EXPECT_NE(fault_of(results, folder / "file").find("cannot be written"), std::string::npos);
+  EXPECT_NE(find_write_error(results, folder / "file/results").find("cannot be written"), std::string::npos);
+  EXPECT_NE(find_write_error(results, folder / "file").find("cannot be written"), std::string::npos);
   EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"file"});
   EXPECT_EQ(testing::file_text(folder / "file"), "mine");
 }
@@ -101,7 +102,7 @@ TEST(results_writer, changes_no_file_when_one_of_them_can_not_be_replaced) {
   fs::create_directory(folder / "results.h5");
   testing::write_file(folder / "summary.json", "old");
   const StaticResults& results = solved_case("J12-D400-T560").results;
-  EXPECT_NE(fault_of(results, folder.path()), "");
+  EXPECT_NE(find_write_error(results, folder.path()), "");
   EXPECT_EQ(testing::file_text(folder / "summary.json"), "old");
   EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"results.h5", "summary.json"}));
 }

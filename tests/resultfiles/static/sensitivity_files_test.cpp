@@ -38,8 +38,8 @@ TEST(sensitivity_files, an_effect_takes_the_derivative_beyond_the_contact_that_c
   EXPECT_DOUBLE_EQ(s.effect(0, 0, 1.0), 2.5e3);
   EXPECT_DOUBLE_EQ(s.effect(0, 1, 1.0), 4e4 * 0.01);
   EXPECT_NEAR(s.effect(0, 1, -1.0), -(4e4 * 0.005 + 1e5 * 0.005), 1e-6);
-  EXPECT_EQ(s.foremost(0, 5), (std::vector<std::size_t>{0, 1}));
-  EXPECT_EQ(s.foremost(0, 1), (std::vector<std::size_t>{0}));
+  EXPECT_EQ(s.most_influential_inputs(0, 5), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(s.most_influential_inputs(0, 1), (std::vector<std::size_t>{0}));
 }
 
 TEST(sensitivity_files, results_h5_gives_back_what_was_written) {
@@ -71,7 +71,7 @@ TEST(sensitivity_files, an_analysis_without_them_says_nothing_of_them) {
 
 TEST(sensitivity_section, marks_what_holds_on_one_side_only_and_names_the_box) {
   const Json section = sensitivity_section(two_inputs()).json().front();
-  EXPECT_EQ(section["heading"], "What this result hangs on");
+  EXPECT_EQ(section["heading"], "Sensitivity analysis");
   const Json& data = section["body"][1]["data"];
   EXPECT_EQ(data["bars"].size(), 2U);
   ASSERT_EQ(data["notes"].size(), 1U);

@@ -22,10 +22,10 @@ OperabilityResults chart() {
   from.values = {0.0, std::numbers::pi / 2.0};
   StudyInput heading;
   heading.key = "tensioner.mode";
-  heading.words = {"locked", "constant"};
+  heading.value_texts = {"locked", "constant"};
   results.axes = {from, heading};
   OperabilityCell found;
-  found.at = {1, 0};
+  found.value_indices = {1, 0};
   found.limit = 2.5;
   found.governing = "Roller force";
   found.below = 0.9;
@@ -59,10 +59,10 @@ TEST(operability_table, has_a_row_per_cell_in_the_units_of_the_study) {
 
 TEST(operability_table, says_what_a_cell_without_a_limit_is) {
   const OperabilityResults results = chart();
-  EXPECT_EQ(limit_words(results.cells[0]), "limit");
-  EXPECT_EQ(limit_words(results.cells[1]), "below the least");
-  EXPECT_EQ(limit_words(results.cells[2]), "above the largest");
-  EXPECT_EQ(limit_words(results.cells[3]), "not decided");
+  EXPECT_EQ(limit_state_label(results.cells[0]), "limit");
+  EXPECT_EQ(limit_state_label(results.cells[1]), "below the least");
+  EXPECT_EQ(limit_state_label(results.cells[2]), "above the largest");
+  EXPECT_EQ(limit_state_label(results.cells[3]), "not decided");
 }
 
 TEST(operability_table, workability_stands_by_month) {
@@ -82,8 +82,8 @@ TEST(operability_table, workability_stands_by_month) {
 
 TEST(operability_json, gives_back_all_that_was_put_in) {
   OperabilityResults results = chart();
-  results.least = 0.5;
-  results.largest = 4.0;
+  results.min_value = 0.5;
+  results.max_value = 4.0;
   results.resolution = 0.25;
   results.seeds = {1, 5};
   results.runs = 28;
@@ -92,17 +92,17 @@ TEST(operability_json, gives_back_all_that_was_put_in) {
   results.workability = Workability{std::vector<double>(12, 0.5), 0.5, 0.1};
   results.forecast_workability = Workability{std::vector<double>(12, 0.25), 0.25, 0.2};
   const Json json = operability_json(results);
-  const OperabilityResults read = operability_of(read_json(json_text(json)));
+  const OperabilityResults read = operability_from_json(read_json(json_text(json)));
   EXPECT_EQ(operability_json(read), json);
   ASSERT_EQ(read.cells.size(), 4U);
   EXPECT_EQ(read.cells[0].limit, 2.5);
   EXPECT_FALSE(read.cells[1].limit);
   EXPECT_TRUE(read.cells[2].beyond);
   EXPECT_EQ(read.cells[3].reason, "interrupted");
-  EXPECT_EQ(read.axes[1].words, results.axes[1].words);
+  EXPECT_EQ(read.axes[1].value_texts, results.axes[1].value_texts);
   EXPECT_EQ(read.forecast_workability->outside, 0.2);
   EXPECT_EQ(csv_text(operability_table(read)), csv_text(operability_table(results)));
-  EXPECT_THROW(operability_of(Json::object()), Json::exception);
+  EXPECT_THROW(operability_from_json(Json::object()), Json::exception);
 }
 
 }  // namespace overbend

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
 #include "report/synthetic_operation.h"
@@ -92,7 +92,7 @@ bool belongs_to_no_object(const std::string& path) {
   static const std::vector<std::string> kRoots = {"status",   "title",    "version", "assumptions", "assumption_ranks",
                                                   "findings", "warnings", "units",   "frame",       "derived",
                                                   "sections", "verdict",  "checks"};
-  const std::vector<NamePart> parts = *name_parts(path);
+  const std::vector<PathPart> parts = *split_result_path(path);
   if (std::ranges::find(kRoots, parts[0].text) != kRoots.end()) return true;
   if (parts[0].text == "dynamic" || parts[0].text == "static") return parts.size() > 1 && parts[1].text == "checks";
   return parts[0].text == "operation" && (parts[1].text != "stages" || (parts.size() > 3 && parts[3].text == "checks"));
@@ -101,8 +101,8 @@ bool belongs_to_no_object(const std::string& path) {
 /// The value of a path by object in the tree; null where there is none.
 const Json* value_in(const Json& objects, const std::string& path) {
   const Json* value = &objects;
-  const std::vector<NamePart> parts = *name_parts(path);
-  for (const NamePart& part : parts) {
+  const std::vector<PathPart> parts = *split_result_path(path);
+  for (const PathPart& part : parts) {
     if (value->is_array()) {
       std::size_t index = 0;
       while (index < value->size() && !chooses_item(part.text, index, (*value)[index].value("name", ""))) ++index;
@@ -125,9 +125,9 @@ TEST(result_objects, hold_every_value_of_the_summary_under_its_name_by_object) {
       const std::optional<std::string> object = object_path(path);
       EXPECT_EQ(!object, belongs_to_no_object(path)) << model << ": " << path;
       if (!object) return;
-      const Json* there = value_in(objects, *object);
-      ASSERT_NE(there, nullptr) << model << ": " << path << ", " << *object;
-      EXPECT_EQ(*there, value) << model << ": " << *object;
+      const Json* stored = value_in(objects, *object);
+      ASSERT_NE(stored, nullptr) << model << ": " << path << ", " << *object;
+      EXPECT_EQ(*stored, value) << model << ": " << *object;
       ++reached;
     });
     EXPECT_GT(reached, 15) << model;
@@ -191,7 +191,7 @@ TEST(result_objects, are_suggested_where_a_name_is_misspelt) {
   EXPECT_EQ(nearest_output(StudyAnalysis::statics, "static.lay_bak"), "static.lay_back");
 }
 
-TEST(result_objects, tell_lines_of_the_same_name_apart) {
+TEST(result_objects, distinguish_lines_of_the_same_name) {
   Json summary = moored_lay();
   summary["static"]["moorings"][0]["name"] = "pipe";
   summary["static"]["moorings"][1]["name"] = "bow";

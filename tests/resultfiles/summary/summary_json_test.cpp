@@ -13,7 +13,7 @@ namespace {
 
 using testing::solved_case;
 
-Json summary_of(const std::string& name) {
+Json make_results_summary(const std::string& name) {
   return read_json(static_summary(solved_case(name).results));
 }
 
@@ -49,7 +49,7 @@ void expect_common_keys(const Json& json) {
 }
 
 TEST(summary_json, has_every_key_of_the_contract_in_s_lay) {
-  const Json json = summary_of("BGL1-T250");
+  const Json json = make_results_summary("BGL1-T250");
   expect_common_keys(json);
   const Json& statics = json["static"];
   EXPECT_TRUE(statics["stinger_tip_clearance"].is_number());
@@ -63,7 +63,7 @@ TEST(summary_json, has_every_key_of_the_contract_in_s_lay) {
   }
 }
 
-TEST(summary_json, tells_of_the_laid_pipe_on_an_uneven_bed) {
+TEST(summary_json, reports_on_the_laid_pipe_on_an_uneven_bed) {
   StaticResults results = solved_case("S16-T300").results;
   EXPECT_FALSE(read_json(static_summary(results))["static"].contains("seabed"));
   BedResults& bed = results.bed.emplace();
@@ -83,7 +83,7 @@ TEST(summary_json, tells_of_the_laid_pipe_on_an_uneven_bed) {
 }
 
 TEST(summary_json, has_nulls_in_j_lay_where_supports_are_asked_for) {
-  const Json json = summary_of("J12-D400-T560");
+  const Json json = make_results_summary("J12-D400-T560");
   expect_common_keys(json);
   EXPECT_TRUE(json["static"]["stinger_tip_clearance"].is_null());
   EXPECT_TRUE(json["static"]["overbend"].is_null());
@@ -93,7 +93,7 @@ TEST(summary_json, has_nulls_in_j_lay_where_supports_are_asked_for) {
 
 TEST(summary_json, gives_numbers_back_to_the_last_bit) {
   const StaticResults& results = solved_case("BGL1-T250").results;
-  const Json json = summary_of("BGL1-T250");
+  const Json json = make_results_summary("BGL1-T250");
   EXPECT_EQ(json["static"]["lay_back"].get<double>(), results.lay_back);
   EXPECT_EQ(json["static"]["overbend"]["max_bending_moment"].get<double>(), results.overbend->bending_moment.value);
   EXPECT_EQ(json["static"]["overbend"]["at"]["s"].get<double>(), results.overbend->bending_moment.s);

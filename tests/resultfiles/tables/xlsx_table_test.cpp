@@ -20,7 +20,7 @@ Table small_table() {
   return table;
 }
 
-std::map<std::string, std::string> parts_of(const Table& table) {
+std::map<std::string, std::string> read_parts(const Table& table) {
   const testing::TemporaryFolder folder;
   write_xlsx({table}, folder / "table.xlsx");
   return testing::zip_texts(testing::file_text(folder / "table.xlsx"));
@@ -29,7 +29,7 @@ std::map<std::string, std::string> parts_of(const Table& table) {
 }  // namespace
 
 TEST(xlsx_table, numbers_are_numbers_and_texts_are_shared_texts) {
-  const auto parts = parts_of(small_table());
+  const auto parts = read_parts(small_table());
   const std::string& sheet = parts.at("xl/worksheets/sheet1.xml");
   EXPECT_NE(sheet.find("<v>251.25</v>"), std::string::npos);
   EXPECT_EQ(sheet.find("nan"), std::string::npos);
@@ -41,7 +41,7 @@ TEST(xlsx_table, numbers_are_numbers_and_texts_are_shared_texts) {
 }
 
 TEST(xlsx_table, head_is_frozen_and_columns_have_their_decimals) {
-  const auto parts = parts_of(small_table());
+  const auto parts = read_parts(small_table());
   EXPECT_NE(parts.at("xl/worksheets/sheet1.xml").find("state=\"frozen\""), std::string::npos);
   EXPECT_NE(parts.at("xl/styles.xml").find("formatCode=\"0.0\""), std::string::npos);
   EXPECT_NE(parts.at("xl/workbook.xml").find("name=\"lay table  1 2\""), std::string::npos);
@@ -58,8 +58,8 @@ TEST(xlsx_table, the_same_table_gives_the_same_bytes) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.xlsx.part"));
 }
 
-TEST(xlsx_table, a_folder_that_is_not_there_is_a_fault_of_the_file) {
-  EXPECT_THROW(write_xlsx({small_table()}, "/no/such/folder/table.xlsx"), FileFault);
+TEST(xlsx_table, a_folder_that_is_not_there_is_an_error_of_the_file) {
+  EXPECT_THROW(write_xlsx({small_table()}, "/no/such/folder/table.xlsx"), FileError);
 }
 
 TEST(data_table, csv_has_the_cells_of_the_workbook) {

@@ -12,7 +12,7 @@
 #include "resultfiles/tables/csv_fields.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "results/fields/static_tables.h"
 #include "serve/answers/page_style.h"
 #include "serve/answers/type_style.h"
@@ -21,7 +21,7 @@
 namespace overbend {
 namespace {
 
-/// A table of one row, as the tables beside result_field.h have them.
+/// A table of one row, as the tables next to result_field.h have them.
 struct Probe {
   double squeeze = 0.0;
 };
@@ -82,7 +82,7 @@ TEST(result_field, the_same_line_is_written_to_hdf5_read_again_and_checked) {
   EXPECT_THROW(visit_probe(broken, finite), std::runtime_error);
 }
 
-/// Names that page or report would have beside a field's own.
+/// Names that page or report would have in addition to a field's own.
 struct OtherNames {
   std::vector<std::string> found;
 
@@ -109,7 +109,7 @@ TEST(result_field, a_quantity_has_one_name_in_results_page_and_report) {
   const SupportResult support;
   const RollerResult roller;
   const SupportDynamics box;
-  const RollerDynamics one;
+  const RollerDynamics roller_dynamics;
   const Impact impact;
   const CheckRow check;
   visit_key_results(statics, names);
@@ -120,7 +120,7 @@ TEST(result_field, a_quantity_has_one_name_in_results_page_and_report) {
   visit_dynamic_keys(dynamics, names, true);
   visit_dynamic_stations(dynamics, names);
   visit_dynamic_support(box, names);
-  visit_dynamic_roller(one, names);
+  visit_dynamic_roller(roller_dynamics, names);
   visit_impact(impact, names);
   visit_check(check, names);
   EXPECT_TRUE(names.found.empty()) << names.found.front();

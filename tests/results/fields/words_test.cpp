@@ -1,4 +1,4 @@
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 
 #include <gtest/gtest.h>
 
@@ -6,22 +6,22 @@ namespace overbend {
 namespace {
 
 template <class Enum>
-void expect_words_lead_back() {
-  for (const auto& [value, text] : Words<Enum>::list) {
+void expect_names_round_trip() {
+  for (const auto& [value, text] : ResultEnumNames<Enum>::list) {
     Enum found{};
-    EXPECT_TRUE(from_word(word(value), found)) << text;
+    EXPECT_TRUE(from_enum_name(word(value), found)) << text;
     EXPECT_EQ(found, value) << text;
   }
 }
 
-TEST(words, lead_back_to_their_enumerators) {
-  expect_words_lead_back<Region>();
-  expect_words_lead_back<CheckRegion>();
-  expect_words_lead_back<CheckStatus>();
-  expect_words_lead_back<RollerPosition>();
-  expect_words_lead_back<Structure>();
+TEST(label, lead_back_to_their_enumerators) {
+  expect_names_round_trip<Region>();
+  expect_names_round_trip<CheckRegion>();
+  expect_names_round_trip<CheckStatus>();
+  expect_names_round_trip<RollerPosition>();
+  expect_names_round_trip<Structure>();
   Region unchanged = Region::sagbend;
-  EXPECT_FALSE(from_word("nowhere", unchanged));
+  EXPECT_FALSE(from_enum_name("nowhere", unchanged));
   EXPECT_EQ(unchanged, Region::sagbend);
 }
 

@@ -14,9 +14,9 @@ TEST(serve_library_hull, a_scaled_hull_is_a_file_that_a_model_can_use_and_that_s
   const Reply reply = serving.post("/api/hull", {{"length", 100.0}, {"beam", 24.0}});
   ASSERT_EQ(reply.status, 200) << reply.body;
   EXPECT_EQ(reply.json["name"], "box-hull-100x24m.csv");
-  Diagnostics faults;
-  const auto raos = read_raos((serving.folder / "box-hull-100x24m.csv").string(), {}, 20.0, faults);
-  ASSERT_TRUE(raos) << faults.lines(Severity::error).size();
+  Diagnostics errors;
+  const auto raos = read_raos((serving.folder / "box-hull-100x24m.csv").string(), {}, 20.0, errors);
+  ASSERT_TRUE(raos) << errors.lines(Severity::error).size();
   ASSERT_EQ(raos->assumptions.size(), 1U);
   EXPECT_EQ(raos->assumptions[0].text, reply.json["assumption"]);
   EXPECT_EQ(serving.post("/api/hull", {{"length", 100.0}, {"beam", 24.0}}).status, 200);  // the same file again

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "modelfile/reading/yaml_reader.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {
@@ -17,8 +17,8 @@ struct Guess {
   StaticSystem system{model, model.mean_pose, build_mesh(model, from.zones)};
   LineState state = sample_shape(system, from.shape);
 
-  TargetEquation equation(EquilibriumTarget::Kind kind, double value, const LineState& at) const {
-    return target_equation({kind, value}, plane, system.line(), at);
+  TargetEquation equation(EquilibriumTarget::Kind kind, double value, const LineState& line_state) const {
+    return target_equation({kind, value}, plane, system.line(), line_state);
   }
 };
 

@@ -4,9 +4,9 @@
 
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/vessel_load.h"
+#include "statics/solver/coupled_equilibrium.h"
 #include "statics/solver/newton.h"
-#include "statics/solver/rest_together.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 #include "support/free_body.h"
 #include "support/line_cases.h"
 
@@ -83,10 +83,10 @@ TEST(equilibrium, without_a_free_far_force_the_step_leaves_it) {
 // do, searched by work.
 TEST(equilibrium, a_free_body_and_its_lines_rest_where_a_slow_step_without_friction_takes_them) {
   System system = testing::body_with_lines(testing::floating(), 0.0);
-  system.surroundings = testing::still(system);
+  system.surroundings = testing::surroundings_at_rest(system);
   Assembly assembly(system);
   SystemState slowly = testing::drawn_out(system), state = slowly;
-  ASSERT_TRUE(rest_together(assembly, slowly).converged);
+  ASSERT_TRUE(solve_coupled_equilibrium(assembly, slowly).converged);
   Equilibrium at_rest(assembly, {});
   NewtonSettings settings;
   settings.max_iterations = 1000;
@@ -108,7 +108,7 @@ Description two_cables() {
 TEST(equilibrium, lines_rest_in_one_system_where_each_rests_by_itself) {
   const testing::RestingLines alone(two_cables());
   Assembly assembly(alone.setup.system);
-  SystemState state = start_of(alone.setup, 0.0);
+  SystemState state = make_initial_state(alone.setup, 0.0);
   assembly.set_time(0.0, state);
   assembly.impose_ends(state);
   Equilibrium together(assembly, {});
@@ -124,7 +124,7 @@ TEST(equilibrium, lines_rest_in_one_system_where_each_rests_by_itself) {
   }
 }
 
-/// The system of a lay with the lines of another beside its pipe.
+/// The system of a lay with the lines of another next to its pipe.
 System joined(const System& lay, const System& lines) {
   System both = lay;
   both.lines.insert(both.lines.end(), lines.lines.begin(), lines.lines.end());
@@ -136,7 +136,7 @@ System joined(const System& lay, const System& lines) {
 }
 
 // They share no unknowns but one Newton: each comes to where it is by itself.
-TEST(equilibrium, a_lay_and_cables_beside_it_rest_in_one_system_where_each_rests_by_itself) {
+TEST(equilibrium, a_lay_and_cables_next_to_it_rest_in_one_system_where_each_rests_by_itself) {
   Guess guess("J12-D400-T560.yaml");
   const testing::RestingLines cables(two_cables());
   const System both = joined(guess.system.equilibrium().assembly().system(), cables.setup.system);
@@ -146,7 +146,7 @@ TEST(equilibrium, a_lay_and_cables_beside_it_rest_in_one_system_where_each_rests
   Equilibrium together(assembly, {guess.model.description.statics.history});
   together.slide(far_end, 0, guess.system.plane());
   SystemState state = guess.state;
-  for (const LineState& line : start_of(cables.setup, 0.0).lines) state.lines.push_back(line);
+  for (const LineState& line : make_initial_state(cables.setup, 0.0).lines) state.lines.push_back(line);
   NewtonSettings settings;
   settings.target = guess.from.target;
   settings.max_iterations = 2000;
@@ -180,7 +180,7 @@ SystemState afloat(const System& system, const StaticSolution& start, const Vec6
 testing::SpringBody sea_springs(const VesselPose& pose) {
   testing::SpringBody springs;
   springs.body.mass = 5e6;  // what unbalanced forces are measured against
-  springs.drawn = coordinates_of(pose.p_WV, pose.R_WV);
+  springs.drawn = make_coordinates(pose.p_WV, pose.R_WV);
   springs.stiffness << 4e5, 4e5, 2e7, 1e10, 2e10, 2e10;
   return springs;
 }
@@ -203,14 +203,14 @@ TEST(equilibrium, a_lay_and_its_floating_vessel_rest_in_one_system) {
   ASSERT_TRUE(solve_equilibrium(together, state, settings).converged());
   const Vec6 moved = state.bodies.front().h - springs.drawn;
   EXPECT_GT(moved.head<3>().norm(), 0.1);
-  const BodyPose pose = pose_of(state.bodies.front().h);
+  const BodyPose pose = make_pose(state.bodies.front().h);
   model.mean_pose = {pose.place, pose.R};
-  StaticSystem there(model, model.mean_pose, held.mesh);
+  StaticSystem static_system(model, model.mean_pose, held.mesh);
   const LineState& pipe = state.lines.front();
-  const Vec6 load = load_on_vessel(there, pipe);
-  there.hold(false);
-  EXPECT_LT(there.relative_residual(), 1e-8);
-  EXPECT_NEAR(there.target_error(pipe, *settings.target), 0.0, 1.0);  // [N]
+  const Vec6 load = load_on_vessel(static_system, pipe);
+  static_system.hold(false);
+  EXPECT_LT(static_system.relative_residual(), 1e-8);
+  EXPECT_NEAR(static_system.target_error(pipe, *settings.target), 0.0, 1.0);  // [N]
   const Vec6 pulled = springs.stiffness.cwiseProduct(moved);
   EXPECT_LT((pulled.head<3>() - load.head<3>()).norm(), 1e-6 * load.head<3>().norm());
   EXPECT_LT((pulled.tail<3>() - pose.E.transpose() * load.tail<3>()).norm(), 1e-6 * load.tail<3>().norm());
@@ -226,8 +226,8 @@ TEST(equilibrium, a_limit_on_the_axial_stiffness_makes_the_cable_as_soft) {
   Continuation continuation;
   continuation.max_axial_stiffness = 1e6;
   assembly.set(continuation);
-  SystemState state = start_of(stiff.setup, 0.0);
-  ASSERT_TRUE(rest_lines(assembly, state).converged());
+  SystemState state = make_initial_state(stiff.setup, 0.0);
+  ASSERT_TRUE(solve_lines_one_by_one(assembly, state).converged());
   const std::array<double, 6>& end = assembly.line(1).end_force(LineEnd::last);
   EXPECT_LT((Vec3(end[0], end[1], end[2]) - reference.last[1]).norm(), 1e-5 * reference.last[1].norm());
   EXPECT_GT((stiff.last[1] - reference.last[1]).norm(), 0.05 * reference.last[1].norm());

@@ -52,7 +52,7 @@ TEST(touchdown, the_waterline_is_where_the_axis_goes_under) {
   EXPECT_NEAR(place->s, Arc::kStart + Arc::kRadius * std::acos(1.0 - rise / Arc::kRadius), 1e-3);
 }
 
-TEST(touchdown, a_line_that_hangs_clear_of_the_bed_has_none) {
+TEST(touchdown, a_line_clear_of_the_bed_has_none) {
   Arc arc;
   for (std::size_t i = 2; i < arc.state.q.size(); i += 6) arc.state.q[i] += 0.5;
   const StaticSystem system(arc.model, arc.model.mean_pose, arc.mesh);

@@ -9,7 +9,7 @@
 #include "base/constants.h"
 #include "base/json.h"
 #include "dynamics/run/simulation.h"
-#include "recording/vessel_watch.h"
+#include "recording/vessel_recorder.h"
 #include "support/moored_lay.h"
 
 namespace overbend {
@@ -25,7 +25,7 @@ Description described(const std::string& name) {
   return std::move(*result.description);
 }
 
-Json expected_of(const std::string& name) {
+Json read_expected(const std::string& name) {
   return read_json_file(kCases + name + ".expected.json");
 }
 
@@ -50,19 +50,19 @@ void expect_state(const Json& want, const MooredState& state) {
   ASSERT_EQ(state.moorings.size(), want["moorings"].size());
   for (std::size_t i = 0; i < state.moorings.size(); ++i) expect_line(want["moorings"][i], state.moorings[i]);
   if (want.contains("vessel")) {
-    const Json& at = want["vessel"];
-    EXPECT_NEAR(state.vessel.surge, at["surge"], 1e-5);
-    EXPECT_NEAR(state.vessel.sway, at["sway"], 1e-5);
-    EXPECT_NEAR(state.vessel.heave, at["heave"], 1e-6);
-    EXPECT_NEAR(state.vessel.roll, at["roll"], 1e-7);
-    EXPECT_NEAR(state.vessel.pitch, at["pitch"], 1e-7);
-    EXPECT_NEAR(state.vessel.yaw, at["yaw"], 1e-7);
+    const Json& sample = want["vessel"];
+    EXPECT_NEAR(state.vessel.surge, sample["surge"], 1e-5);
+    EXPECT_NEAR(state.vessel.sway, sample["sway"], 1e-5);
+    EXPECT_NEAR(state.vessel.heave, sample["heave"], 1e-6);
+    EXPECT_NEAR(state.vessel.roll, sample["roll"], 1e-7);
+    EXPECT_NEAR(state.vessel.pitch, sample["pitch"], 1e-7);
+    EXPECT_NEAR(state.vessel.yaw, sample["yaw"], 1e-7);
   }
 }
 
 void expect_case(const std::string& name) {
   const MooringResults results = rest_of_hull(described(name));
-  const Json want = expected_of(name);
+  const Json want = read_expected(name);
   if (want.contains("static")) expect_state(want["static"], results.rest);
   if (!want.contains("operation")) return;
   const Json& stages = want["operation"]["stages"];
@@ -88,7 +88,7 @@ TEST(moored_statics, stages_of_a_moored_hull_are_those_of_the_reference) {
 TEST(moored_statics, a_pull_ahead_is_that_of_the_reference) {
   expect_case("MO8-pull-ahead");
   const MooringResults results = rest_of_hull(described("MO8-pull-ahead"));
-  const Json lines = expected_of("MO8-pull-ahead")["operation"]["pull_ahead"]["lines"];
+  const Json lines = read_expected("MO8-pull-ahead")["operation"]["pull_ahead"]["lines"];
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_NEAR(results.winches[i].after - results.winches[i].before, lines[i]["winch"], 1e-5);
   }
@@ -125,11 +125,11 @@ TEST(moored_statics, lines_that_say_nothing_of_friction_have_that_of_the_seabed)
   d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.3;
   const MooringResults of_bed = rest_of_hull(d);
   d.moorings->bed_friction = 0.3;
-  const MooringResults told = rest_of_hull(d);
-  for (std::size_t i = 0; i < told.rest.moorings.size(); ++i) {
+  const MooringResults prescribed = rest_of_hull(d);
+  for (std::size_t i = 0; i < prescribed.rest.moorings.size(); ++i) {
     const MooringLineResult& line = of_bed.rest.moorings[i];
-    EXPECT_EQ(line.anchor_tension, told.rest.moorings[i].anchor_tension);
-    EXPECT_EQ(line.fairlead_tension, told.rest.moorings[i].fairlead_tension);
+    EXPECT_EQ(line.anchor_tension, prescribed.rest.moorings[i].anchor_tension);
+    EXPECT_EQ(line.fairlead_tension, prescribed.rest.moorings[i].fairlead_tension);
     if (line.on_bed > 1.0) {
       EXPECT_LT(line.anchor_tension, line.horizontal - 1.0);
     }
@@ -185,18 +185,18 @@ TEST(moored_statics, warns_of_lines_that_a_bed_as_it_is_would_bear_elsewhere) {
     // A ridge across the lay route, 600 m astern of the shoe: the stern lines lie over it.
     d.environment.seabed.profile = {
         {-2000.0, 89.0}, {550.0, 89.0}, {600.0, 89.0 - height}, {650.0, 89.0}, {2000.0, 89.0}};
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const std::string& warning : messages(testing::SolvedHull(d).rest.findings)) {
-      if (warning.find("in the seabed") != std::string::npos) told.push_back(warning);
+      if (warning.find("in the seabed") != std::string::npos) reported.push_back(warning);
     }
-    return told;
+    return reported;
   };
   EXPECT_TRUE(warnings_over(0.2).empty());
-  const std::vector<std::string> told = warnings_over(12.0);
-  ASSERT_GE(told.size(), 2U);
-  for (const std::string& warning : told) {
+  const std::vector<std::string> messages = warnings_over(12.0);
+  ASSERT_GE(messages.size(), 2U);
+  for (const std::string& warning : messages) {
     EXPECT_NE(warning.find("up to 12.0 m"), std::string::npos) << warning;
-    EXPECT_NE(warning.find("take the bed as straight"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("assume a straight bed"), std::string::npos) << warning;
   }
 }
 
@@ -220,9 +220,9 @@ Description coupled_barge(Ballast ballast) {
   return d;
 }
 
-double period_of(const MooredState& state, const std::string& mode) {
-  for (const PeriodResult& one : state.vessel.natural_periods) {
-    if (one.mode == mode) return one.period;
+double find_period(const MooredState& state, const std::string& mode) {
+  for (const PeriodResult& period_result : state.vessel.natural_periods) {
+    if (period_result.mode == mode) return period_result.period;
   }
   return 0.0;
 }
@@ -244,10 +244,10 @@ TEST(moored_statics, a_crew_that_ballasts_keeps_the_draught_and_the_trim) {
 TEST(moored_statics, natural_periods_are_those_of_mass_and_lines) {
   const MooredState rest = rest_of_hull(coupled_barge(Ballast::trim)).rest;
   // Surge by itself: the lines' 221 kN/m and 19,122 t with 1,858 t of water; pitch takes part by a permille.
-  EXPECT_NEAR(period_of(rest, "surge"),
+  EXPECT_NEAR(find_period(rest, "surge"),
               6.283185307179586 * std::sqrt((19121.58e3 + 1.858e6) / rest.vessel.stiffness[0]), 0.2);
-  EXPECT_NEAR(period_of(rest, "sway"), 6.283185307179586 * std::sqrt((19121.58e3 + 8.722e6) / rest.vessel.stiffness[7]),
-              0.3);
+  EXPECT_NEAR(find_period(rest, "sway"),
+              6.283185307179586 * std::sqrt((19121.58e3 + 8.722e6) / rest.vessel.stiffness[7]), 0.3);
   EXPECT_EQ(rest.vessel.natural_periods.size(), 6);
 }
 
@@ -316,7 +316,7 @@ TEST(moored_statics, lengths_change_the_tensions_that_were_wished_as_little_as_b
   }
 }
 
-/// Of a hull that is drawn with heel and trim as well: down is down.
+/// Moorings of a hull that is drawn with heel and trim as well: down is down.
 TEST(moored_statics, a_load_straight_down_shifts_no_hull_that_is_drawn_heeled_in_time_as_in_statics) {
   Description d = in_waves(90.0, FindMooring::pose);
   d.environment.waves.type = WaveType::none;
@@ -329,8 +329,8 @@ TEST(moored_statics, a_load_straight_down_shifts_no_hull_that_is_drawn_heeled_in
   const VesselResult& rest = hull.rest.moorings->rest.vessel;
   Simulation simulation(hull.model, hull.start(), 0.0, dynamic_options(hull.model));
   ASSERT_FALSE(simulation.failure());
-  const VesselPose& pose = simulation.now().assembly->surroundings().bodies[0].pose;
-  const auto shift = shift_between(hull.model.drawn_pose, pose);
+  const VesselPose& pose = simulation.present().assembly->surroundings().bodies[0].pose;
+  const auto shift = shift_between(hull.model.nominal_pose, pose);
   EXPECT_NEAR(shift[0], rest.surge, 0.01);
   EXPECT_NEAR(shift[1], rest.sway, 0.01);
   EXPECT_NEAR(shift[2], rest.heave, 1e-3);

@@ -6,7 +6,7 @@
 #include "base/constants.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
-#include "statics/moored/pipe_on_hull.h"
+#include "statics/moored/pipe_load.h"
 
 namespace overbend {
 namespace {
@@ -16,7 +16,7 @@ Description pulled(double distance) {
   d.environment.current.clear();
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
+  d.mesh.max_element_length = 8.0;
   d.operation.type = OperationType::pull_ahead;
   d.operation.distance = distance;
   return d;
@@ -72,12 +72,12 @@ TEST(pull_ahead, and_back_ends_in_the_state_it_began_with) {
   MooredHull moored = std::get<MooredHull>(moored_hull(model));
   const Vec6 load = pipe_load(model, pipe, moored.hull);
   moored.hull.steady += load;
-  find_rest_at_start(d, moored);
-  HullOnItsWay hull(model, moored, pipe_on_hull(model, pipe, moored.hull, load));
-  ASSERT_FALSE(hull.go_to(0.0));
+  find_initial_equilibrium(d, moored);
+  PullAheadPath hull(model, moored, pipe_on_hull(model, pipe, moored.hull, load));
+  ASSERT_FALSE(hull.advance_to(0.0));
   const MoveStep first = hull.step();
-  for (const double way : {4.0, 12.0, 7.0, 0.0}) {
-    ASSERT_FALSE(hull.go_to(way)) << way;
+  for (const double distance : {4.0, 12.0, 7.0, 0.0}) {
+    ASSERT_FALSE(hull.advance_to(distance)) << distance;
   }
   const MoveStep& last = hull.step();
   EXPECT_NEAR(last.vessel.surge, first.vessel.surge, 1e-8);

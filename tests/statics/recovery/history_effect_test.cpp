@@ -54,7 +54,7 @@ TEST(history_effect, a_lay_that_does_not_yield_says_nothing_of_it) {
   EXPECT_FALSE(find(texts(results.assumptions), "loading history of pipe"));
 }
 
-TEST(history_effect, the_strain_beside_a_stiff_stretch_of_a_yielding_overbend_is_called_too_low) {
+TEST(history_effect, the_strain_next_to_a_stiff_stretch_of_a_yielding_overbend_is_called_too_low) {
   Description d = bent_lay();
   StructureDescription valve;
   valve.name = "valve";
@@ -66,13 +66,13 @@ TEST(history_effect, the_strain_beside_a_stiff_stretch_of_a_yielding_overbend_is
   d.pipe.structures = {valve};
   const StaticResults results = solved(d);
   const std::optional<std::string> warning =
-      find(messages(results.findings), "beside 'valve' is too low: the pipe there yields");
+      find(messages(results.findings), "next to 'valve' is too low: the pipe there yields");
   ASSERT_TRUE(warning.has_value());
   EXPECT_FALSE(find(messages(results.findings), "the steel is linear elastic here"));
   d.pipe.structures.clear();
   d.pipe.segments = {{"plain", 56.5, d.pipe.section}, {"thick", 1.0, d.pipe.section}};
   d.pipe.segments[1].section.steel.wall_thickness *= 2.0;
-  EXPECT_TRUE(find(messages(solved(d).findings), "beside 'thick' is too low"));
+  EXPECT_TRUE(find(messages(solved(d).findings), "next to 'thick' is too low"));
   d.statics.history = LayHistory::monotonic;
   EXPECT_FALSE(find(messages(solved(d).findings), "is too low"));
 }

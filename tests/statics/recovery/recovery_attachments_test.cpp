@@ -27,9 +27,9 @@ StaticResults solved(const Description& description) {
 
 void compare(const AttachedPlace& found, const Json& wanted) {
   const std::string name = wanted["name"];
-  const auto near = [&](const char* key, double value, double share, double least) {
+  const auto near = [&](const char* key, double value, double share, double min_value) {
     const double reference = wanted[key];
-    EXPECT_NEAR(value, reference, std::max(share * std::abs(reference), least)) << name << " " << key;
+    EXPECT_NEAR(value, reference, std::max(share * std::abs(reference), min_value)) << name << " " << key;
   };
   near("arc_length", found.from_top, 0.0, 1e-9);
   near("x", found.astern, 0.0, 0.02);
@@ -47,7 +47,7 @@ TEST(recovery_attachments, clumps_and_buoys_bend_the_pipe_as_in_an_independent_a
   const Json wanted = read_json_file(kCases + "PB12-J.json");
   const StaticResults found = solved(read_case("PB12-J"));
   ASSERT_EQ(found.points.size(), wanted["points"].size());
-  for (std::size_t i = 0; i < found.points.size(); ++i) compare(found.points[i].at, wanted["points"][i]);
+  for (std::size_t i = 0; i < found.points.size(); ++i) compare(found.points[i].location, wanted["points"][i]);
   EXPECT_NEAR(found.bottom_tension, wanted["bottom_tension"].get<double>(), 100.0);
   EXPECT_NEAR(found.top_inclination, wanted["top_inclination"].get<double>(), 0.05 * kDegree);
   EXPECT_NEAR(found.bed->hogging_moment, wanted["largest_hogging_moment"]["value"].get<double>(), 100.0);
@@ -56,12 +56,12 @@ TEST(recovery_attachments, clumps_and_buoys_bend_the_pipe_as_in_an_independent_a
   EXPECT_NEAR(found.bed->contacts[1].x_from, wanted["on_bed"][1]["x_from"].get<double>(), 0.3);
 }
 
-TEST(recovery_attachments, a_wire_holds_the_hanging_pipe_as_in_an_independent_answer) {
+TEST(recovery_attachments, a_wire_holds_the_suspended_pipe_as_in_an_independent_answer) {
   const Json wanted = read_json_file(kCases + "LW12-J.json");
   const StaticResults found = solved(read_case("LW12-J"));
   ASSERT_EQ(found.wires.size(), 1u);
   const Json& wire = wanted["wires"][0];
-  compare(found.wires[0].at, wire);
+  compare(found.wires[0].location, wire);
   EXPECT_NEAR(found.wires[0].tension_upper, wire["tension_upper"].get<double>(), 100.0);
   EXPECT_NEAR(found.wires[0].from_vertical_upper, wire["from_vertical_upper"].get<double>(), 0.05 * kDegree);
   EXPECT_NEAR(found.wires[0].force.z(), wire["force_on_pipe"]["z"].get<double>(), 100.0);
@@ -69,23 +69,25 @@ TEST(recovery_attachments, a_wire_holds_the_hanging_pipe_as_in_an_independent_an
   EXPECT_NEAR(found.touchdown.astern, wanted["touchdown"]["x"].get<double>(), 0.3);
 }
 
-TEST(recovery_attachments, do_not_hang_on_the_mesh) {
+TEST(recovery_attachments, do_not_depend_on_the_mesh) {
   for (const char* name : {"PB12-J", "LW12-J"}) {
     Description fine = read_case(name);
     fine.mesh.touchdown_element = 0.25;
-    fine.mesh.longest_element = 1.0;
+    fine.mesh.max_element_length = 1.0;
     const StaticResults a = solved(read_case(name)), b = solved(fine);
     for (std::size_t i = 0; i < a.points.size(); ++i) {
-      EXPECT_NEAR(a.points[i].at.moment, b.points[i].at.moment, 1e-3 * std::abs(b.points[i].at.moment) + 5.0);
+      EXPECT_NEAR(a.points[i].location.moment, b.points[i].location.moment,
+                  1e-3 * std::abs(b.points[i].location.moment) + 5.0);
     }
     for (std::size_t i = 0; i < a.wires.size(); ++i) {
       EXPECT_NEAR(a.wires[i].tension_upper, b.wires[i].tension_upper, 1e-3 * b.wires[i].tension_upper);
-      EXPECT_NEAR(a.wires[i].at.moment, b.wires[i].at.moment, 1e-3 * std::abs(b.wires[i].at.moment) + 5.0);
+      EXPECT_NEAR(a.wires[i].location.moment, b.wires[i].location.moment,
+                  1e-3 * std::abs(b.wires[i].location.moment) + 5.0);
     }
   }
 }
 
-// Of every force on the line, each by its own law.
+// Sum of every force on the line, each by its own law.
 TEST(recovery_attachments, are_in_the_balance_of_the_whole_line) {
   for (const char* name : {"PB12-J", "LW12-J"}) {
     const StaticResults found = solved(read_case(name));
@@ -94,7 +96,7 @@ TEST(recovery_attachments, are_in_the_balance_of_the_whole_line) {
   }
 }
 
-TEST(recovery_attachments, a_slack_wire_leaves_the_pipe_alone_and_is_told_of) {
+TEST(recovery_attachments, a_slack_wire_leaves_the_pipe_alone_and_is_reported) {
   Description slack = read_case("LW12-J"), bare = slack;
   slack.lines[0].segments[0].length = 95.0;
   bare.lines.clear();
@@ -105,7 +107,7 @@ TEST(recovery_attachments, a_slack_wire_leaves_the_pipe_alone_and_is_told_of) {
                                   [](const Finding& finding) { return finding.code == FindingCode::davit_slack; }));
 }
 
-TEST(recovery_attachments, a_wire_that_bears_too_much_is_told_of) {
+TEST(recovery_attachments, a_wire_that_bears_too_much_is_reported) {
   Description weak = read_case("LW12-J");
   weak.lines[0].segments[0].type.breaking_load = 10e3;
   const StaticResults found = solved(weak);
@@ -135,11 +137,11 @@ TEST(recovery_attachments, a_line_with_a_little_weight_holds_as_one_without) {
   type_of_wire(light).weight_in_air = type_of_wire(light).weight_submerged = 1e-3;
   const StaticResults a = solved(read_case("LW12-J")), b = solved(light);
   EXPECT_NEAR(b.wires[0].tension_upper, a.wires[0].tension_upper, 1.0);
-  EXPECT_NEAR(b.wires[0].at.moment, a.wires[0].at.moment, 10.0);
+  EXPECT_NEAR(b.wires[0].location.moment, a.wires[0].location.moment, 10.0);
 }
 
-// What it weighs is the difference of its ends' vertical forces, in the air and under water.
-TEST(recovery_attachments, a_line_with_weight_hangs_between_its_ends) {
+// Its weight is the difference of its ends' vertical forces, in the air and under water.
+TEST(recovery_attachments, a_line_with_weight_is_suspended_between_its_ends) {
   for (const bool turned : {false, true}) {
     Description heavy = read_case("LW12-J");
     type_of_wire(heavy).weight_in_air = 60.0;

@@ -17,7 +17,7 @@ TEST(recovery, horizontal_tension_at_touchdown_is_the_pull_of_the_laid_pipe) {
   EXPECT_NEAR(r.bottom_tension, r.stations.front().effective_tension, 1e-6 * r.bottom_tension);  // of the solver
   EXPECT_NEAR(r.bottom_tension, r.anchor_reaction.head<2>().norm(), 1e-6 * r.bottom_tension);
   const auto landing =
-      std::ranges::find_if(r.stations, [&](const Station& at) { return at.s >= r.touchdown.s - 1e-9; });
+      std::ranges::find_if(r.stations, [&](const Station& station) { return station.s >= r.touchdown.s - 1e-9; });
   EXPECT_GT(r.bottom_tension, 1.009 * landing->effective_tension * std::cos(landing->inclination));  // shear has part
 }
 

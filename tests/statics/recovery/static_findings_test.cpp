@@ -22,9 +22,9 @@ std::vector<std::string> warnings_with(const std::function<void(Description&, St
   return messages(results.findings);
 }
 
-int mentions(const std::vector<std::string>& list, const std::string& words) {
+int mentions(const std::vector<std::string>& list, const std::string& message) {
   return static_cast<int>(std::count_if(list.begin(), list.end(),
-                                        [&](const std::string& s) { return s.find(words) != std::string::npos; }));
+                                        [&](const std::string& s) { return s.find(message) != std::string::npos; }));
 }
 
 TEST(static_findings, a_sound_lay_has_none) {
@@ -35,7 +35,7 @@ TEST(static_findings, a_sound_lay_has_none) {
 
 TEST(static_findings, compression_says_where_and_how_much) {
   const std::vector<std::string> list = warnings_with([](Description&, StaticResults& r) {
-    r.smallest_tension = {-8e3, r.touchdown.s, r.touchdown.p_W, r.touchdown.astern};
+    r.min_effective_tension = {-8e3, r.touchdown.s, r.touchdown.p_W, r.touchdown.astern};
   });
   EXPECT_EQ(mentions(list, "the effective tension falls to -8.00 kN"), 1);
   EXPECT_EQ(mentions(list, "from the tensioner (sagbend)"), 1);
@@ -43,13 +43,13 @@ TEST(static_findings, compression_says_where_and_how_much) {
 
 TEST(static_findings, the_smallest_tension_is_that_of_the_stations) {
   const StaticResults& r = solved_case("S16-T300").results;
-  for (const Station& at : r.stations) EXPECT_GE(at.effective_tension, r.smallest_tension.value);
+  for (const Station& station : r.stations) EXPECT_GE(station.effective_tension, r.min_effective_tension.value);
 }
 
-TEST(static_findings, stress_past_yield_is_told_of_linear_steel_alone) {
+TEST(static_findings, stress_past_yield_is_reported_for_linear_steel_alone) {
   const auto weak = [](Description& d, StaticResults& r) {
     d.pipe.section.steel.yield_stress = 200e6;
-    for (Station& at : r.stations) at.yield_stress = 200e6;
+    for (Station& station : r.stations) station.yield_stress = 200e6;
   };
   EXPECT_EQ(mentions(warnings_with(weak), "exceeds the yield stress of 200 MPa"), 1);
   const auto yielding = [&](Description& d, StaticResults& r) {
@@ -67,7 +67,7 @@ TEST(static_findings, supports_below_the_bed_are_named) {
   EXPECT_EQ(mentions(list, "the stinger's tip among them"), 1);
 }
 
-TEST(static_findings, a_stern_shoe_below_the_water_is_told) {
+TEST(static_findings, a_stern_shoe_below_the_water_is_reported) {
   const std::vector<std::string> list =
       warnings_with([](Description& d, StaticResults&) { d.vessel.stern_shoe_z = -1.5; });
   EXPECT_EQ(mentions(list, "the stern shoe is 1.50 m below the water"), 1);
@@ -84,14 +84,14 @@ TEST(static_findings, a_box_out_of_line_is_named) {
   }
 }
 
-TEST(static_findings, a_structure_beyond_the_end_of_the_line_is_told) {
+TEST(static_findings, a_structure_beyond_the_end_of_the_line_is_reported) {
   const double total = solved_case("S16-T300").results.total_length;
-  const auto with = [](double at) {
-    return warnings_with([at](Description& d, StaticResults&) {
+  const auto with = [](double position) {
+    return warnings_with([position](Description& d, StaticResults&) {
       d.pipe.section.joint->strain_factor = 1.1;
       StructureDescription& tee = d.pipe.structures.emplace_back();
       tee.name = "tee";
-      tee.at = at;
+      tee.at = position;
       tee.length = 4.0;
       tee.weight_in_air = 40e3;
       tee.weight_submerged = 30e3;
@@ -99,12 +99,12 @@ TEST(static_findings, a_structure_beyond_the_end_of_the_line_is_told) {
   };
   EXPECT_TRUE(with(total - 3.0).empty());
   EXPECT_EQ(mentions(with(total - 1.0), "the structure 'tee'"), 1);
-  EXPECT_EQ(mentions(with(total - 1.0), "reaches beyond the end of the line"), 1);
+  EXPECT_EQ(mentions(with(total - 1.0), "extends beyond the end of the line"), 1);
   EXPECT_EQ(mentions(with(5000.0), "(at: 5000 m) lies beyond the end of the line"), 1);
 }
 
-TEST(static_findings, a_slope_on_which_friction_does_not_hold_the_laid_pipe_is_told) {
-  const auto told = [](double friction, double slope) {
+TEST(static_findings, a_slope_on_which_friction_does_not_hold_the_laid_pipe_is_reported) {
+  const auto prescribed = [](double friction, double slope) {
     int count = 0;
     for (const double towards : {0.0, 0.5, 1.0, 1.5}) {  // ahead, astern and to either side
       count += mentions(warnings_with([&](Description& d, StaticResults&) {
@@ -116,18 +116,18 @@ TEST(static_findings, a_slope_on_which_friction_does_not_hold_the_laid_pipe_is_t
     }
     return count;
   };
-  EXPECT_EQ(told(0.02, 0.05), 2);  // falling astern and rising
-  EXPECT_EQ(told(0.06, 0.05), 0);
-  EXPECT_EQ(told(0.0, 0.0), 0);
+  EXPECT_EQ(prescribed(0.02, 0.05), 2);  // falling astern and rising
+  EXPECT_EQ(prescribed(0.06, 0.05), 0);
+  EXPECT_EQ(prescribed(0.0, 0.0), 0);
 }
 
-TEST(static_findings, strain_at_field_joints_that_nobody_told_is_missing) {
+TEST(static_findings, strain_at_field_joints_that_is_not_given_is_missing) {
   const auto joint = [](Description& d, StaticResults&) {
     d.pipe.section.coatings = {{"concrete", 0.04, 22e3}};
     d.pipe.section.joint = JointDescription{12.0, 0.6, 10e3};
   };
-  const char* words = "the strain concentration at the field joints is missing";
-  EXPECT_EQ(mentions(warnings_with(joint), words), 1);
+  const char* arguments = "the strain concentration at the field joints is missing";
+  EXPECT_EQ(mentions(warnings_with(joint), arguments), 1);
   for (const bool stiff : {false, true}) {
     EXPECT_EQ(mentions(warnings_with([&](Description& d, StaticResults& r) {
                          joint(d, r);
@@ -137,33 +137,33 @@ TEST(static_findings, strain_at_field_joints_that_nobody_told_is_missing) {
                            d.pipe.section.joint->strain_factor = 1.0;
                          }
                        }),
-                       words),
+                       arguments),
               0);
   }
 }
 
-TEST(static_findings, a_seabed_that_leaves_the_water_under_the_laid_pipe_is_told) {
-  const auto told = [](double slope, double towards) {
+TEST(static_findings, a_seabed_that_leaves_the_water_under_the_laid_pipe_is_reported) {
+  const auto prescribed = [](double slope, double towards) {
     return mentions(warnings_with([&](Description& d, StaticResults&) {
                       d.environment.seabed.friction_axial = 1.0;
                       d.environment.seabed.slope = slope;
                       d.environment.seabed.slope_towards = d.vessel.heading + towards;
                     }),
-                    "the seabed leaves the water under the laid pipe");
+                    "the seabed is above the water under the laid pipe");
   };
-  EXPECT_EQ(told(0.5, 0.0), 1);               // falls ahead, rises astern
-  EXPECT_EQ(told(0.5, std::numbers::pi), 0);  // falls astern
-  EXPECT_EQ(told(0.01, 0.0), 0);
+  EXPECT_EQ(prescribed(0.5, 0.0), 1);               // falls ahead, rises astern
+  EXPECT_EQ(prescribed(0.5, std::numbers::pi), 0);  // falls astern
+  EXPECT_EQ(prescribed(0.01, 0.0), 0);
 }
 
-TEST(static_findings, a_tensioner_that_points_past_the_first_box_is_told) {
-  const auto told = [](double incline) {
+TEST(static_findings, a_tensioner_that_points_past_the_first_box_is_reported) {
+  const auto prescribed = [](double incline) {
     return mentions(warnings_with([&](Description& d, StaticResults&) { d.tensioner.incline = incline; }),
                     "check tensioner.incline");
   };
-  EXPECT_EQ(told(0.5), 1);
-  EXPECT_EQ(told(-0.5), 1);
-  EXPECT_EQ(told(0.0), 0);
+  EXPECT_EQ(prescribed(0.5), 1);
+  EXPECT_EQ(prescribed(-0.5), 1);
+  EXPECT_EQ(prescribed(0.0), 0);
 }
 
 }  // namespace

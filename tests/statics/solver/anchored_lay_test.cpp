@@ -77,7 +77,7 @@ void expect_that_length_and_anchor_give_back_the_tension(Description d, double t
   EXPECT_NEAR(found.lay_back, pulled.lay_back, 1e-3 * pulled.lay_back);
 }
 
-StaticFailure refusal(const Description& d) {
+StaticFailure rejection(const Description& d) {
   const StaticOutcome outcome = solve_statics(build_model(d));
   EXPECT_FALSE(outcome.solution);
   return outcome.failure.value_or(StaticFailure{});
@@ -89,7 +89,7 @@ TEST(anchored_lay, buoys_on_the_way_down_do_not_hide_the_tension) {
   expect_that_length_and_anchor_give_back_the_tension(with_structure(read(kJlay), buoy(50.0, 5.0, -2e3)), 60e3);
 }
 
-TEST(anchored_lay, lazy_waves_of_given_length_hang_as_with_their_tension) {
+TEST(anchored_lay, lazy_waves_of_given_length_lie_as_with_their_tension) {
   Description d = with_structure(read(kJlay), buoy(150.0, 40.0, -40e3));
   d.tensioner.tension = 25e3;
   const StaticResults wave = solve(d);
@@ -102,7 +102,7 @@ TEST(anchored_lay, lazy_waves_of_given_length_hang_as_with_their_tension) {
   expect_that_length_and_anchor_give_back_the_tension(d, 25e3);
 }
 
-TEST(anchored_lay, a_side_current_lays_the_pipe_beside_its_route_whether_the_tension_is_given_or_follows) {
+TEST(anchored_lay, a_side_current_lays_the_pipe_next_to_its_route_whether_the_tension_is_given_or_follows) {
   Description d = read(kSlay);
   d.environment.seabed.friction_lateral = 0.5;
   d.environment.current = {{0.0, 0.4, 0.25 * kTurn}, {300.0, 0.1, 0.25 * kTurn}};
@@ -122,14 +122,14 @@ TEST(anchored_lay, the_pipe_lies_on_its_rollers_where_another_equilibrium_has_it
   for (const SupportResult& support : found.supports) EXPECT_GT(support.separation, -0.02) << support.name;
 }
 
-TEST(anchored_lay, an_anchor_that_is_too_near_or_too_far_is_refused_with_the_distances_that_are_possible) {
+TEST(anchored_lay, an_anchor_that_is_too_near_or_too_far_is_rejected_with_the_distances_that_are_possible) {
   Description d = read(kJlay);
   d.tensioner.tension.reset();
   d.pipe.length = 400.0;
   d.pipe.anchor = 280.0;  // nearer than a pipe that hangs plumb and lies straight from there
-  EXPECT_EQ(refusal(d).what, "the anchor is too near");
+  EXPECT_EQ(rejection(d).what, "the anchor is too near");
   d.pipe.anchor = 399.0;  // sqrt(400^2 - 100^2) = 387 m is all that a straight line would reach
-  EXPECT_EQ(refusal(d).what, "the anchor is too far");
+  EXPECT_EQ(rejection(d).what, "the anchor is too far");
 }
 
 TEST(anchored_lay, the_derivative_of_the_tension_by_the_distance_is_that_of_neighbouring_lays) {
@@ -142,8 +142,8 @@ TEST(anchored_lay, the_derivative_of_the_tension_by_the_distance_is_that_of_neig
   const auto tension = [&](double distance) {
     Description moved = d;
     moved.pipe.anchor = distance;
-    const Model there = build_model(moved);
-    return recover_statics(there, *solve_statics(there, &*outcome.solution).solution).top_tension;
+    const Model moved_model = build_model(moved);
+    return recover_statics(moved_model, *solve_statics(moved_model, &*outcome.solution).solution).top_tension;
   };
   const double step = 1e-3, difference = (tension(250.0 + step) - tension(250.0 - step)) / (2.0 * step);
   EXPECT_NEAR(*tension_per_anchor_distance(model, *outcome.solution) / difference, 1.0, 1e-3);

@@ -31,17 +31,17 @@ BodyDescription body(const std::string& name, const Vec3& place, double heading)
   return made;
 }
 
-LineEndDescription on_body(const std::string& name, const Vec3& at) {
+LineEndDescription on_body(const std::string& name, const Vec3& point) {
   LineEndDescription end;
   end.kind = LineEndKind::body;
   end.body = name;
-  end.at = at;
+  end.at = point;
   return end;
 }
 
-LineEndDescription fixed(const Vec3& at) {
+LineEndDescription fixed(const Vec3& point) {
   LineEndDescription end;
-  end.at = at;
+  end.at = point;
   return end;
 }
 
@@ -70,15 +70,15 @@ FreeLineDescription rope(const LineEndDescription& first, const LineEndDescripti
   return between("hawser", testing::cable_type(20.0, 0.08, kRopeStiffness, 0.0, 1025.0), kRopeLength, first, second);
 }
 
-/// Of the rope in the air, its ends level: the elastic catenary with a horizontal tension.
+/// Tension of the rope in air with level ends: the elastic catenary with a horizontal tension.
 double rope_span(double horizontal) {
   const double a = horizontal / kRopeWeight;
   return 2.0 * a * std::asinh(0.5 * kRopeLength / a) + horizontal * kRopeLength / kRopeStiffness;
 }
 
-void push(Description& d, const Vec3& at, const Vec3& force) {
+void push(Description& d, const Vec3& point, const Vec3& force) {
   VesselLoadDescription load;
-  load.at = at;
+  load.at = point;
   load.force = force;
   d.vessel.loads.push_back(load);
 }
@@ -87,7 +87,7 @@ const BodyResult& found(const ModelEquilibrium& equilibrium, const std::string& 
   return *std::ranges::find(equilibrium.bodies, name, &BodyResult::name);
 }
 
-TEST(hawser_between_bodies, hangs_as_between_the_same_places_that_are_fixed) {
+TEST(hawser_between_bodies, is_suspended_as_between_the_same_places_that_are_fixed) {
   const Vec3 first(40.0, 10.0, 6.0), second(220.0, 10.0, 3.0);
   Description d = testing::water_alone(1025.0, 100.0);
   d.lines = {rope(fixed(first), fixed(second))};
@@ -215,7 +215,7 @@ TEST(vessel_on_eight_lines, lies_as_on_mooring_lines_that_are_catenaries) {
   }
 }
 
-TEST(vessel_that_nothing_holds, is_refused_by_the_names_of_its_directions) {
+TEST(vessel_that_nothing_holds, is_rejected_by_the_names_of_its_directions) {
   Description d = hull_afloat();
   d.lines = {wire("slack", 210.0, on_body("vessel", Vec3(50.0, 0.0, 0.0)), fixed(Vec3(250.0, 0.0, 0.0)))};
   ModelEquilibrium rest = solve_lines(build_model(d));
@@ -233,7 +233,7 @@ TEST(vessel_that_nothing_holds, is_refused_by_the_names_of_its_directions) {
   EXPECT_NE(rest.failure->what.find("yaw"), std::string::npos) << rest.failure->what;
 }
 
-TEST(lines_on_a_moored_vessel, are_refused) {
+TEST(lines_on_a_moored_vessel, are_rejected) {
   Description d = hull_afloat();
   d.moorings.emplace().lines.emplace_back();
   d.lines = {wire("hawser", 210.0, on_body("vessel", Vec3(50.0, 0.0, 0.0)), fixed(Vec3(250.0, 0.0, 0.0)))};

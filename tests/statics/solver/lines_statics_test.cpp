@@ -49,7 +49,7 @@ TEST(lines_statics, stiffness_of_the_wire_is_that_of_the_catenary) {
   EXPECT_NEAR(1e-3 * stiffness, 45.95, 0.002 * 45.95);
 }
 
-TEST(lines_statics, do_not_hang_on_the_mesh) {
+TEST(lines_statics, do_not_depend_on_the_mesh) {
   const RestingLines usual(wire(1000.0)), fine(wire(1000.0, 10.0));
   EXPECT_GE(usual.line().mesh.elements(), 20);
   EXPECT_LE(usual.line().mesh.elements(), 40);
@@ -63,7 +63,7 @@ struct MoorPyRow {
   double across, up, length, EA, w, below, horizontal, vertical;
 };
 
-TEST(lines_statics, taut_and_hanging_lines_are_those_of_moorpy) {
+TEST(lines_statics, taut_and_suspended_lines_are_those_of_moorpy) {
   const MoorPyRow rows[] = {
       {400.0, 200.0, 500.0, 7.51e12, 200.0, 372.7, 43694.58098925, 77634.40064978},
       {246.22420940032947, 263.55766330843164, 360.62566262396927, 7e8, 3.08735, 1e3, 71116.8, 76680.6},
@@ -143,8 +143,8 @@ TEST(lines_statics, a_buoy_that_turns_a_slack_line_leaves_it_the_tension_of_eith
     // kN.
     const double level = std::hypot(line.first.force.x(), line.first.force.y());
     const double behind = line.first.force.z() - 60.0 * rope.weight_submerged + 30e3;
-    EXPECT_NEAR(line.largest_tension, std::hypot(level, behind), 0.01 * line.largest_tension) << softer_first;
-    EXPECT_GT(line.least_tension, 0.99 * level) << softer_first;  // nowhere less than its level share
+    EXPECT_NEAR(line.max_tension, std::hypot(level, behind), 0.01 * line.max_tension) << softer_first;
+    EXPECT_GT(line.min_tension, 0.99 * level) << softer_first;  // nowhere less than its level share
   }
 }
 
@@ -164,7 +164,7 @@ TEST(lines_statics, an_upright_line_with_a_little_slack_is_pulled_by_its_weight_
 }
 
 /// More slack than elements can follow where the line turns back at its lower end.
-TEST(lines_statics, an_upright_line_has_its_weight_or_is_told_to_be_folded) {
+TEST(lines_statics, an_upright_line_has_its_weight_or_is_reported_as_folded) {
   const LineTypeDescription hose = testing::cable_type(60.0, 0.2, 100e6, 5e3, 1025.0);
   for (const double slack : {0.5, 1.0, 2.0, 3.0}) {
     Description d = testing::water_alone(1025.0, 200.0);
@@ -173,10 +173,10 @@ TEST(lines_statics, an_upright_line_has_its_weight_or_is_told_to_be_folded) {
     ASSERT_FALSE(found.failure) << slack;
     const double weight = (180.0 + slack) * hose.weight_submerged;
     const bool right = std::abs(found.lines.front().first.tension - weight) < 0.1 * weight;
-    const bool told = std::ranges::any_of(messages(found.findings), [](const std::string& warning) {
+    const bool reported = std::ranges::any_of(messages(found.findings), [](const std::string& warning) {
       return warning.find("an element is folded") != std::string::npos;
     });
-    EXPECT_TRUE(right || told) << slack << ": " << found.lines.front().first.tension;
+    EXPECT_TRUE(right || reported) << slack << ": " << found.lines.front().first.tension;
   }
 }
 
@@ -196,7 +196,7 @@ TEST(lines_statics, segments_differ_where_they_meet) {
   EXPECT_DOUBLE_EQ(line.elements.EA[static_cast<std::size_t>(line.mesh.elements() - 1)], 165.48e6);
 }
 
-TEST(lines_statics, slack_lying_hanging_and_rising_lines_come_to_rest) {
+TEST(lines_statics, slack_lying_suspended_and_rising_lines_reach_equilibrium) {
   struct Case {
     const char* name;
     Vec3 first, second;
@@ -213,13 +213,13 @@ TEST(lines_statics, slack_lying_hanging_and_rising_lines_come_to_rest) {
                         {"a bight afloat", {0.0, 0.0, -10.0}, {200.0, 0.0, -10.0}, 320.0, 0.17},
                         {"steep and slack", {0.0, 0.0, -100.0}, {2.0, 0.0, -5.0}, 160.0, 0.05},
                         {"steep, slack and afloat", {0.0, 0.0, -100.0}, {2.0, 0.0, 0.0}, 150.0, 0.17}};
-  for (const Case& one : cases) {
+  for (const Case& single : cases) {
     Description d = testing::water_alone(1025.0, 100.0);
     d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.6;
-    LineTypeDescription type = testing::cable_type(16.3418, one.volume_diameter, 165.48e6, 2e3, 1025.0);
-    d.lines = {testing::free_line(type, one.length, one.first, one.second)};
+    LineTypeDescription type = testing::cable_type(16.3418, single.volume_diameter, 165.48e6, 2e3, 1025.0);
+    d.lines = {testing::free_line(type, single.length, single.first, single.second)};
     const RestingLines lines(d);
-    EXPECT_TRUE(lines.rest.converged()) << one.name << ": " << lines.rest.lines[0].residual << " after "
+    EXPECT_TRUE(lines.rest.converged()) << single.name << ": " << lines.rest.lines[0].residual << " after "
                                         << lines.rest.lines[0].iterations;
   }
 }

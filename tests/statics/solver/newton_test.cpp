@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "modelfile/reading/yaml_reader.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {

@@ -10,7 +10,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
 #include "statics/recovery/recovery.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "support/lay_over_bottom_rollers.h"
 #include "support/solved_case.h"
 
@@ -33,7 +33,7 @@ StaticResults solve_results(const Description& d) {
   return recover_statics(model, outcome.solution.value());
 }
 
-StaticFailure failure_of(const Description& d) {
+StaticFailure find_failure(const Description& d) {
   return solve_statics(build_model(d)).failure.value();
 }
 
@@ -102,7 +102,7 @@ TEST(statics, a_finer_mesh_moves_the_results_less_than_the_reference_tolerances)
   const StaticResults rule = solve_results(d);
   d.mesh.overbend_element = 0.2;
   d.mesh.touchdown_element = 0.4;
-  d.mesh.longest_element = 1.5;
+  d.mesh.max_element_length = 1.5;
   const StaticResults fine = solve_results(d);
   EXPECT_NEAR(rule.bottom_tension, fine.bottom_tension, 1e-4 * fine.bottom_tension);
   EXPECT_NEAR(rule.lay_back, fine.lay_back, 0.02);
@@ -180,7 +180,7 @@ TEST(statics, steel_that_yields_bends_alike_whether_its_tension_is_given_or_foll
   EXPECT_NEAR(found.overbend->strain.value, given.overbend->strain.value, 0.02 * given.overbend->strain.value);
 }
 
-TEST(statics, the_hanging_weight_is_what_the_tension_loses_on_the_way_down) {
+TEST(statics, the_suspended_weight_is_what_the_tension_loses_on_the_way_down) {
   const StaticResults r = solve_results(reference_bgl1());
   const double air = 2255.9358 * 5.222, water = 368.4936 * (89.0 - 0.2445);
   const double top_bending = 0.5 * std::pow(r.stations.back().bending_moment, 2) / r.sections[0].EI;
@@ -219,10 +219,10 @@ TEST(statics, where_the_wall_grows_thicker_the_thin_side_has_its_full_strain_on_
     const StaticResults r = solve_results(d);
     for (const double change : {40.0, 52.0}) {
       const Station *at_node = nullptr, *softest = nullptr;
-      for (const Station& at : r.stations) {
-        if (std::abs(at.s - (r.total_length - change)) > 2e-3) continue;
-        if (softest == nullptr || at.bending_stress > softest->bending_stress) softest = &at;
-        if (std::abs(at.s - (r.total_length - change)) < 1e-6) at_node = &at;
+      for (const Station& station : r.stations) {
+        if (std::abs(station.s - (r.total_length - change)) > 2e-3) continue;
+        if (softest == nullptr || station.bending_stress > softest->bending_stress) softest = &station;
+        if (std::abs(station.s - (r.total_length - change)) < 1e-6) at_node = &station;
       }
       ASSERT_TRUE(at_node != nullptr && softest != nullptr) << change;
       const double by_hand = at_node->bending_moment * 0.2032 / r.sections[0].second_moment;
@@ -238,14 +238,14 @@ TEST(statics, strain_gathers_at_bare_field_joints) {
   d.pipe.section.joint->coated_stiffness = 1.4;
   const StaticResults r = solve_results(d);
   EXPECT_LT(r.global_residual, 1e-9);
-  const auto at = [&](double from_tensioner) {
+  const auto sample = [&](double from_tensioner) {
     const double s = r.total_length - from_tensioner;
     return *std::min_element(r.stations.begin(), r.stations.end(),
                              [&](const Station& a, const Station& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
   };
   int joints = 0;
   for (double middle = 6.0; middle < 60.0; middle += 12.0) {
-    const Station joint = at(middle + 0.1), coated = at(middle + 1.2);
+    const Station joint = sample(middle + 0.1), coated = sample(middle + 1.2);
     if (joint.bending_moment < 100e3) continue;
     ++joints;
     const double ratio = (joint.curvature / joint.bending_moment) / (coated.curvature / coated.bending_moment);
@@ -258,7 +258,7 @@ TEST(statics, strain_gathers_at_bare_field_joints) {
 
 // Boxes of one row that the pipe does not touch may have no station over them; between two meshes moments then differed
 // by 6 %, now by what lines between stations leave out.
-TEST(statics, what_the_pipe_bears_over_a_box_does_not_hang_on_where_stations_lie) {
+TEST(statics, what_the_pipe_bears_over_a_box_does_not_depend_on_where_stations_lie) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/validation/bed_cases/BP24-sleeper.yaml").description.value();
   const StaticResults whole = solve_results(d);
   d.pipe.segments = {SegmentDescription{"same", 100.0, d.pipe.section}};  // which puts nodes elsewhere
@@ -271,10 +271,10 @@ TEST(statics, what_the_pipe_bears_over_a_box_does_not_hang_on_where_stations_lie
   }
 }
 
-TEST(statics, too_little_tension_is_refused_with_the_least_that_would_do) {
+TEST(statics, too_little_tension_is_rejected_with_the_least_that_would_do) {
   Description d = reference_bgl1();
   d.tensioner.tension = 40e3;
-  const StaticFailure f = failure_of(d);
+  const StaticFailure f = find_failure(d);
   EXPECT_NE(f.what.find("too low"), std::string::npos);
   EXPECT_NE(f.why.find("44.5 kN"), std::string::npos);  // 2.2559 x 5.222 + 0.36849 x 88.756 kN
 }
@@ -288,7 +288,7 @@ TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_
     const Model model = build_model(d);
     const StaticOutcome outcome = solve_statics(model);
     if (outcome.failure) {
-      EXPECT_NE(outcome.failure->why.find("the pipe lay beside '"), std::string::npos) << outcome.failure->why;
+      EXPECT_NE(outcome.failure->why.find("the pipe missed '"), std::string::npos) << outcome.failure->why;
       continue;
     }
     const std::vector<std::string> warnings = messages(recover_statics(model, *outcome.solution).findings);
@@ -299,22 +299,22 @@ TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_
 }
 
 TEST(statics, a_pipe_that_nothing_holds_on_its_rollers_is_said_to_run_off_them) {
-  for (const double factor : {1.0, 2.0}) {  // the second leaves it in equilibrium beside all supports
+  for (const double factor : {1.0, 2.0}) {  // the second leaves it in equilibrium next to all supports
     Description d = bgl1();
     for (RollerKindDescription& kind : d.rollers) kind.sides.reset();
     for (CurrentPoint& point : d.environment.current) point.speed *= factor;
-    const StaticFailure f = failure_of(d);
+    const StaticFailure f = find_failure(d);
     EXPECT_NE(f.what.find("the pipe runs off its rollers"), std::string::npos) << f.what;
     EXPECT_NE(f.why.find("that box has no side rollers to hold it"), std::string::npos) << f.why;
   }
 }
 
-// Where it lies below the boxes, as where it lies beside them. The tip clearance is how far it lies above the roller
+// Below the boxes, as next to them. The tip clearance is how far it lies above the roller
 // then, which is negative, not how far from its end.
-TEST(statics, a_pipe_that_hangs_below_the_rollers_it_ran_off_is_said_to_have_left_them) {
-  const auto warned = [](const StaticResults& r, const std::string& words) {
+TEST(statics, a_pipe_below_the_rollers_it_ran_off_is_reported_to_have_left_them) {
+  const auto warned = [](const StaticResults& r, const std::string& message) {
     return std::ranges::any_of(messages(r.findings),
-                               [&](const std::string& w) { return w.find(words) != std::string::npos; });
+                               [&](const std::string& w) { return w.find(message) != std::string::npos; });
   };
   const auto solved = [](double current) {
     Model model = build_model(testing::lay_over_bottom_rollers(current));
@@ -335,15 +335,16 @@ TEST(statics, a_pipe_that_hangs_below_the_rollers_it_ran_off_is_said_to_have_lef
 }
 
 /// Least clear distance from a roller of the places of all stations [m].
-double least_of_stations(const StaticResults& r, const RollerResult& roller) {
+double min_of_stations(const StaticResults& r, const RollerResult& roller) {
   const Vec3 center = roller.p_W - roller.radius * roller.normal_W;
-  double least = 1e9;
-  for (const Station& at : r.stations) {
-    const Vec3 from = at.p_W - center;
+  double min_value = 1e9;
+  for (const Station& station : r.stations) {
+    const Vec3 from = station.p_W - center;
     const double along = std::clamp(from.dot(roller.axis_W), -0.5 * roller.face, 0.5 * roller.face);
-    least = std::min(least, (from - along * roller.axis_W).norm() - roller.radius - 0.5 * r.pipe_outer_diameter);
+    min_value =
+        std::min(min_value, (from - along * roller.axis_W).norm() - roller.radius - 0.5 * r.pipe_outer_diameter);
   }
-  return least;
+  return min_value;
 }
 
 TEST(statics, a_roller_that_carries_has_its_penetration_as_separation_however_steep_its_box) {
@@ -358,11 +359,11 @@ TEST(statics, a_roller_that_carries_has_its_penetration_as_separation_however_st
         if (roller.reaction > 0.0) {
           ++carrying;
           EXPECT_LT(roller.separation, 0.0) << box.name;
-          EXPECT_GE(roller.separation, -r.largest_penetration * (1.0 + 1e-9)) << box.name;
+          EXPECT_GE(roller.separation, -r.max_penetration * (1.0 + 1e-9)) << box.name;
         } else {
           ++clear;
           EXPECT_GE(roller.separation, 0.0) << box.name;
-          EXPECT_LE(roller.separation, least_of_stations(r, roller) + 1e-6) << box.name;  // no place is closer
+          EXPECT_LE(roller.separation, min_of_stations(r, roller) + 1e-6) << box.name;  // no place is closer
         }
       }
     }
@@ -380,43 +381,43 @@ bool warns_of_tension(const StaticResults& r) {
 TEST(statics, a_tension_that_the_recovered_forces_miss_is_warned_of) {
   Description d = read("/examples/first-model.yaml");
   EXPECT_FALSE(warns_of_tension(solve_results(d)));
-  d.supports.boxes[0].z = 10.0;  // the pipe is bent to thousands of MPa beside the tensioner
+  d.supports.boxes[0].z = 10.0;  // the pipe is bent to thousands of MPa next to the tensioner
   const StaticResults r = solve_results(d);
   EXPECT_GT(std::abs(r.top_tension - 300e3), 300.0);
   EXPECT_TRUE(warns_of_tension(r));
 }
 
-TEST(statics, a_tension_that_the_forces_miss_by_far_is_refused) {
+TEST(statics, a_tension_that_the_forces_miss_by_far_is_rejected) {
   Description d = bgl1();
   for (BoxDescription& box : d.supports.boxes) {
     box.z *= 10.0;
   }
-  EXPECT_NE(failure_of(d).what.find("set tension is not reached"), std::string::npos);
+  EXPECT_NE(find_failure(d).what.find("set tension is not reached"), std::string::npos);
 }
 
-TEST(statics, a_floating_pipe_is_refused) {
+TEST(statics, a_floating_pipe_is_rejected) {
   Description d = reference_bgl1();
   d.pipe.section.coatings.pop_back();
   d.pipe.section.coatings.push_back({"foam", 0.1, 1e3});
-  EXPECT_NE(failure_of(d).what.find("floats"), std::string::npos);
+  EXPECT_NE(find_failure(d).what.find("floats"), std::string::npos);
 }
 
-TEST(statics, a_line_too_short_to_reach_the_seabed_is_refused) {
+TEST(statics, a_line_too_short_to_reach_the_seabed_is_rejected) {
   Description d = reference_bgl1();
   d.pipe.length = 300.0;
-  EXPECT_NE(failure_of(d).what.find("does not reach"), std::string::npos);
+  EXPECT_NE(find_failure(d).what.find("does not reach"), std::string::npos);
 }
 
-TEST(statics, supports_far_below_the_pipe_are_refused) {
+TEST(statics, supports_far_below_the_pipe_are_rejected) {
   Description d = reference_bgl1();
   for (BoxDescription& box : d.supports.boxes) {
     box.z -= 30.0;
   }
-  EXPECT_NE(failure_of(d).what.find("lifts off every support"), std::string::npos);
+  EXPECT_NE(find_failure(d).what.find("lifts off every support"), std::string::npos);
 }
 
 }  // namespace
-TEST(statics, a_tension_beyond_the_yield_load_of_yielding_steel_is_refused_at_once) {
+TEST(statics, a_tension_beyond_the_yield_load_of_yielding_steel_is_rejected_at_once) {
   Description d = reference_bgl1();
   d.pipe.section.steel.material.law = MaterialLaw::bilinear;
   const double area = 3.14159265358979 * (0.4064 - 0.011125) * 0.011125, yield_load = 414e6 * area;
@@ -428,7 +429,7 @@ TEST(statics, a_tension_beyond_the_yield_load_of_yielding_steel_is_refused_at_on
       << outcome.failure->why;
 }
 
-TEST(statics, a_pipe_that_folds_where_it_yields_is_told_from_one_without_an_equilibrium) {
+TEST(statics, a_pipe_that_folds_where_it_yields_is_distinguished_from_one_without_an_equilibrium) {
   Description d = reference_bgl1();
   d.pipe.section.steel.yield_stress = 60e6;  // the stinger bends it to five times the curvature of first yield
   d.pipe.section.steel.material.law = MaterialLaw::bilinear;

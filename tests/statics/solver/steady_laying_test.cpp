@@ -44,20 +44,20 @@ Laid laid(const Description& description) {
 }
 
 /// A string from touchdown, where it lies along the route, up to the height of the tensioner: its end, pull and length.
-struct HungString {
+struct SuspendedString {
   Vec3 end;
   double tension = 0.0;
 };
 
 /// Integrated by the classical Runge-Kutta rule from the horizontal pull at touchdown: dF/ds = -(loads), dr/ds = F/|F|
 /// with the stretch of the elastic pipe.
-HungString hang_string(const Model& model, double pull, double top) {
+SuspendedString make_string(const Model& model, double pull, double top) {
   const Section& pipe = model.sections.front();
   const LineElements elements = line_elements(model, {1.0}, {0});
   const LineEnvironment env = line_environment(model, lay_route(model));
   const auto load = [&](const Vec3& r, const Vec3& t) {
-    const PointLoad at = point_load(elements, env, 0, r, t);
-    return Vec3(at.weight + at.buoyancy + at.current);
+    const PointLoad point_weight = point_load(elements, env, 0, r, t);
+    return Vec3(point_weight.weight + point_weight.buoyancy + point_weight.current);
   };
   const auto slope = [&](const Vec3& r, const Vec3& f) {
     const Vec3 t = f.normalized();
@@ -80,13 +80,13 @@ HungString hang_string(const Model& model, double pull, double top) {
   return {r, f.norm()};
 }
 
-HungString hang_string_of_tension(const Model& model, double tension, double top) {
+SuspendedString make_string_with_tension(const Model& model, double tension, double top) {
   double low = 1e3, high = tension;
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
-    (hang_string(model, middle, top).tension < tension ? low : high) = middle;
+    (make_string(model, middle, top).tension < tension ? low : high) = middle;
   }
-  return hang_string(model, low, top);
+  return make_string(model, low, top);
 }
 
 TEST(steady_laying, is_that_of_a_string_in_the_current_and_puts_the_side_load_on_the_top) {
@@ -94,7 +94,7 @@ TEST(steady_laying, is_that_of_a_string_in_the_current_and_puts_the_side_load_on
   ASSERT_TRUE(lay.outcome.solution);
   ASSERT_TRUE(lay.results.route);
   const Vec3 top = lay.results.tensioner_W;
-  const HungString string = hang_string_of_tension(lay.model, 250e3, top.z());
+  const SuspendedString string = make_string_with_tension(lay.model, 250e3, top.z());
   const Vec3 port = lay_route(lay.model).port(0.0);
   const double aside = -string.end.dot(port);  // from the tensioner to touchdown
   EXPECT_GT(aside, 10.0);
@@ -119,7 +119,7 @@ TEST(steady_laying, leaves_the_pipe_where_it_first_touched) {
 TEST(steady_laying, differs_from_a_pipe_pulled_across_and_static_keeps_its_line_on_the_route) {
   Description d = soft_pipe_across_a_current(0.8);
   const Laid steady = laid(d);
-  d.statics.laying = Laying::pulled_across;
+  d.statics.laying = SeabedLayHistory::pulled_sideways;
   const Laid pulled = laid(d);
   ASSERT_TRUE(steady.outcome.solution && pulled.outcome.solution);
   EXPECT_EQ(laid_route(pulled.model, *pulled.outcome.solution).shift(), 0.0);
@@ -131,7 +131,7 @@ TEST(steady_laying, without_side_load_is_what_static_gives_bit_for_bit) {
   Description d = soft_pipe_across_a_current(0.8);
   d.environment.current.clear();
   const Laid steady = laid(d);
-  d.statics.laying = Laying::pulled_across;
+  d.statics.laying = SeabedLayHistory::pulled_sideways;
   const Laid pulled = laid(d);
   ASSERT_TRUE(steady.outcome.solution && pulled.outcome.solution);
   EXPECT_EQ(steady.outcome.solution->state.q, pulled.outcome.solution->state.q);
@@ -163,13 +163,13 @@ TEST(steady_laying, is_followed_to_first_order_by_the_tangent_of_the_equilibrium
   ASSERT_TRUE(lay.outcome.solution);
   const double h = 1e-3;
   const auto changed = [&](double by) {
-    Description other = d;
-    for (CurrentPoint& point : other.environment.current) point.speed *= 1.0 + by;
-    return build_model(other);
+    Description second_description = d;
+    for (CurrentPoint& point : second_description.environment.current) point.speed *= 1.0 + by;
+    return build_model(second_description);
   };
   const Model before = changed(-h), after = changed(h);
   EquilibriumTangent tangent(lay.model, *lay.outcome.solution);
-  const std::optional<StaticPair> followed = tangent.follow(before, after);
+  const std::optional<StaticPair> followed = tangent.neighbouring_equilibria(before, after);
   ASSERT_TRUE(followed);
   const auto far = [](const StaticSolution& s) { return Vec3(Eigen::Map<const Vec3>(s.state.q.data())); };
   const StaticOutcome low = solve_statics(before, &*lay.outcome.solution),

@@ -58,14 +58,14 @@ TEST(support_line, a_line_without_supports_has_none_misplaced) {
   EXPECT_FALSE(judged(d).has_value());
 }
 
-TEST(support_line, a_mesh_beyond_all_memory_is_refused_before_it_is_built) {
+TEST(support_line, a_mesh_beyond_all_memory_is_rejected_before_it_is_built) {
   Description d = first_model();
   d.mesh.overbend_element = 1e-6;
   const StaticFailure f = solve_statics(build_model(d)).failure.value();
   EXPECT_NE(f.what.find("mesh"), std::string::npos);
   d = first_model();
   d.pipe.length = 1e9;
-  d.mesh.longest_element = 1.0;
+  d.mesh.max_element_length = 1.0;
   EXPECT_NE(solve_statics(build_model(d)).failure.value().what.find("mesh"), std::string::npos);
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/vessel/stinger_turn.h"
-#include "statics/stinger/stinger_rest.h"
+#include "model/vessel/stinger_rotation.h"
+#include "statics/stinger/stinger_equilibrium.h"
 #include "support/fixtures.h"
 
 namespace overbend {
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWater = 10.05e3;
 
-/// A stinger without rollers that counts: sections told by the test, hinges on the stern shoe's frame. The shoe is 3 m
+/// A stinger without rollers that counts: sections given by the test, hinges on the stern shoe's frame. The shoe is 3 m
 /// above the water.
 Description hinged(std::vector<StingerSectionDescription> sections) {
   Description d = testing::plain_description();
@@ -31,16 +31,16 @@ StingerSectionDescription section_at(double x, double z) {
   return section;
 }
 
-StingerSectionDescription with_body(double x, double z, double weight, const StingerPoint& at) {
+StingerSectionDescription with_body(double x, double z, double weight, const StingerPoint& stinger_point) {
   StingerSectionDescription section = section_at(x, z);
   section.body.emplace();
   section.body->weight = weight;
-  section.body->at = at;
+  section.body->at = stinger_point;
   return section;
 }
 
 double moment_at(Model& model, const std::vector<double>& angles, std::size_t section = 0) {
-  turn_stinger(model.supports, angles);
+  rotate_stinger(model.supports, angles);
   return hinge_moments(model, {})[section];
 }
 
@@ -50,12 +50,13 @@ TEST(stinger_forces, a_current_pushes_a_tank_across_its_axis) {
   section.tanks.push_back({"t", {2.0, -6.0}, {2.0, -10.0}, 0.0, 1.2, 30e3, 0.0});
   section.tanks.back().drag = 0.9;
   Description d = hinged({section});
-  const Model still = build_model(d);
+  const Model at_rest = build_model(d);
   d.environment.current = {{0.0, 1.5, d.vessel.heading}, {50.0, 1.5, d.vessel.heading}};
   const Model model = build_model(d);
   const HingeAxis hinge = hinge_axis(model, 0);
   const double drag = 0.5 * kWater / kGravity * 0.9 * 1.2 * 4.0 * 1.5 * 1.5;  // forward, 7 m below the hinge: tip down
-  const double moment = moment_about(hinge, floating_forces(model, 0)) - moment_about(hinge, floating_forces(still, 0));
+  const double moment =
+      moment_about(hinge, floating_forces(model, 0)) - moment_about(hinge, floating_forces(at_rest, 0));
   EXPECT_NEAR(std::abs(moment), 7.0 * drag, 1e-9 * 7.0 * drag);
 }
 
@@ -105,11 +106,11 @@ TEST(stinger_forces, are_the_slope_of_their_energy) {
   second.tanks.push_back({"u", {11.0, -4.0}, {19.0, -8.0}, 0.0, 1.2, 20e3});
   Model model = build_model(hinged({first, second}));
   const auto energy = [&](const std::vector<double>& angles) {
-    turn_stinger(model.supports, angles);
+    rotate_stinger(model.supports, angles);
     double sum = 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
       for (const PointForce& force : floating_forces(model, i)) {
-        // Of a tank that stays under water: its buoyancy stands at its middle and does not change.
+        // A tank that stays under water: its buoyancy stands at its middle and does not change.
         sum -= force.force_W.z() * force.at_W.z();
       }
     }
@@ -117,13 +118,13 @@ TEST(stinger_forces, are_the_slope_of_their_energy) {
     const double force = spring_force(first, model.supports.sections[0], wire);
     return sum + 0.5 * force * force / wire.stiffness;
   };
-  const std::vector<double> at = {0.4, 0.1};
+  const std::vector<double> sample = {0.4, 0.1};
   for (std::size_t i = 0; i < 2; ++i) {
-    std::vector<double> low = at, high = at;
+    std::vector<double> low = sample, high = sample;
     low[i] -= 1e-5;
     high[i] += 1e-5;
     const double slope = (energy(high) - energy(low)) / 2e-5;
-    EXPECT_NEAR(moment_at(model, at, i), -slope, 1e-6 * std::abs(slope) + 1.0) << "hinge " << i;
+    EXPECT_NEAR(moment_at(model, sample, i), -slope, 1e-6 * std::abs(slope) + 1.0) << "hinge " << i;
   }
 }
 
@@ -132,10 +133,10 @@ TEST(stinger_forces, a_wire_does_not_push) {
   section.springs.push_back({"wire", {0.0, 10.0}, {10.0, 0.0}, 1e6, 50e3, true});
   section.springs.push_back({"strut", {0.0, 10.0}, {10.0, 0.0}, 1e6, 50e3, false});
   Model model = build_model(hinged({section}));
-  turn_stinger(model.supports, {-0.3});
+  rotate_stinger(model.supports, {-0.3});
   EXPECT_EQ(spring_force(section, model.supports.sections[0], section.springs[0]), 0.0);
   EXPECT_LT(spring_force(section, model.supports.sections[0], section.springs[1]), 0.0);
-  turn_stinger(model.supports, {0.0});
+  rotate_stinger(model.supports, {0.0});
   EXPECT_DOUBLE_EQ(spring_force(section, model.supports.sections[0], section.springs[0]), 50e3);
 }
 
@@ -147,7 +148,7 @@ TEST(stinger_forces, turn_with_the_trim_of_the_vessel) {
 }
 
 /// A rod of even weight, hinged at its end, hangs plumb: period 2 pi sqrt(2 L / 3 g).
-TEST(stinger_forces, inertia_gives_the_period_of_a_hanging_rod) {
+TEST(stinger_forces, inertia_gives_the_period_of_a_suspended_rod) {
   const double length = 12.0;
   StingerSectionDescription section = with_body(0.0, 0.0, 3e5, {0.5 * length, 0.0});
   section.body->radius_of_gyration = length / std::sqrt(12.0);
@@ -159,7 +160,7 @@ TEST(stinger_forces, inertia_gives_the_period_of_a_hanging_rod) {
               2.0 * std::numbers::pi * std::sqrt(2.0 * length / (3.0 * kGravity)), 1e-5);
 }
 
-/// Water about a submerged tank that turns about a hinge on its axis: rho A L^3 / 3 beside the rod's m L^2 / 3.
+/// Water about a submerged tank that turns about a hinge on its axis: rho A L^3 / 3 next to the rod's m L^2 / 3.
 TEST(stinger_forces, inertia_has_the_water_that_a_tank_pushes_across_its_axis) {
   StingerSectionDescription section = section_at(0.0, -10.0);
   section.tanks.push_back({"t", {0.0, -10.0}, {9.0, -10.0}, 0.0, 2.0, 80e3});

@@ -6,7 +6,7 @@
 #include "app/program.h"
 #include "modelfile/study_file/study_reader.h"
 #include "resultfiles/summary/named_results.h"
-#include "study/campaign/whole_study.h"
+#include "study/campaign/study_execution.h"
 #include "study/stages/lift.h"
 #include "support/solved_case.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 using testing::Scratch;
 
-StudyReading reading_of(const Scratch& scratch, const std::string& text) {
+StudyReading read_test_study(const Scratch& scratch, const std::string& text) {
   scratch.write("lift.yaml", testing::file_text(OVERBEND_SOURCE_DIR "/validation/lift_cases/DL8-one.yaml"));
   return read_study_text("overbend_study: 1\nbase: lift.yaml\n" + text, scratch.file("study.yaml"));
 }
 
-class Quiet : public StudyWatch {
+class Quiet : public StudyObserver {
  public:
   bool stop() override { return false; }
 };
@@ -28,7 +28,7 @@ class Quiet : public StudyWatch {
 TEST(lift_study, gathers_the_largest_of_all_stages_where_nothing_else_is_said) {
   const Scratch scratch;
   StudyReading reading =
-      reading_of(scratch, "axes: [{key: 'operation.stages[half way].lengths.davit 1', values: [14 m, 14.7 m]}]\n");
+      read_test_study(scratch, "axes: [{key: 'operation.stages[half way].lengths.davit 1', values: [14 m, 14.7 m]}]\n");
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
   const CaseBase base(std::move(reading.base.value()), std::move(reading.study.value()));
   EXPECT_EQ(base.study().analysis, StudyAnalysis::operation);
@@ -57,10 +57,10 @@ TEST(lift_study, gathers_the_largest_of_all_stages_where_nothing_else_is_said) {
 TEST(lift_study, takes_names_of_stages_lines_and_davits) {
   const Scratch scratch;
   const std::string axes = "axes: [{key: environment.water_depth, values: [19 m, 20 m]}]\n";
-  EXPECT_TRUE(reading_of(scratch, axes + "gather: ['operation.stages[half way].davits[davit 1].tension_upper']\n")
+  EXPECT_TRUE(read_test_study(scratch, axes + "gather: ['operation.stages[half way].davits[davit 1].tension_upper']\n")
                   .diagnostics.lines(Severity::error)
                   .empty());
-  EXPECT_FALSE(reading_of(scratch, axes + "gather: ['operation.stages[half way].davits[davit 1].tenson']\n")
+  EXPECT_FALSE(read_test_study(scratch, axes + "gather: ['operation.stages[half way].davits[davit 1].tenson']\n")
                    .diagnostics.lines(Severity::error)
                    .empty());
 }

@@ -6,7 +6,7 @@
 #include "app/small_lay.h"
 #include "modelfile/study_file/study_reader.h"
 #include "runstore/staged_folder.h"
-#include "study/campaign/whole_study.h"
+#include "study/campaign/study_execution.h"
 
 namespace overbend {
 namespace {
@@ -33,17 +33,17 @@ struct Tried {
   std::vector<std::string> remarks() const { return messages(study_findings(*base, *cases)); }
 };
 
-TEST(study_findings, a_wave_height_that_the_sea_of_a_file_does_not_use_is_told_of_the_study) {
+TEST(study_findings, a_wave_height_that_the_sea_of_a_file_does_not_use_is_reported_for_the_study) {
   const std::string heights = "axes: [{key: environment.waves.hs, values: [1 m, 2 m, 3 m]}]\n";
   const std::string of_file = "waves: {type: user, spectrum_file: sea.csv, from: 60 deg}";
   const Tried tried(heights, of_file);
   ASSERT_EQ(tried.remarks().size(), 1U);
-  EXPECT_EQ(tried.remarks()[0], "environment.waves.hs: has no meaning for waves of type user and is not used");
+  EXPECT_EQ(tried.remarks()[0], "environment.waves.hs: has no effect for waves of type user and is not used");
   const std::string of_one_shape = "waves: {type: jonswap, hs: 1 m, tp: 7 s, gamma: 2, from: 60 deg}";
   EXPECT_TRUE(Tried(heights, of_one_shape).remarks().empty());
 }
 
-TEST(study_findings, of_a_key_that_some_cases_use_nothing_is_told) {
+TEST(study_findings, of_a_key_that_some_cases_use_nothing_is_reported) {
   const Tried tried(
       "axes:\n"
       "  - {key: environment.waves.type, values: [jonswap, pierson_moskowitz]}\n"
@@ -52,7 +52,7 @@ TEST(study_findings, of_a_key_that_some_cases_use_nothing_is_told) {
   EXPECT_TRUE(tried.remarks().empty());
 }
 
-TEST(study_findings, seeds_of_a_regular_wave_are_told_to_be_one_sea) {
+TEST(study_findings, seeds_of_a_regular_wave_are_reported_as_one_sea) {
   const std::string seeds = "axes: [{key: tensioner.tension, values: [290 kN, 300 kN]}]\nseeds: 3\n";
   const Tried regular(seeds, kAiry);
   ASSERT_EQ(regular.remarks().size(), 1U);
@@ -68,7 +68,7 @@ TEST(study_findings, stand_in_the_folder_of_the_study_and_in_its_results) {
   EXPECT_EQ(tried.remarks().size(), 1U);
 }
 
-TEST(study_findings, a_peak_enhancement_that_follows_the_height_is_told_of_the_study) {
+TEST(study_findings, a_peak_enhancement_that_follows_the_height_is_reported_for_the_study) {
   const std::string heights = "axes: [{key: environment.waves.hs, values: [0.5 m, 4 m]}]\n";
   const std::string by_rule = "waves: {type: jonswap, hs: 1 m, tp: 7 s, from: 60 deg}";
   const std::string given = "waves: {type: jonswap, hs: 1 m, tp: 7 s, gamma: 2, from: 60 deg}";

@@ -13,7 +13,7 @@
 #include "modelfile/study_file/study_reader.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "runstore/staged_folder.h"
-#include "study/campaign/whole_study.h"
+#include "study/campaign/study_execution.h"
 
 namespace overbend {
 namespace {
@@ -43,7 +43,7 @@ struct Tried {
 };
 
 /// Stops after some cases.
-class StopAfter : public StudyWatch {
+class StopAfter : public StudyObserver {
  public:
   explicit StopAfter(int cases) : left_(cases) {}
   bool stop() override { return left_ <= 0; }
@@ -60,20 +60,20 @@ StudyTally run(const Tried& tried, int threads = 2, int at_most = 1000000, bool 
 }
 
 /// All numbers that a study gave, row by row.
-std::vector<std::vector<std::optional<double>>> values_of(const StudyResults& results) {
+std::vector<std::vector<std::optional<double>>> collect_values(const StudyResults& results) {
   std::vector<std::vector<std::optional<double>>> rows;
-  for (const StudyCase& one : results.cases) rows.push_back(one.values);
+  for (const StudyCase& study_case : results.cases) rows.push_back(study_case.values);
   return rows;
 }
 
-TEST(study_runner, serious_findings_of_cases_are_told_though_their_checks_pass) {
+TEST(study_runner, serious_findings_of_cases_are_reported_though_their_checks_pass) {
   // Put into its record, since no small lay has such a warning.
   const Tried tried("axes: [{key: tensioner.tension, values: [280 kN, 300 kN]}]\n");
   run(tried);
-  StudyCase one = recorded_case(*tried.cases, study_outputs(*tried.base), tried.folder(), 1);
-  one.findings = {
+  StudyCase study_case = recorded_case(*tried.cases, study_outputs(*tried.base), tried.folder(), 1);
+  study_case.findings = {
       Finding{FindingCode::pipe_off_rollers, "the pipe has left 'stinger 2' over the side"}.on("stinger 2")};
-  write_case_record(one, tried.cases->inputs(), study_outputs(*tried.base), tried.folder(), {});
+  write_case_record(study_case, tried.cases->inputs(), study_outputs(*tried.base), tried.folder(), {});
   const StudyResults results = study_so_far(tried.folder());
   EXPECT_TRUE(std::ranges::any_of(messages(results.findings), [](const std::string& warning) {
     return warning.starts_with("1 of 2 solved cases: the pipe has left 'stinger 2'");
@@ -86,19 +86,19 @@ TEST(study_runner, statics_agree_with_those_solved_from_nothing) {
   EXPECT_EQ(tally.done, 15U);
   EXPECT_EQ(tally.failed, 0U);
   const StudyResults results = read_study(tried.folder());
-  for (const StudyCase& one : results.cases) {
-    CaseNeighbour nothing;
-    const CaseAnswer cold = evaluate_case(*tried.base, tried.cases->question(one.number), nothing, {});
-    ASSERT_EQ(cold.ending, RunEnding::done) << cold.why;
+  for (const StudyCase& study_case : results.cases) {
+    CaseWarmStart nothing;
+    const CaseResult cold = evaluate_case(*tried.base, tried.cases->question(study_case.number), nothing, {});
+    ASSERT_EQ(cold.ending, RunStatus::done) << cold.why;
     const Json& statics = cold.summary["static"];
     // The meshes of both differ, and so do their results by the errors of these: a fortieth of the elements of 4 m at
     // touchdown, 0.2 % of a stress.
-    EXPECT_NEAR(one.values[0].value(), statics["top_tension"].get<double>(), 1.0);
-    EXPECT_NEAR(one.values[1].value(), statics["lay_back"].get<double>(), 0.1);
+    EXPECT_NEAR(study_case.values[0].value(), statics["top_tension"].get<double>(), 1.0);
+    EXPECT_NEAR(study_case.values[1].value(), statics["lay_back"].get<double>(), 0.1);
     const double stress = statics["sagbend"]["max_von_mises"];
-    EXPECT_NEAR(one.values[2].value(), stress, 0.002 * stress);
-    EXPECT_EQ(one.verdict, cold.verdict);
-    EXPECT_EQ(one.texts[3], one.governing);
+    EXPECT_NEAR(study_case.values[2].value(), stress, 0.002 * stress);
+    EXPECT_EQ(study_case.verdict, cold.verdict);
+    EXPECT_EQ(study_case.texts[3], study_case.governing);
   }
 }
 
@@ -117,26 +117,26 @@ TEST(study_runner, a_lay_in_a_current_is_the_one_that_statics_find_by_themselves
   StopAfter watch(100);
   open_study(base, cases, scratch.file("out"));
   run_study_cases(base, cases, scratch.file("out"), {1, false}, watch);
-  for (const StudyCase& one : read_study(scratch.file("out")).cases) {
-    CaseNeighbour nothing;
-    const CaseAnswer alone = evaluate_case(base, cases.question(one.number), nothing, {});
-    ASSERT_EQ(alone.ending, RunEnding::done);
-    EXPECT_DOUBLE_EQ(one.values[0].value(), alone.summary["static"]["overbend"]["max_von_mises"].get<double>());
-    EXPECT_DOUBLE_EQ(one.values[1].value(), alone.summary["static"]["lay_back"].get<double>());
+  for (const StudyCase& study_case : read_study(scratch.file("out")).cases) {
+    CaseWarmStart nothing;
+    const CaseResult alone = evaluate_case(base, cases.question(study_case.number), nothing, {});
+    ASSERT_EQ(alone.ending, RunStatus::done);
+    EXPECT_DOUBLE_EQ(study_case.values[0].value(), alone.summary["static"]["overbend"]["max_von_mises"].get<double>());
+    EXPECT_DOUBLE_EQ(study_case.values[1].value(), alone.summary["static"]["lay_back"].get<double>());
   }
 }
 
-TEST(study_runner, results_hang_neither_on_threads_nor_on_interruptions) {
-  const Tried one(kTensions), two(kTensions), broken(kTensions);
-  run(one, 1);
+TEST(study_runner, results_depend_neither_on_threads_nor_on_interruptions) {
+  const Tried tried(kTensions), two(kTensions), broken(kTensions);
+  run(tried, 1);
   run(two, 2);
   EXPECT_TRUE(run(broken, 2, 4).interrupted);
   const StudyTally rest = run(broken, 1);
   EXPECT_GE(rest.before, 4U);
   EXPECT_EQ(rest.before + rest.done, 15U);
-  const auto expected = values_of(read_study(one.folder()));
-  EXPECT_EQ(values_of(read_study(two.folder())), expected);
-  EXPECT_EQ(values_of(read_study(broken.folder())), expected);
+  const auto expected = collect_values(read_study(tried.folder()));
+  EXPECT_EQ(collect_values(read_study(two.folder())), expected);
+  EXPECT_EQ(collect_values(read_study(broken.folder())), expected);
 }
 
 TEST(study_runner, finished_cases_are_never_run_again) {
@@ -159,22 +159,22 @@ TEST(study_runner, a_bad_case_fails_alone_with_its_reason) {
   EXPECT_EQ(run(tried, 1, 100, true).failed, 1U);
 }
 
-TEST(study_runner, a_folder_of_another_study_is_refused_and_says_what_differs) {
+TEST(study_runner, a_folder_of_another_study_is_rejected_and_says_what_differs) {
   const Tried tried(kTensions);
   run(tried, 1, 0);
-  const Tried other("axes: [{key: tensioner.tension, values: [300 kN]}]\n");
+  const Tried second_tried("axes: [{key: tensioner.tension, values: [300 kN]}]\n");
   try {
-    open_study(*other.base, *other.cases, tried.folder());
+    open_study(*second_tried.base, *second_tried.cases, tried.folder());
     FAIL() << "accepted";
-  } catch (const UnusableFolder& fault) {
-    EXPECT_NE(std::string(fault.what()).find("another study file"), std::string::npos) << fault.what();
+  } catch (const UnusableFolder& error) {
+    EXPECT_NE(std::string(error.what()).find("another study file"), std::string::npos) << error.what();
   }
   const Tried deeper(kTensions, testing::with(testing::kSmallLay, "title: small lay", "title: another"));
   try {
     open_study(*deeper.base, *deeper.cases, tried.folder());
     FAIL() << "accepted";
-  } catch (const UnusableFolder& fault) {
-    EXPECT_NE(std::string(fault.what()).find("base model"), std::string::npos) << fault.what();
+  } catch (const UnusableFolder& error) {
+    EXPECT_NE(std::string(error.what()).find("base model"), std::string::npos) << error.what();
   }
 }
 
@@ -274,10 +274,10 @@ TEST(study_runner, tables_have_a_row_for_every_case) {
 TEST(study_runner, a_case_alone_leaves_all_its_files) {
   const Tried tried(kTensions);
   open_study(*tried.base, *tried.cases, tried.folder());
-  const StudyCase one = run_study_case(*tried.base, *tried.cases, tried.folder(), 7, [] { return false; });
-  EXPECT_EQ(one.state, StudyCaseState::done);
+  const StudyCase study_case = run_study_case(*tried.base, *tried.cases, tried.folder(), 7, [] { return false; });
+  EXPECT_EQ(study_case.state, StudyCaseState::done);
   for (const char* file : {"summary.json", "report.html", "pipe.csv", "case.json"}) {
-    EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / file)) << file;
+    EXPECT_TRUE(std::filesystem::exists(tried.folder() / study_case.folder / file)) << file;
   }
   EXPECT_EQ(run(tried).done, 14U);
 }
@@ -285,7 +285,7 @@ TEST(study_runner, a_case_alone_leaves_all_its_files) {
 TEST(study_runner, a_case_that_fails_alone_keeps_the_result_that_the_study_found) {
   const Tried tried("axes: [{key: tensioner.tension, values: [300 kN, 5 kN]}]\ngather: [static.lay_back]\n");
   open_study(*tried.base, *tried.cases, tried.folder());
-  StudyCase solved = tried.cases->at(1);  // as if the case beside it had led to a solution
+  StudyCase solved = tried.cases->at(1);  // as if the case next to it had led to a solution
   solved.state = StudyCaseState::done;
   solved.values = {123.0};
   solved.verdict = VerdictKind::passed;
@@ -309,14 +309,14 @@ TEST(study_runner, a_goal_seek_in_every_case_gathers_its_answer) {
   ASSERT_EQ(run(tried).done, 2U);
   const StudyResults results = read_study(tried.folder());
   EXPECT_EQ(results.outputs[0].unit, "N");
-  for (const StudyCase& one : results.cases) EXPECT_NEAR(one.values[1].value(), 270e3, 1.0);
+  for (const StudyCase& study_case : results.cases) EXPECT_NEAR(study_case.values[1].value(), 270e3, 1.0);
   // The deeper pipe hangs with one metre more of its weight in water, 1.1 kN/m: H = T - w d in still water.
   const double more = results.cases[1].values[0].value() - results.cases[0].values[0].value();
   EXPECT_GT(more, 500.0);
   EXPECT_LT(more, 2000.0);
 }
 
-TEST(study_runner, a_goal_seek_in_every_case_gathers_what_it_tells_of_itself) {
+TEST(study_runner, a_goal_seek_in_every_case_gathers_what_it_reports_on_itself) {
   const Tried tried(
       "analysis: seek\naxes: [{key: environment.water_depth, values: [19.5 m, 20.5 m]}]\n"
       "gather: [seek.slope, seek.residual, seek.evaluations]\n",
@@ -326,10 +326,10 @@ TEST(study_runner, a_goal_seek_in_every_case_gathers_what_it_tells_of_itself) {
   ASSERT_EQ(run(tried).done, 2U) << read_study(tried.folder()).cases[0].reason;
   const StudyResults results = read_study(tried.folder());
   EXPECT_EQ(results.outputs[0].unit, "N/m^2/N");
-  for (const StudyCase& one : results.cases) {
-    EXPECT_LT(one.values[0].value(), 0.0);  // more tension bends the sagbend less
-    EXPECT_LT(one.values[1].value(), 1e-6);
-    EXPECT_GT(one.values[2].value(), 2.0);
+  for (const StudyCase& study_case : results.cases) {
+    EXPECT_LT(study_case.values[0].value(), 0.0);  // more tension bends the sagbend less
+    EXPECT_LT(study_case.values[1].value(), 1e-6);
+    EXPECT_GT(study_case.values[2].value(), 2.0);
   }
 }
 
@@ -341,7 +341,7 @@ const std::string kAbandoned =
     "axial_stiffness: 2.7e5 kN, breaking_load: 4200 kN}\n"
     "  stages: [{cable_out: 20 m, tension: 300 kN}, {cable_out: 30 m, tension: 300 kN}]\n";
 
-TEST(study_runner, serious_findings_of_the_stages_of_an_operation_are_told) {
+TEST(study_runner, serious_findings_of_the_stages_of_an_operation_are_reported) {
   const std::string yields = testing::with(testing::kSmallLay, "yield_stress: 414 MPa", "yield_stress: 20 MPa");
   const Tried tried("analysis: operation\naxes: [{key: environment.water_depth, values: [20 m]}]\n",
                     yields + kAbandoned);
@@ -361,10 +361,10 @@ TEST(study_runner, an_operation_gathers_its_worst_stage) {
       model);
   ASSERT_EQ(run(tried).done, 2U) << read_study(tried.folder()).cases[0].reason;
   const StudyResults results = read_study(tried.folder());
-  for (const StudyCase& one : results.cases) {
-    EXPECT_GT(one.values[1].value(), 1e6);
-    EXPECT_LE(one.values[3].value(), one.values[1].value());
-    EXPECT_EQ(one.texts[2], one.governing);
+  for (const StudyCase& study_case : results.cases) {
+    EXPECT_GT(study_case.values[1].value(), 1e6);
+    EXPECT_LE(study_case.values[3].value(), study_case.values[1].value());
+    EXPECT_EQ(study_case.texts[2], study_case.governing);
   }
 }
 
@@ -374,11 +374,11 @@ TEST(study_runner, kept_cases_have_the_files_of_the_command_and_its_numbers) {
       "gather: [static.lay_back]\n");
   ASSERT_EQ(run(tried).done, 2U);
   const StudyResults results = read_study(tried.folder());
-  for (const StudyCase& one : results.cases) {
-    const Json summary = read_json(tried.scratch.read("out/" + one.folder + "/summary.json"));
-    EXPECT_EQ(summary["static"]["lay_back"].get<double>(), one.values[0].value());
-    EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "results.h5"));
-    EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "case.json"));
+  for (const StudyCase& study_case : results.cases) {
+    const Json summary = read_json(tried.scratch.read("out/" + study_case.folder + "/summary.json"));
+    EXPECT_EQ(summary["static"]["lay_back"].get<double>(), study_case.values[0].value());
+    EXPECT_TRUE(std::filesystem::exists(tried.folder() / study_case.folder / "results.h5"));
+    EXPECT_TRUE(std::filesystem::exists(tried.folder() / study_case.folder / "case.json"));
   }
 }
 
@@ -403,7 +403,7 @@ TEST(study_runner, the_lock_of_hdf5_is_held_while_files_are_written) {
   const Tried tried("keep: true\naxes: [{key: tensioner.tension, values: [300 kN, 310 kN]}]\n");
   const CountedLock lock;
   StopAfter watch(1000);
-  ASSERT_EQ(run_whole_study(*tried.base, tried.folder(), {}, watch).ending, RunEnding::done);
+  ASSERT_EQ(execute_study(*tried.base, tried.folder(), {}, watch).ending, RunStatus::done);
   EXPECT_EQ(lock.held, 3) << "for each case and for the tables";
 }
 

@@ -20,20 +20,20 @@ TEST(study_cases, the_first_axis_changes_slowest_and_the_seed_fastest) {
   study.seeds = {4, 9};
   const StudyCases cases(study);
   ASSERT_EQ(cases.count(), 12U);
-  const StudyCase one = cases.at(9);  // group 4: second tension, second type; second seed
-  EXPECT_EQ(one.group, 4U);
-  EXPECT_EQ(one.words, (std::vector<std::string>{"300 kN", "airy", "90 m"}));
-  EXPECT_EQ(one.at, (std::vector<std::size_t>{1, 1, 1}));
-  EXPECT_EQ(one.seed, 9U);
-  EXPECT_EQ(one.inputs[0], 300e3);
-  EXPECT_TRUE(std::isnan(one.inputs[1]));
+  const StudyCase study_case = cases.at(9);  // group 4: second tension, second type; second seed
+  EXPECT_EQ(study_case.group, 4U);
+  EXPECT_EQ(study_case.value_texts, (std::vector<std::string>{"300 kN", "airy", "90 m"}));
+  EXPECT_EQ(study_case.value_indices, (std::vector<std::size_t>{1, 1, 1}));
+  EXPECT_EQ(study_case.seed, 9U);
+  EXPECT_EQ(study_case.inputs[0], 300e3);
+  EXPECT_TRUE(std::isnan(study_case.inputs[1]));
 }
 
 TEST(study_cases, an_axis_that_changes_with_another_is_not_crossed) {
   const StudyCases cases(two_axes());
   ASSERT_EQ(cases.count(), 6U);
-  EXPECT_EQ(cases.at(2).words[2], "80 m");
-  EXPECT_EQ(cases.at(3).words[2], "90 m");
+  EXPECT_EQ(cases.at(2).value_texts[2], "80 m");
+  EXPECT_EQ(cases.at(3).value_texts[2], "90 m");
 }
 
 TEST(study_cases, a_sample_is_crossed_with_the_axes) {
@@ -48,13 +48,13 @@ TEST(study_cases, a_sample_is_crossed_with_the_axes) {
   ASSERT_EQ(cases.count(), 24U);
   EXPECT_EQ(cases.inputs().back().sampled, true);
   // The same draw at every combination of the axes.
-  EXPECT_EQ(cases.at(1).words.back(), cases.at(21).words.back());
-  EXPECT_NE(cases.at(1).words.back(), cases.at(2).words.back());
+  EXPECT_EQ(cases.at(1).value_texts.back(), cases.at(21).value_texts.back());
+  EXPECT_NE(cases.at(1).value_texts.back(), cases.at(2).value_texts.back());
   // The number is that of the text in the model, which has nine digits.
-  EXPECT_NEAR(cases.at(1).inputs.back(), std::stod(cases.at(1).words.back()), 1e-12);
+  EXPECT_NEAR(cases.at(1).inputs.back(), std::stod(cases.at(1).value_texts.back()), 1e-12);
 }
 
-TEST(study_cases, a_draw_that_the_key_refuses_stands_as_it_was_drawn) {
+TEST(study_cases, a_draw_that_the_key_rejects_stands_as_it_was_drawn) {
   StudyDescription study;
   SampledKey friction;
   friction.key = "environment.seabed.friction";
@@ -66,8 +66,8 @@ TEST(study_cases, a_draw_that_the_key_refuses_stands_as_it_was_drawn) {
   study.sample->keys = {friction};
   const StudyCases cases(study);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_LT(cases.at(i).inputs[0], -1.0) << cases.at(i).words[0];
-    EXPECT_NEAR(cases.at(i).inputs[0], std::stod(cases.at(i).words[0]), 1e-6);
+    EXPECT_LT(cases.at(i).inputs[0], -1.0) << cases.at(i).value_texts[0];
+    EXPECT_NEAR(cases.at(i).inputs[0], std::stod(cases.at(i).value_texts[0]), 1e-6);
   }
 }
 

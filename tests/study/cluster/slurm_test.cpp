@@ -50,9 +50,9 @@ TEST(slurm, a_task_runs_its_cases_of_the_study) {
   // The script is run with echo in the place of the program.
   const Scratch scratch;
   const std::string script = scratch.write("job.sh", slurm_script({"/bin/echo", "/home/o'neil/a study.yaml", "/d $x"}));
-  const auto told = overbend::run_program({"env", "SLURM_ARRAY_TASK_ID=3", "sh", script, "8", "--retry-failed"});
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->out, "study /home/o'neil/a study.yaml -o /d $x --threads 1 --tasks 3/8 --retry-failed\n");
+  const auto prescribed = overbend::run_program({"env", "SLURM_ARRAY_TASK_ID=3", "sh", script, "8", "--retry-failed"});
+  ASSERT_TRUE(prescribed);
+  EXPECT_EQ(prescribed->out, "study /home/o'neil/a study.yaml -o /d $x --threads 1 --tasks 3/8 --retry-failed\n");
 }
 
 TEST(slurm, cases_are_divided_among_tasks) {
@@ -60,9 +60,9 @@ TEST(slurm, cases_are_divided_among_tasks) {
   EXPECT_EQ(task_count(101, 10, 1001), 11U);
   EXPECT_EQ(task_count(100000, 10, 1001), 1001U);
   EXPECT_EQ(task_count(0, 10, 1001), 1U);
-  EXPECT_EQ(tasks_of({0, 4, 8, 9}, 4), (std::vector<std::size_t>{0, 1}));
-  EXPECT_EQ(array_words({0, 1, 2, 3, 7, 9, 10}, 0), "0-3,7,9-10");
-  EXPECT_EQ(array_words({5}, 20), "5%20");
+  EXPECT_EQ(find_tasks({0, 4, 8, 9}, 4), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(array_argument({0, 1, 2, 3, 7, 9, 10}, 0), "0-3,7,9-10");
+  EXPECT_EQ(array_argument({5}, 20), "5%20");
 }
 
 TEST(slurm, submits_an_array_and_remembers_it) {
@@ -97,25 +97,25 @@ TEST(slurm, submits_again_what_is_open_and_not_in_the_queue) {
   EXPECT_EQ(again.tasks, (std::vector<std::size_t>{1}));
   EXPECT_NE(slurm.asked().find("\n6\n--retry-failed\n"), std::string::npos) << slurm.asked();
   EXPECT_EQ(slurm_jobs(slurm.study().folder).size(), 2U);
-  EXPECT_THROW(submit_to_slurm(slurm.study(), {}, 60, {2, 3}), SlurmFault);
+  EXPECT_THROW(submit_to_slurm(slurm.study(), {}, 60, {2, 3}), SlurmError);
 }
 
-TEST(slurm, says_what_it_refuses_and_remembers_nothing) {
+TEST(slurm, says_what_it_rejects_and_remembers_nothing) {
   const FakeSlurm slurm;
   slurm.program("scontrol", "exit 1");
   slurm.sbatch_answers("echo 'invalid partition specified: x' >&2; exit 1");
   try {
     submit_to_slurm(slurm.study(), {}, 4, upto(4));
     FAIL();
-  } catch (const SlurmFault& fault) {
-    EXPECT_NE(std::string(fault.what()).find("invalid partition specified: x"), std::string::npos);
+  } catch (const SlurmError& error) {
+    EXPECT_NE(std::string(error.what()).find("invalid partition specified: x"), std::string::npos);
   }
   EXPECT_TRUE(slurm_jobs(slurm.study().folder).empty());
   slurm.sbatch_answers("echo 'no number'");
-  EXPECT_THROW(submit_to_slurm(slurm.study(), {}, 4, upto(4)), SlurmFault);
+  EXPECT_THROW(submit_to_slurm(slurm.study(), {}, 4, upto(4)), SlurmError);
 }
 
-TEST(slurm, queue_tells_the_states_of_tasks_that_are_there) {
+TEST(slurm, queue_reports_the_states_of_tasks_that_are_there) {
   const FakeSlurm slurm;
   slurm.program("squeue",
                 "case \"$3\" in --jobs=1) echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1;;\n"
@@ -127,12 +127,12 @@ TEST(slurm, queue_tells_the_states_of_tasks_that_are_there) {
   EXPECT_FALSE(slurm_queue({{"1", 8, {0}}}));
 }
 
-TEST(run_program, tells_code_output_and_complaints_of_a_program_and_that_there_is_none) {
-  const auto told = overbend::run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->code, 7);
-  EXPECT_EQ(told->out, "out\n");
-  EXPECT_EQ(told->err, "err\n");
+TEST(run_program, reports_code_output_and_complaints_of_a_program_and_that_there_is_none) {
+  const auto prescribed = overbend::run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
+  ASSERT_TRUE(prescribed);
+  EXPECT_EQ(prescribed->code, 7);
+  EXPECT_EQ(prescribed->out, "out\n");
+  EXPECT_EQ(prescribed->err, "err\n");
   EXPECT_EQ(overbend::run_program({"sh", "-c", "kill -9 $$"})->code, 128 + 9);
   EXPECT_FALSE(overbend::run_program({"no-such-program-of-ours"}));
   // More than a pipe holds on both.

@@ -22,7 +22,7 @@ using testing::shown_text;
 using testing::TemporaryFolder;
 using testing::with;
 
-/// Statics of a model into a folder beside the others.
+/// Statics of a model into a folder next to the others.
 fs::path solve(const TemporaryFolder& folder, const std::string& name, const std::string& model) {
   testing::write_file(folder / (name + ".yaml"), model);
   const ProgramRun run =
@@ -40,17 +40,17 @@ const ComparedResult* result(const FolderComparison& comparison, const std::stri
 
 TEST(folder_compare, a_folder_does_not_differ_from_itself) {
   const TemporaryFolder folder;
-  const fs::path one = solve(folder, "one", kSmallLay);
-  const FolderComparison comparison = compare_folders({one, one});
+  const fs::path first_folder = solve(folder, "one", kSmallLay);
+  const FolderComparison comparison = compare_folders({first_folder, first_folder});
   EXPECT_TRUE(comparison.keys.empty());
   EXPECT_TRUE(partial_findings(comparison).empty());
-  for (const ComparedResult& each : comparison.results) EXPECT_EQ(each.largest_change(), 0.0) << each.name;
+  for (const ComparedResult& each : comparison.results) EXPECT_EQ(each.max_relative_change(), 0.0) << each.name;
 }
 
-TEST(folder_compare, tells_the_key_that_was_changed_and_what_followed) {
+TEST(folder_compare, reports_the_key_that_was_changed_and_what_followed) {
   const TemporaryFolder folder;
-  const fs::path one = solve(folder, "one", kSmallLay), other = solve(folder, "other", kTighter);
-  const FolderComparison comparison = compare_folders({one, other});
+  const fs::path first_folder = solve(folder, "one", kSmallLay), second = solve(folder, "other", kTighter);
+  const FolderComparison comparison = compare_folders({first_folder, second});
   ASSERT_EQ(comparison.keys.size(), 1u);
   EXPECT_EQ(comparison.keys[0].key, "tensioner.tension");
   EXPECT_EQ(comparison.keys[0].values, (std::vector<std::string>{"300 kN", "0.33 MN"}));
@@ -59,7 +59,7 @@ TEST(folder_compare, tells_the_key_that_was_changed_and_what_followed) {
   EXPECT_NEAR(*tension->change(1), 0.1, 1e-5);
   EXPECT_EQ(comparison.folders[0].name, "one");
   for (std::size_t i = 1; i < comparison.results.size(); ++i) {
-    EXPECT_GE(comparison.results[i - 1].largest_change(), comparison.results[i].largest_change());
+    EXPECT_GE(comparison.results[i - 1].max_relative_change(), comparison.results[i].max_relative_change());
   }
   ASSERT_FALSE(comparison.figures.empty());
   EXPECT_EQ(comparison.figures[0].curves.size(), 2u);
@@ -67,8 +67,8 @@ TEST(folder_compare, tells_the_key_that_was_changed_and_what_followed) {
 
 TEST(folder_compare, page_and_table_hold_what_differs) {
   const TemporaryFolder folder;
-  const fs::path one = solve(folder, "one", kSmallLay), other = solve(folder, "other", kTighter);
-  const FolderComparison comparison = compare_folders({one, other});
+  const fs::path first_folder = solve(folder, "one", kSmallLay), second = solve(folder, "other", kTighter);
+  const FolderComparison comparison = compare_folders({first_folder, second});
   const std::string table = folder_comparison_table(comparison),
                     page = shown_text(folder_comparison_document(comparison).body);
   EXPECT_NE(table.find("input,tensioner.tension,,300 kN,0.33 MN,"), std::string::npos);
@@ -79,24 +79,24 @@ TEST(folder_compare, page_and_table_hold_what_differs) {
 
 TEST(folder_compare, a_check_is_compared_with_the_same_check) {
   const TemporaryFolder folder;
-  const fs::path one = solve(folder, "one", kSmallLay);
-  const fs::path other = solve(folder, "other", kSmallLay + "checks: {codes: api}\n");
+  const fs::path first_folder = solve(folder, "one", kSmallLay);
+  const fs::path second_folder = solve(folder, "other", kSmallLay + "checks: {codes: api}\n");
   int checks = 0;
-  for (const ComparedResult& each : compare_folders({one, other}).results) {
+  for (const ComparedResult& each : compare_folders({first_folder, second_folder}).results) {
     if (!each.name.starts_with("checks.") || each.name.starts_with("checks.worst")) continue;
-    EXPECT_EQ(each.largest_change(), 0.0) << each.text;
+    EXPECT_EQ(each.max_relative_change(), 0.0) << each.text;
     ++checks;
   }
   EXPECT_GT(checks, 2);
 }
 
-TEST(folder_compare, folders_of_one_name_are_told_apart_by_where_they_lie) {
+TEST(folder_compare, folders_of_one_name_are_distinguished_by_where_they_lie) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "a");
   fs::create_directories(folder / "b");
-  const fs::path one = solve(folder, "a/results", kSmallLay);
-  fs::copy(one, folder / "b/results", fs::copy_options::recursive);
-  const FolderComparison comparison = compare_folders({one, folder / "b/results"});
+  const fs::path first_folder = solve(folder, "a/results", kSmallLay);
+  fs::copy(first_folder, folder / "b/results", fs::copy_options::recursive);
+  const FolderComparison comparison = compare_folders({first_folder, folder / "b/results"});
   EXPECT_EQ(comparison.folders[0].name, "a/results");
   EXPECT_EQ(comparison.folders[1].name, "b/results");
 }
@@ -107,8 +107,8 @@ TEST(folder_compare, a_folder_without_results_is_named) {
   try {
     compare_folders({folder / "empty", folder / "empty"});
     FAIL();
-  } catch (const std::runtime_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("empty: no results.h5"), std::string::npos) << fault.what();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("empty: no results.h5"), std::string::npos) << error.what();
   }
 }
 

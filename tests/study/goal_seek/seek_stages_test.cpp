@@ -63,14 +63,14 @@ TEST(seek_stages, height_and_inclination_give_back_the_lengths_of_the_reference)
 TEST(seek_stages, three_davits_have_one_condition_more) {
   const Json stage = reference_stage("DL12-three", 4);
   const Json end = stage["lines"]["pipe"]["first_end"];
-  const std::string at = "operation.stages[4].";
+  const std::string text_place = "operation.stages[4].";
   const std::string text =
       "  vary:\n    - {key: 'operation.stages[4].lengths.davit 1', within: 4 m}\n"
       "    - {key: 'operation.stages[4].lengths.davit 2', within: 4 m}\n"
       "    - {key: 'operation.stages[4].lengths.davit 3', within: 4 m}\n  until:\n" +
-      condition(at + "lines.pipe.first_end.z", end["z"], "m") +
-      condition(at + "lines[pipe].first_end.inclination", end["inclination"], "rad") +
-      condition(at + "davits.davit 2.tension_upper", stage["davits"]["davit 2"]["tension_upper"], "N");
+      condition(text_place + "lines.pipe.first_end.z", end["z"], "m") +
+      condition(text_place + "lines[pipe].first_end.inclination", end["inclination"], "rad") +
+      condition(text_place + "davits.davit 2.tension_upper", stage["davits"]["davit 2"]["tension_upper"], "N");
   const SeekResults found = sought(
       lift("DL12-three", text, {length(4, "davit 1", 8.5), length(4, "davit 2", 10.5), length(4, "davit 3", 15.5)}));
   ASSERT_TRUE(found.found) << found.why;
@@ -115,19 +115,19 @@ class LevelEnd {
     Lift lines = before_;
     const StageResult stage = lines.next(stages);
     const LiftedLine& pipe = stage.lay->lift->lines.front();
-    return {pipe.first.at.place.z(), pipe.first.at.inclination, pipe.bending.value};
+    return {pipe.first.location.place.z(), pipe.first.location.inclination, pipe.bending.value};
   }
 
  private:
   std::optional<double> solved_moment(double second) {
     for (int i = 0; i < 30; ++i) {
-      const Vec3 here = values(x_(0), second, x_(1));
-      const Eigen::Vector2d off(here(0) - kHeight, here(1) - kInclination);
-      if (off.cwiseAbs().maxCoeff() < 1e-7) return here(2);
+      const Vec3 vec3 = values(x_(0), second, x_(1));
+      const Eigen::Vector2d off(vec3(0) - kHeight, vec3(1) - kInclination);
+      if (off.cwiseAbs().maxCoeff() < 1e-7) return vec3(2);
       constexpr double kStep = 1e-4;
       Eigen::Matrix2d slope;
-      slope.col(0) = (values(x_(0) + kStep, second, x_(1)) - here).head<2>() / kStep;
-      slope.col(1) = (values(x_(0), second, x_(1) + kStep) - here).head<2>() / kStep;
+      slope.col(0) = (values(x_(0) + kStep, second, x_(1)) - vec3).head<2>() / kStep;
+      slope.col(1) = (values(x_(0), second, x_(1) + kStep) - vec3).head<2>() / kStep;
       const Eigen::Vector2d step = -slope.inverse() * off;
       if (!step.allFinite()) return std::nullopt;
       x_ += step * std::min(1.0, 0.5 / step.cwiseAbs().maxCoeff());
@@ -153,26 +153,27 @@ TEST(seek_stages, the_least_moment_is_that_of_a_scan) {
     const double first = high - 0.618034 * (high - low), second = low + 0.618034 * (high - low);
     (moment(first) < moment(second) ? high : low) = moment(first) < moment(second) ? second : first;
   }
-  const double least = moment(0.5 * (low + high));
+  const double min_value = moment(0.5 * (low + high));
   const SeekResults& found = level_end();
   ASSERT_TRUE(found.found) << found.why;
-  EXPECT_NEAR(found.goals.back().reached.value(), least, 1e-3 * least);  // 5 mm of a length change it by 1 kN m
+  EXPECT_NEAR(found.goals.back().reached.value(), min_value, 1e-3 * min_value);  // 5 mm of a length change it by 1 kN m
   EXPECT_NEAR(found.unknowns[1].answer, 0.5 * (low + high), 0.01);
-  const Vec3 there = direct.values(found.unknowns[0].answer, found.unknowns[1].answer, found.unknowns[2].answer);
-  EXPECT_NEAR(there(0), kHeight, 1e-5);
-  EXPECT_NEAR(there(1), kInclination, 1e-6);
+  const Vec3 vec3 = direct.values(found.unknowns[0].answer, found.unknowns[1].answer, found.unknowns[2].answer);
+  EXPECT_NEAR(vec3(0), kHeight, 1e-5);
+  EXPECT_NEAR(vec3(1), kInclination, 1e-6);
 }
 
 // A davit that is slack at first has no derivative with its length.
 TEST(seek_stages, the_answer_does_not_depend_on_the_lengths_to_begin_with) {
-  const SeekResults& own = level_end();
-  ASSERT_TRUE(own.found) << own.why;
-  const SeekResults other = sought(
+  const SeekResults& seek_results = level_end();
+  ASSERT_TRUE(seek_results.found) << seek_results.why;
+  const SeekResults second_seek_results = sought(
       lift("DL12-three", kLevel, {length(4, "davit 1", 9.0), length(4, "davit 2", 18.0), length(4, "davit 3", 14.0)}));
-  ASSERT_TRUE(other.found) << other.why;
-  EXPECT_NEAR(other.goals.back().reached.value(), own.goals.back().reached.value(),
-              1e-4 * own.goals.back().reached.value());
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(other.unknowns[i].answer, own.unknowns[i].answer, 0.01);
+  ASSERT_TRUE(second_seek_results.found) << second_seek_results.why;
+  EXPECT_NEAR(second_seek_results.goals.back().reached.value(), seek_results.goals.back().reached.value(),
+              1e-4 * seek_results.goals.back().reached.value());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(second_seek_results.unknowns[i].answer, seek_results.unknowns[i].answer, 0.01);
 }
 
 TEST(seek_stages, says_by_name_what_cannot_be_reached_and_the_nearest) {
@@ -194,11 +195,11 @@ TEST(seek_stages, names_the_result_that_a_stage_does_not_have) {
   EXPECT_NE(none.why.find("operation.stages[4].join.moment does not apply"), std::string::npos) << none.why;
 }
 
-TEST(seek_stages, refuses_a_key_behind_the_stages_asked_for) {
+TEST(seek_stages, rejects_a_key_behind_the_stages_asked_for) {
   const Description d = lift("DL20-two",
                              "  vary: {key: 'operation.stages[4].lengths.davit 1', from: 5 m, to: 20 m}\n"
                              "  until: {result: 'operation.stages[3].lines.pipe.first_end.z', equals: 3 m}\n");
-  EXPECT_THROW(sought(d), SeekFault);
+  EXPECT_THROW(sought(d), SeekError);
 }
 
 // The stage does not name the davit: its length is that of the stage before.
@@ -231,14 +232,14 @@ TEST(seek_stages, the_model_with_the_answer_has_the_results_of_the_search) {
            "  until: {result: 'operation.stages[near horizontal].lines.pipe.first_end.z', equals: 4 m}\n");
   const SeekRun run = run_seek(description, read_seek(description).value());
   ASSERT_TRUE(run.results.found && run.operation) << run.results.why;
-  EXPECT_NEAR(run.operation->stages[4].lay->lift->lines.front().first.at.place.z(), 4.0, 1e-5);
+  EXPECT_NEAR(run.operation->stages[4].lay->lift->lines.front().first.location.place.z(), 4.0, 1e-5);
   ASSERT_EQ(run.results.stages.size(), 1U);
   EXPECT_TRUE(run.results.stages[0].starts_with("- {name: near horizontal, lengths: {davit 1: 7.5 m, davit 2: "))
       << run.results.stages[0];
 }
 
 // With davit 1 out of reach of the pipe nothing holds its length.
-TEST(seek_stages, tells_a_length_that_a_slack_davit_has) {
+TEST(seek_stages, reports_a_length_that_a_slack_davit_has) {
   const SeekResults found =
       sought(lift("DL20-two",
                   "  vary:\n    - {key: 'operation.stages[4].lengths.davit 1', from: 18 m, to: 22 m}\n"
@@ -248,17 +249,18 @@ TEST(seek_stages, tells_a_length_that_a_slack_davit_has) {
   ASSERT_TRUE(found.found) << found.why;
   EXPECT_EQ(found.goals.back().reached, 0.0);
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_NE(found.remarks.front().find("davit 1 is that of a slack line"), std::string::npos) << found.remarks.front();
+  EXPECT_NE(found.remarks.front().find("davit 1 is the length of a slack line"), std::string::npos)
+      << found.remarks.front();
 }
 
 // Four davits, two lines: the gap is closed level, and the larger of both moments is least where both are the same.
 TEST(seek_stages, brings_two_ends_together_level) {
-  const std::string at = "operation.stages[ends together].";
-  const SeekResults found =
-      sought(lift("TI12-closed", "  vary: {key: '" + at + "lengths[davit *]', within: 3 m}\n  until:\n" +
-                                     condition(at + "lines.pipe A.first_end.z", 2.4, "m") +
-                                     condition(at + "gap.dz", 0.0, "m") + condition(at + "gap.angle", 0.0, "deg") +
-                                     "  minimise: 'max(" + at + "lines[*].largest_bending_moment.value)'\n"));
+  const std::string text_place = "operation.stages[ends together].";
+  const SeekResults found = sought(lift(
+      "TI12-closed", "  vary: {key: '" + text_place + "lengths[davit *]', within: 3 m}\n  until:\n" +
+                         condition(text_place + "lines.pipe A.first_end.z", 2.4, "m") +
+                         condition(text_place + "gap.dz", 0.0, "m") + condition(text_place + "gap.angle", 0.0, "deg") +
+                         "  minimise: 'max(" + text_place + "lines[*].largest_bending_moment.value)'\n"));
   ASSERT_TRUE(found.found) << found.why;
   EXPECT_NEAR(found.unknowns[0].answer, found.unknowns[2].answer, 0.01);
   EXPECT_NEAR(found.unknowns[1].answer, found.unknowns[3].answer, 0.01);

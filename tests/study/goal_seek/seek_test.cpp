@@ -20,7 +20,7 @@ const std::string kCases = std::string(OVERBEND_SOURCE_DIR) + "/validation/seek_
 
 struct SoughtCase {
   SeekOutcome outcome;
-  Json goal;  ///< What is expected.
+  Json goal;  ///< Expected values.
 };
 
 const SoughtCase& sought(const std::string& name) {
@@ -72,7 +72,7 @@ Description j_lay(const std::string& seek_text) {
   return reading.description.value();
 }
 
-SeekResults results_of(const std::string& seek_text) {
+SeekResults run_seek_text(const std::string& seek_text) {
   const Description description = j_lay(seek_text);
   return seek(description, read_seek(description).value()).results;
 }
@@ -80,29 +80,29 @@ SeekResults results_of(const std::string& seek_text) {
 TEST(seek, a_limit_is_kept_by_the_least_value_of_the_key) {
   // The bottom tension grows with the top tension: at least 300 kN holds from one tension on.
   const std::string vary = "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n";
-  const SeekResults least = results_of(vary + "  until: {result: static.bottom_tension, at_least: 300 kN}\n");
-  const SeekResults equal = results_of(vary + "  until: {result: static.bottom_tension, equals: 300 kN}\n");
-  ASSERT_TRUE(least.found && equal.found);
-  EXPECT_NEAR(least.unknowns[0].answer, equal.unknowns[0].answer, 5.0);
-  EXPECT_GE(least.goals[0].reached.value(), 300e3);
-  const SeekResults most = results_of(vary + "  until: {result: static.bottom_tension, at_most: 300 kN}\n");
-  ASSERT_TRUE(most.found);
-  EXPECT_EQ(most.unknowns[0].answer, 450e3);
-  EXPECT_TRUE(most.unknowns[0].at_bound);
+  const SeekResults min_value = run_seek_text(vary + "  until: {result: static.bottom_tension, at_least: 300 kN}\n");
+  const SeekResults equal = run_seek_text(vary + "  until: {result: static.bottom_tension, equals: 300 kN}\n");
+  ASSERT_TRUE(min_value.found && equal.found);
+  EXPECT_NEAR(min_value.unknowns[0].answer, equal.unknowns[0].answer, 5.0);
+  EXPECT_GE(min_value.goals[0].reached.value(), 300e3);
+  const SeekResults max_value = run_seek_text(vary + "  until: {result: static.bottom_tension, at_most: 300 kN}\n");
+  ASSERT_TRUE(max_value.found);
+  EXPECT_EQ(max_value.unknowns[0].answer, 450e3);
+  EXPECT_TRUE(max_value.unknowns[0].at_bound);
 }
 
 TEST(seek, finds_the_same_by_a_name_by_object) {
   const std::string vary = "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n";
-  const SeekResults by_kind = results_of(vary + "  until: {result: static.bottom_tension, equals: 300 kN}\n");
+  const SeekResults by_kind = run_seek_text(vary + "  until: {result: static.bottom_tension, equals: 300 kN}\n");
   const SeekResults by_object =
-      results_of(vary + "  until: {result: 'lines[pipe].static.bottom_tension', equals: 300 kN}\n");
+      run_seek_text(vary + "  until: {result: 'lines[pipe].static.bottom_tension', equals: 300 kN}\n");
   ASSERT_TRUE(by_kind.found && by_object.found);
   EXPECT_EQ(by_object.unknowns[0].answer, by_kind.unknowns[0].answer);
   EXPECT_EQ(by_object.goals[0].result, "lines[pipe].static.bottom_tension");
 }
 
 TEST(seek, says_what_is_reached_where_there_is_no_answer) {
-  const SeekResults none = results_of(
+  const SeekResults none = run_seek_text(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 600 kN}\n"
       "  until: {result: static.top_inclination, equals: 85 deg}\n");
   EXPECT_FALSE(none.found);
@@ -112,7 +112,7 @@ TEST(seek, says_what_is_reached_where_there_is_no_answer) {
 
 TEST(seek, two_keys_meet_two_conditions) {
   // Tension and depth of a J-lay from the angle and the bottom tension that they lead to.
-  const SeekResults both = results_of(
+  const SeekResults both = run_seek_text(
       "  vary:\n"
       "    - {key: tensioner.tension, from: 450 kN, to: 700 kN}\n"
       "    - {key: environment.water_depth, from: 350 m, to: 450 m}\n"
@@ -126,15 +126,15 @@ TEST(seek, two_keys_meet_two_conditions) {
 }
 
 TEST(seek, what_is_minimised_stops_at_its_condition) {
-  const SeekResults least = results_of(
+  const SeekResults min_value = run_seek_text(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n"
       "  until: {result: static.sagbend.max_bending_stress, at_most: 90 MPa}\n"
       "  minimise: static.top_tension\n");
-  const SeekResults equal = results_of(
+  const SeekResults equal = run_seek_text(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n"
       "  until: {result: static.sagbend.max_bending_stress, equals: 90 MPa}\n");
-  ASSERT_TRUE(least.found && equal.found) << least.why << equal.why;
-  EXPECT_NEAR(least.unknowns[0].answer, equal.unknowns[0].answer, 1e-3 * equal.unknowns[0].answer);
+  ASSERT_TRUE(min_value.found && equal.found) << min_value.why << equal.why;
+  EXPECT_NEAR(min_value.unknowns[0].answer, equal.unknowns[0].answer, 1e-3 * equal.unknowns[0].answer);
 }
 
 constexpr const char* kHeights =
@@ -147,7 +147,7 @@ SeekResults sought_on_the_last_box(const std::string& keys) {
   return seek(description, read_seek(description).value()).results;
 }
 
-/// Where the pipe lies on the box its clearance hardly changes with any key: derivatives do not lead off it.
+/// If the pipe lies on the box, its clearance hardly changes with any key: derivatives do not lead off it.
 TEST(seek, a_clearance_is_found_though_the_pipe_lies_on_the_box_to_begin_with) {
   const SeekResults cleared = sought_on_the_last_box(
       "seek:\n  vary:\n"
@@ -183,11 +183,11 @@ TEST(seek, conditions_that_nothing_within_the_bounds_meets_say_what_was_looked_a
   const SeekResults none = sought_on_the_last_box(
       kHeights + std::string("  until: {result: static.stinger_tip_clearance, at_least: 20 m}\n"));
   EXPECT_FALSE(none.found);
-  EXPECT_NE(none.why.find("4 best of 25 places over the bounds"), std::string::npos) << none.why;
+  EXPECT_NE(none.why.find("4 best of 25 points within the bounds"), std::string::npos) << none.why;
   EXPECT_NE(none.why.find("should be at least 20 m"), std::string::npos) << none.why;
 }
 
-TEST(seek, ends_before_the_next_model_when_it_is_told_to) {
+TEST(seek, ends_before_the_next_model_when_it_is_cancelled) {
   const Description description = j_lay(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n"
       "  until: {result: static.top_inclination, equals: 65 deg}\n");

@@ -39,10 +39,10 @@ LayTableDescription range(LayTableVary vary, double from, double to, int steps) 
   return table;
 }
 
-const LayTableRow* row_of(const LayTable& table, LayRowKind kind) {
-  const auto at =
+const LayTableRow* find_check_row(const LayTable& table, LayRowKind kind) {
+  const auto sample =
       std::find_if(table.rows.begin(), table.rows.end(), [&](const LayTableRow& row) { return row.kind == kind; });
-  return at == table.rows.end() ? nullptr : &*at;
+  return sample == table.rows.end() ? nullptr : &*sample;
 }
 
 const LayTableRow& step(const LayTable& table, double varied) {
@@ -82,11 +82,11 @@ TEST(lay_table, a_row_whose_pipe_has_left_its_stinger_says_so_though_its_checks_
   const LayTable table = make_lay_table(description, range(LayTableVary::tension, 250e3, 300e3, 1));
   const LayTableRow& held = step(table, 250e3);
   EXPECT_TRUE(held.lay->passed());
-  EXPECT_EQ(remark_of(held), "");
+  EXPECT_EQ(make_remark(held), "");
   const LayTableRow& left = step(table, 300e3);
   EXPECT_EQ(left.lay->verdict, VerdictKind::reserved);
   EXPECT_EQ(lay_verdict(left), "reserved");
-  EXPECT_NE(remark_of(left).find("the pipe has left 'stinger 7'"), std::string::npos) << remark_of(left);
+  EXPECT_NE(make_remark(left).find("the pipe has left 'stinger 7'"), std::string::npos) << make_remark(left);
   EXPECT_TRUE(has_code(table.findings, FindingCode::pipe_off_rollers));
 }
 
@@ -123,12 +123,12 @@ TEST(lay_table, a_tension_that_carries_no_pipe_stands_in_the_table_with_its_reas
 
 TEST(lay_table, limits_separate_lays_that_pass_from_lays_that_do_not) {
   const LayTable table = make_lay_table(described("J12-D400-T560"), range(LayTableVary::tension, 400e3, 800e3, 2));
-  const LayTableRow* least = row_of(table, LayRowKind::least);
-  ASSERT_NE(least, nullptr);
-  EXPECT_TRUE(least->lay.value().passed());
-  EXPECT_FALSE(least->reason.empty());
+  const LayTableRow* min_value = find_check_row(table, LayRowKind::minimum);
+  ASSERT_NE(min_value, nullptr);
+  EXPECT_TRUE(min_value->lay.value().passed());
+  EXPECT_FALSE(min_value->reason.empty());
   Description below = described("J12-D400-T560");
-  below.tensioner.tension = 0.998 * least->varied;  // the limit is found to 0.1 %
+  below.tensioner.tension = 0.998 * min_value->varied;  // the limit is found to 0.1 %
   const LayTable beyond = make_lay_table(below, range(LayTableVary::tension, *below.tensioner.tension, 560e3, 1));
   const LayTableRow& failing = step(beyond, *below.tensioner.tension);
   EXPECT_FALSE(failing.lay && failing.lay->passed());
@@ -140,8 +140,8 @@ TEST(lay_table, a_row_says_which_check_could_not_be_judged) {
     d.pipe.section.steel.yield_stress = yield_stress;
     const LayTable table = make_lay_table(d, range(LayTableVary::tension, 250e3, 300e3, 1));
     return std::ranges::any_of(table.rows, [](const LayTableRow& row) {
-      return remark_of(row).find("not judged: ") != std::string::npos &&
-             remark_of(row).find("the criteria start at X52") != std::string::npos;
+      return make_remark(row).find("not judged: ") != std::string::npos &&
+             make_remark(row).find("the criteria start at X52") != std::string::npos;
     });
   };
   EXPECT_FALSE(warned(414e6));
@@ -158,7 +158,7 @@ TEST(lay_table, rows_are_the_lays_that_statics_finds_whatever_rows_stand_before_
     const StaticResults alone = checked_statics(model, solve_lay(model));
     const LayTableValues& row = step(table, tension).lay.value();
     EXPECT_NEAR(row.lay_back, alone.lay_back, 1e-4);
-    EXPECT_NEAR(row.largest_reaction, alone.largest_reaction, 1.0);
+    EXPECT_NEAR(row.max_reaction, alone.max_reaction, 1.0);
     EXPECT_NEAR(row.overbend_von_mises, alone.overbend.value().von_mises.value, 1e3);
   }
 }
@@ -170,7 +170,7 @@ TEST(lay_table, along_a_route_the_tension_is_held_or_the_least_that_passes) {
   ASSERT_EQ(held.rows.size(), 2U);
   EXPECT_NEAR(held.rows[1].lay.value().top_tension, 560e3, 1.0);
   EXPECT_EQ(held.rows[1].distance, 5000.0);
-  route.tension = RouteTension::least;
+  route.tension = RouteTension::minimum;
   const LayTable sought = make_lay_table(described("J12-D400-T560"), route);
   for (const LayTableRow& row : sought.rows) {
     EXPECT_TRUE(row.lay.value().passed());
@@ -186,9 +186,9 @@ constexpr const char* kClearTip =
     "yield-with-linear-steel]}\n";
 
 /// Lays pass only at several times the model's own tension, and not over one stretch.
-TEST(lay_table, the_least_tension_does_not_hang_on_that_of_the_model) {
+TEST(lay_table, the_least_tension_does_not_depend_on_that_of_the_model) {
   LayTableDescription route;
-  route.tension = RouteTension::least;
+  route.tension = RouteTension::minimum;
   route.profile = {{0.0, 66.0}, {500.0, 90.0}};
   Description model = testing::lay_on_its_last_box(kClearTip);
   const LayTable from_below = make_lay_table(model, route);
@@ -208,23 +208,23 @@ TEST(lay_table, the_least_tension_does_not_hang_on_that_of_the_model) {
 
 TEST(lay_table, where_no_tension_passes_the_row_says_what_was_searched_and_what_stops_it) {
   LayTableDescription route;
-  route.tension = RouteTension::least;
+  route.tension = RouteTension::minimum;
   route.profile = {{0.0, 58.0}};
   const LayTable none = make_lay_table(
       testing::lay_on_its_last_box("checks: {manufacture: seamless, limits: {tip_clearance: 9 m}}\n"), route);
   ASSERT_EQ(none.rows.size(), 1U);
   const LayTableRow& row = none.rows.front();
   EXPECT_EQ(lay_verdict(row), "exceeded");
-  for (const char* words :
+  for (const char* arguments :
        {"no tension from", "passes every check", "Clearance at the stinger tip is exceeded", "nearest to passing"}) {
-    EXPECT_NE(row.reason.find(words), std::string::npos) << words << " in: " << row.reason;
+    EXPECT_NE(row.reason.find(arguments), std::string::npos) << arguments << " in: " << row.reason;
   }
 }
 
 TEST(lay_table, files_say_the_same_in_csv_workbook_and_summary) {
   const testing::TemporaryFolder folder;
   write_lay_table_run(tensions_of_s16(), described("S16-T300"), folder / "table");
-  const auto lines = testing::lines_of(testing::file_text(folder / "table/lay-table.csv"));
+  const auto lines = testing::csv_lines(testing::file_text(folder / "table/lay-table.csv"));
   ASSERT_EQ(lines.size(), tensions_of_s16().rows.size() + 1);
   const double top = testing::value_in(lines, 1, "top tension [kN]");
   const Json summary = read_json(testing::file_text(folder / "table/summary.json"));
@@ -267,7 +267,7 @@ TEST(lay_table_range, takes_the_unit_of_its_end) {
   EXPECT_EQ(table.vary, LayTableVary::depth);
 }
 
-TEST(lay_table_range, refuses_what_is_no_range) {
+TEST(lay_table_range, rejects_what_is_no_range) {
   LayTableDescription table;
   for (const char* wrong :
        {"200 kN", "200 m..400 m", "0 kN..200 kN", "200 kN..200 kN", "200..400 kN/0", "..400 kN", "a..b"}) {

@@ -33,15 +33,15 @@ struct Response {
 };
 
 TrialResult used(double utilisation) {
-  return {utilisation > 1.0 ? TrialEnd::exceeded : TrialEnd::passed, utilisation, "stress", ""};
+  return {utilisation > 1.0 ? TrialStatus::exceeded : TrialStatus::passed, utilisation, "stress", ""};
 }
 
 /// The last value that passes differs from cell to cell; the third seed is the worst.
-std::size_t limit_of(std::size_t cell) {
+std::size_t cell_limit(std::size_t cell) {
   return 3 + (cell * 7) % 11;
 }
 TrialResult rising(std::size_t cell, std::size_t value, std::size_t seed) {
-  const double worst = static_cast<double>(value) / (static_cast<double>(limit_of(cell)) + 0.5);
+  const double worst = static_cast<double>(value) / (static_cast<double>(cell_limit(cell)) + 0.5);
   return used(worst * (seed == 2 ? 1.0 : 0.8));
 }
 
@@ -55,7 +55,7 @@ TEST(operability_search, finds_the_largest_value_that_passes_with_every_seed) {
   ASSERT_EQ(cells.size(), 24U);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     ASSERT_TRUE(cells[i].decided && cells[i].limit);
-    EXPECT_EQ(*cells[i].limit, limit_of(i));
+    EXPECT_EQ(*cells[i].limit, cell_limit(i));
     EXPECT_FALSE(cells[i].beyond);
     EXPECT_LE(*cells[i].below, 1.0);
     EXPECT_GT(*cells[i].above, 1.0);
@@ -89,7 +89,7 @@ TEST(operability_search, begins_with_the_seed_that_failed_last) {
   Response response{rising, {}, {}};
   response.search({{1, 2}, 21, 3});
   for (const auto& [cell, value, seed] : response.asked) {
-    const bool fails = value > limit_of(cell);
+    const bool fails = value > cell_limit(cell);
     EXPECT_TRUE(cell == 0 || !fails || seed == 2) << cell << ' ' << value << ' ' << seed;
   }
 }
@@ -117,15 +117,15 @@ TEST(operability_search, does_not_depend_on_the_number_of_threads) {
   const std::multiset<Asked> alone = response.asked;
   for (const int threads : {2, 4}) {
     const std::vector<SearchedCell> cells = response.search(kChart, threads);
-    for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_EQ(cells[i].limit, limit_of(i));
+    for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_EQ(cells[i].limit, cell_limit(i));
     EXPECT_EQ(response.asked, alone);
   }
 }
 
-TEST(operability_search, tells_limits_below_and_above_the_grid) {
+TEST(operability_search, reports_limits_below_and_above_the_grid) {
   Response response{[](std::size_t cell, std::size_t value, std::size_t) {
                       if (cell == 1) return used(0.5);
-                      if (cell == 3) return TrialResult{TrialEnd::no_solution, std::nullopt, "buckled", ""};
+                      if (cell == 3) return TrialResult{TrialStatus::no_solution, std::nullopt, "buckled", ""};
                       return used(cell == 0 ? 1.5 : static_cast<double>(value) / 4.5);
                     },
                     {},
@@ -156,7 +156,7 @@ TEST(operability_search, both_sides_of_a_limit_are_verified_where_the_response_t
   }
 }
 
-TEST(operability_search, tells_a_utilisation_that_falls_with_a_larger_value) {
+TEST(operability_search, reports_a_utilisation_that_falls_with_a_larger_value) {
   Response response{[](std::size_t, std::size_t value, std::size_t) { return used(value == 10 ? 0.9 : 0.6); }, {}, {}};
   const std::vector<SearchedCell> cells = response.search({{}, 21, 1});
   ASSERT_EQ(cells.size(), 1U);
@@ -166,7 +166,7 @@ TEST(operability_search, tells_a_utilisation_that_falls_with_a_larger_value) {
 
 TEST(operability_search, leaves_a_cell_open_that_has_no_answer_and_goes_on) {
   Response response{[](std::size_t cell, std::size_t value, std::size_t seed) {
-                      if (cell == 1) return TrialResult{TrialEnd::open, std::nullopt, "", "interrupted"};
+                      if (cell == 1) return TrialResult{TrialStatus::open, std::nullopt, "", "interrupted"};
                       return rising(cell, value, seed);
                     },
                     {},
@@ -176,7 +176,7 @@ TEST(operability_search, leaves_a_cell_open_that_has_no_answer_and_goes_on) {
   EXPECT_FALSE(cells[1].limit);
   EXPECT_EQ(cells[1].reason, "interrupted");
   EXPECT_EQ(cells[1].runs, 0);
-  EXPECT_EQ(cells[2].limit, limit_of(2));
+  EXPECT_EQ(cells[2].limit, cell_limit(2));
 }
 
 TEST(operability_search, chains_are_the_rows_of_the_last_axis) {

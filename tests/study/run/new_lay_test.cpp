@@ -1,4 +1,4 @@
-// What `overbend new` chooses must be a lay that passes its own checks, not only a file that reads.
+// The choices of `overbend new` must be a lay that passes its own checks, not only a file that reads.
 #include "study/run/new_lay.h"
 
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include "app/new_questions.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
 
-NewOptions options_of(const char* pipe, const char* depth, const char* lay) {
+NewOptions make_options(const char* pipe, const char* depth, const char* lay) {
   NewOptions options;
   options.pipe = pipe;
   options.depth = depth;
@@ -39,13 +39,13 @@ std::vector<std::string> exceeded_by(const std::string& text) {
 class NewLayGrid : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NewLayGrid, passes_its_own_checks_or_says_why_none_does) {
-  int refused = 0;
+  int rejected = 0;
   for (const char* depth : {"30 m", "100 m", "300 m", "700 m", "1200 m", "2000 m"}) {
     for (const char* lay : {"s", "j"}) {
       const std::string which = std::string(GetParam()) + " in, " + depth + ", " + lay + "-lay";
-      const auto chosen = choose_lay(options_of(GetParam(), depth, lay));
+      const auto chosen = choose_lay(make_options(GetParam(), depth, lay));
       if (const auto* why = std::get_if<std::string>(&chosen)) {
-        ++refused;
+        ++rejected;
         const bool tower = why->find("no tower is inclined") != std::string::npos;
         EXPECT_TRUE(tower || why->find("no wall of API 5L") != std::string::npos) << which << ": " << *why;
         EXPECT_TRUE(!tower || *lay == 'j') << which;
@@ -57,14 +57,14 @@ TEST_P(NewLayGrid, passes_its_own_checks_or_says_why_none_does) {
       EXPECT_EQ(exceeded_by(made.text), std::vector<std::string>{}) << which;
     }
   }
-  EXPECT_LE(refused, 4) << GetParam();
+  EXPECT_LE(rejected, 4) << GetParam();
 }
 
 INSTANTIATE_TEST_SUITE_P(new_lay, NewLayGrid, ::testing::Values("6", "10", "16", "24", "36", "48"));
 
-TEST(new_lay, the_tower_stands_as_the_pipe_hangs_from_it) {
+TEST(new_lay, the_tower_stands_as_the_pipe_is_suspended_from_it) {
   for (const char* depth : {"100 m", "1200 m"}) {
-    const NewLay made = std::get<NewLay>(choose_lay(options_of("16", depth, "j")));
+    const NewLay made = std::get<NewLay>(choose_lay(make_options("16", depth, "j")));
     const Model model = build_model(read_model_text(made.text, "new.yaml").description.value());
     const StaticResults r = checked_statics(model, {solve_statics(model).solution, {}, {}});
     const double tower = model.description.tensioner.incline;
@@ -74,13 +74,13 @@ TEST(new_lay, the_tower_stands_as_the_pipe_hangs_from_it) {
 }
 
 TEST(new_lay, a_tower_leans_no_further_than_towers_do) {
-  const std::string why = std::get<std::string>(choose_lay(options_of("48", "50 m", "j")));
+  const std::string why = std::get<std::string>(choose_lay(make_options("48", "50 m", "j")));
   EXPECT_NE(why.find("no tower is inclined"), std::string::npos) << why;
   EXPECT_EQ(why.rfind("--lay: ", 0), 0U) << why;
 }
 
 TEST(new_lay, what_was_said_is_kept_and_the_check_that_it_exceeds_is_noted) {
-  NewOptions options = options_of("16", "1500 m", "s");
+  NewOptions options = make_options("16", "1500 m", "s");
   options.wall = "15.9 mm";
   const NewLay made = std::get<NewLay>(choose_lay(options));
   EXPECT_DOUBLE_EQ(made.model.wall, 0.0159);
@@ -89,8 +89,8 @@ TEST(new_lay, what_was_said_is_kept_and_the_check_that_it_exceeds_is_noted) {
   EXPECT_NE(exceeded_by(made.text), std::vector<std::string>{});
 }
 
-TEST(new_lay, what_no_wall_can_carry_is_refused_with_the_reason) {
-  const std::string why = std::get<std::string>(choose_lay(options_of("48", "3500 m", "j")));
+TEST(new_lay, what_no_wall_can_carry_is_rejected_with_the_reason) {
+  const std::string why = std::get<std::string>(choose_lay(make_options("48", "3500 m", "j")));
   EXPECT_NE(why.find("no wall of API 5L"), std::string::npos) << why;
 }
 
@@ -99,7 +99,7 @@ TEST(new_questions, empty_answers_take_what_is_offered) {
   std::istringstream in("\n120 m\n\n 40 mm \n");  // ends early: the rest is chosen
   std::ostringstream out;
   ask_new_options(options, in, out);
-  EXPECT_EQ(options.pipe, kUsualPipe);
+  EXPECT_EQ(options.pipe, kDefaultPipe);
   EXPECT_EQ(options.depth, "120 m");
   EXPECT_EQ(options.wall, "");
   EXPECT_EQ(options.concrete, "40 mm");
@@ -108,7 +108,7 @@ TEST(new_questions, empty_answers_take_what_is_offered) {
 }
 
 TEST(new_questions, what_was_said_is_not_asked_again) {
-  NewOptions options = options_of("24", "300 m", "s");
+  NewOptions options = make_options("24", "300 m", "s");
   std::istringstream in;
   std::ostringstream out;
   ask_new_options(options, in, out);

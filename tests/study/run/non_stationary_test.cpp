@@ -42,8 +42,8 @@ TEST(non_stationary, is_a_run_in_which_winches_or_the_vessel_move) {
   d.operation.type = OperationType::pull_ahead;
   EXPECT_EQ(non_stationary(d, two_lines()), "the vessel is pulled ahead");
   d.operation.type = OperationType::none;
-  d.vessel.coupled.emplace().released_shift.x() = 5.0;
-  EXPECT_EQ(non_stationary(d, two_lines()), "the hull is let go from an offset");
+  d.vessel.coupled.emplace().release_offset.x() = 5.0;
+  EXPECT_EQ(non_stationary(d, two_lines()), "the hull is released from an offset");
 }
 
 }  // namespace

@@ -45,11 +45,11 @@ TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_no
   const auto prepared = std::get<0>(prepare_case(barge));
   const std::vector<std::string> warnings = messages(prepared->statics.findings);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-    return warning.find("vessel.hydrostatics serve statics alone") != std::string::npos;
+    return warning.find("vessel.hydrostatics apply to statics only") != std::string::npos;
   }));
 }
 
-TEST(prepared_case, of_a_hull_hangs_on_all_its_files_whichever_of_them_is_named) {
+TEST(prepared_case, of_a_hull_depends_on_all_its_files_whichever_of_them_is_named) {
   Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
   const std::string by_stem = input_text(barge);
   barge.vessel.coupled->hydrodynamics += ".1";

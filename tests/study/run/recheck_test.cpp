@@ -48,19 +48,19 @@ const Analyses& analyses() {
   return kAll;
 }
 
-std::string bits_of(const CheckTable& table, const Assumptions& assumptions) {
+std::string result_bits(const CheckTable& table, const Assumptions& assumptions) {
   BitsVisitor bits;
   testing::visit_checks(table, bits);
   bits(ResultField{"assumptions"}, assumptions);
   return bits.text;
 }
 
-std::string bits_of(const Rechecked& r) {
-  std::string text = bits_of(r.statics.checks, r.statics.assumptions);
+std::string result_bits(const Rechecked& r) {
+  std::string text = result_bits(r.statics.checks, r.statics.assumptions);
   if (!r.dynamics) return text;
   BitsVisitor bits;
   visit_station_design(r.dynamics->design, bits);
-  return text + bits_of(r.dynamics->checks, r.dynamics->assumptions) + bits.text;
+  return text + result_bits(r.dynamics->checks, r.dynamics->assumptions) + bits.text;
 }
 
 /// As the analysis wrote them.
@@ -76,11 +76,11 @@ Rechecked stored(const fs::path& h5) {
   return as_is;
 }
 
-std::string fault_of(const std::string& command, const std::vector<std::string>& changes) {
+std::string recheck_error(const std::string& command, const std::vector<std::string>& changes) {
   try {
     recheck(analyses().h5(command, "low"), changes);
-  } catch (const RecheckFault& fault) {
-    return fault.what();
+  } catch (const RecheckError& error) {
+    return error.what();
   }
   return "";
 }
@@ -90,17 +90,17 @@ TEST(recheck, without_changes_gives_the_table_of_the_analysis_bit_for_bit) {
     const fs::path h5 = analyses().h5(command, "low");
     const Rechecked again = recheck(h5, {});
     EXPECT_GT(again.checks().rows.size(), 10U);
-    EXPECT_EQ(bits_of(again), bits_of(stored(h5))) << command;
+    EXPECT_EQ(result_bits(again), result_bits(stored(h5))) << command;
   }
 }
 
 TEST(recheck, with_another_safety_class_gives_the_table_of_a_new_analysis_bit_for_bit) {
   for (const char* command : {"static", "dynamic"}) {
     const fs::path low = analyses().h5(command, "low"), high = analyses().h5(command, "high");
-    const std::string as_high = bits_of(stored(high));
-    EXPECT_NE(bits_of(stored(low)), as_high) << command;
-    EXPECT_EQ(bits_of(recheck(low, {"checks.safety_class=high"})), as_high) << command;
-    EXPECT_EQ(bits_of(recheck(high, {"checks.safety_class="})), bits_of(stored(low))) << command;
+    const std::string as_high = result_bits(stored(high));
+    EXPECT_NE(result_bits(stored(low)), as_high) << command;
+    EXPECT_EQ(result_bits(recheck(low, {"checks.safety_class=high"})), as_high) << command;
+    EXPECT_EQ(result_bits(recheck(high, {"checks.safety_class="})), result_bits(stored(low))) << command;
   }
 }
 
@@ -116,29 +116,32 @@ TEST(recheck, sets_limits_and_allowed_stresses_of_a_run_anew) {
   EXPECT_EQ(again.checks().rows.size(), recheck(analyses().h5("dynamic", "low"), {}).checks().rows.size() + 2);
 }
 
-TEST(recheck, refuses_keys_that_ask_for_a_new_analysis_and_names_them) {
-  EXPECT_NE(fault_of("static", {"pipe.steel.wall_thickness=20 mm"}).find("pipe.steel.wall_thickness: only keys below"),
-            std::string::npos);
-  EXPECT_NE(fault_of("static", {"checks.safety_class"}).find("expected a key and its value"), std::string::npos);
-  EXPECT_NE(fault_of("static", {"checks.safety_class=highest"}).find("checks.safety_class"), std::string::npos);
-  EXPECT_NE(fault_of("static", {"checks.safty_class=high"}).find("safety_class"), std::string::npos);  // the near one
+TEST(recheck, rejects_keys_that_ask_for_a_new_analysis_and_names_them) {
+  EXPECT_NE(
+      recheck_error("static", {"pipe.steel.wall_thickness=20 mm"}).find("pipe.steel.wall_thickness: only keys below"),
+      std::string::npos);
+  EXPECT_NE(recheck_error("static", {"checks.safety_class"}).find("expected a key and its value"), std::string::npos);
+  EXPECT_NE(recheck_error("static", {"checks.safety_class=highest"}).find("checks.safety_class"), std::string::npos);
+  EXPECT_NE(recheck_error("static", {"checks.safty_class=high"}).find("safety_class"),
+            std::string::npos);  // the near one
   for (const std::string change :
        {"condition_factor=1.07", "system_effects=no", "point_load=yes", "manufacture=seamless", "alpha_fab=0.9",
         "alpha_u=1", "alpha_h=0.9", "ovality=0.01", "current_load=functional"}) {
     const std::string key = "checks." + change.substr(0, change.find('='));
-    EXPECT_EQ(fault_of("static", {"checks." + change}), "");
-    EXPECT_EQ(fault_of("dynamic", {"checks." + change}).find(key + " cannot be changed for these results"), 0U) << key;
+    EXPECT_EQ(recheck_error("static", {"checks." + change}), "");
+    EXPECT_EQ(recheck_error("dynamic", {"checks." + change}).find(key + " cannot be changed for these results"), 0U)
+        << key;
   }
 }
 
-/// Every key of the checks is either among those refused, or changes nothing that a run gathers step by step.
+/// Every key of the checks is either among those rejected, or changes nothing that a run gathers step by step.
 TEST(recheck, a_static_table_with_other_strengths_is_that_of_a_new_analysis) {
   const Scratch scratch;
   scratch.write("model.yaml", kSmallLay + "checks: {manufacture: seamless, ovality: 0.01, alpha_u: 1}\n");
   ASSERT_EQ(run_program("static " + scratch.file("model.yaml") + " -o " + scratch.file("out")).code, 0);
   const Rechecked again = recheck(analyses().h5("static", "low"),
                                   {"checks.manufacture=seamless", "checks.ovality=0.01", "checks.alpha_u=1"});
-  EXPECT_EQ(bits_of(again), bits_of(stored(fs::path(scratch.file("out")) / "results.h5")));
+  EXPECT_EQ(result_bits(again), result_bits(stored(fs::path(scratch.file("out")) / "results.h5")));
 }
 
 TEST(recheck, writes_results_that_are_those_of_a_new_analysis_but_for_times) {
@@ -148,12 +151,12 @@ TEST(recheck, writes_results_that_are_those_of_a_new_analysis_but_for_times) {
     const Rechecked again = recheck(low, {"checks.safety_class=high"});
     write_rechecked(again, low, folder);
     const fs::path h5 = folder / "results.h5";
-    EXPECT_EQ(bits_of(stored(h5)), bits_of(again));
-    EXPECT_EQ(bits_of(recheck(h5, {"checks.safety_class=low"})), bits_of(stored(low)));
+    EXPECT_EQ(result_bits(stored(h5)), result_bits(again));
+    EXPECT_EQ(result_bits(recheck(h5, {"checks.safety_class=low"})), result_bits(stored(low)));
     for (const char* table : {"checks.csv", "calculation_sheet.csv", "pipe.csv", "supports.csv"}) {
       const std::string written = scratch.read(std::string("again/") + table);
-      std::ifstream other(fs::path(analyses().folder(command, "high")) / table, std::ios::binary);
-      EXPECT_EQ(written, std::string(std::istreambuf_iterator<char>(other), {})) << table;
+      std::ifstream second(fs::path(analyses().folder(command, "high")) / table, std::ios::binary);
+      EXPECT_EQ(written, std::string(std::istreambuf_iterator<char>(second), {})) << table;
     }
     EXPECT_NE(scratch.read("again/summary.json").find("\"checks\""), std::string::npos);
     EXPECT_NE(scratch.read("again/report.html").find("safety class high"), std::string::npos);

@@ -35,7 +35,7 @@ TEST(run_folder, results_are_finished_for_their_own_input_alone) {
   mark_finished(folder.path(), "dynamic", "a lay", "model");
   EXPECT_TRUE(is_finished(folder.path(), "model"));
   EXPECT_THROW(is_finished(folder.path(), "another model"), std::runtime_error);
-  unmark(folder.path());
+  mark_unfinished(folder.path());
   EXPECT_FALSE(is_finished(folder.path(), "another model"));
 }
 
@@ -43,7 +43,7 @@ TEST(run_folder, what_the_user_wrote_outlives_a_new_run) {
   const TemporaryFolder folder;
   change_record(folder.path(), [](RunRecord& record) { record.name = "limit"; });
   mark_finished(folder.path(), "dynamic", "a lay", "model");
-  unmark(folder.path());
+  mark_unfinished(folder.path());
   EXPECT_EQ(read_record(folder.path())->name, "limit");
 }
 
@@ -53,9 +53,9 @@ TEST(run_folder, threads_that_change_a_record_at_once_lose_nothing) {
   const auto count = [&](double RunRecord::*member) {
     for (int i = 0; i < kChanges; ++i) change_record(folder.path(), [&](RunRecord& record) { record.*member += 1.0; });
   };
-  std::thread other(count, &RunRecord::duration);
+  std::thread second(count, &RunRecord::duration);
   count(&RunRecord::progress);
-  other.join();
+  second.join();
   const std::optional<RunRecord> read = read_record(folder.path());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->duration, kChanges);

@@ -18,7 +18,7 @@ std::vector<double> gumbel_sample(double mode, double scale, int count) {
 }
 
 TEST(seeds_gather, finds_the_gumbel_distribution_of_a_sample_from_one) {
-  const SeedStatistics s = seed_statistics(gumbel_sample(400.0, 10.0, 200), SeedExtreme::largest, 1080.0);
+  const SeedStatistics s = seed_statistics(gumbel_sample(400.0, 10.0, 200), SeedExtreme::maximum, 1080.0);
   ASSERT_TRUE(s.enough);
   // Evenly spaced quantiles leave out the tail beyond 1/400, which takes a few per cent of the scale.
   EXPECT_NEAR(s.mode, 400.0, 0.3);
@@ -30,27 +30,27 @@ TEST(seeds_gather, finds_the_gumbel_distribution_of_a_sample_from_one) {
 }
 
 TEST(seeds_gather, of_three_hours_the_estimate_is_the_mode) {
-  const SeedStatistics s = seed_statistics(gumbel_sample(5.0, 1.0, 20), SeedExtreme::largest, 10800.0);
+  const SeedStatistics s = seed_statistics(gumbel_sample(5.0, 1.0, 20), SeedExtreme::maximum, 10800.0);
   EXPECT_NEAR(s.estimate, s.mode, 1e-9);
 }
 
 TEST(seeds_gather, smallest_values_are_largest_ones_turned) {
   std::vector<double> turned = gumbel_sample(400.0, 10.0, 30);
-  const SeedStatistics largest = seed_statistics(turned, SeedExtreme::largest, 1080.0);
+  const SeedStatistics max_value = seed_statistics(turned, SeedExtreme::maximum, 1080.0);
   for (double& value : turned) value = -value;
-  const SeedStatistics smallest = seed_statistics(turned, SeedExtreme::smallest, 1080.0);
-  EXPECT_DOUBLE_EQ(smallest.mode, -largest.mode);
-  EXPECT_DOUBLE_EQ(smallest.estimate, -largest.estimate);
-  EXPECT_DOUBLE_EQ(smallest.low, -largest.high);
-  EXPECT_DOUBLE_EQ(smallest.high, -largest.low);
-  EXPECT_DOUBLE_EQ(smallest.std, largest.std);
+  const SeedStatistics min_value = seed_statistics(turned, SeedExtreme::minimum, 1080.0);
+  EXPECT_DOUBLE_EQ(min_value.mode, -max_value.mode);
+  EXPECT_DOUBLE_EQ(min_value.estimate, -max_value.estimate);
+  EXPECT_DOUBLE_EQ(min_value.low, -max_value.high);
+  EXPECT_DOUBLE_EQ(min_value.high, -max_value.low);
+  EXPECT_DOUBLE_EQ(min_value.std, max_value.std);
 }
 
-TEST(seeds_gather, no_line_is_told_to_bear_a_push) {
+TEST(seeds_gather, no_line_is_reported_to_bear_a_push) {
   SeedsResults results;
   results.duration = 600.0;
-  results.quantities = {{"smallest_mooring_tension", "N", "", SeedExtreme::smallest},
-                        {"smallest_effective_tension", "N", "", SeedExtreme::smallest}};
+  results.quantities = {{"smallest_mooring_tension", "N", "", SeedExtreme::minimum},
+                        {"smallest_effective_tension", "N", "", SeedExtreme::minimum}};
   for (const double value : gumbel_sample(-20.0, 10.0, 12)) {
     results.runs.emplace_back().values = {std::max(0.0, -value), std::max(0.0, -value)};
   }
@@ -64,7 +64,7 @@ TEST(seeds_gather, no_line_is_told_to_bear_a_push) {
 TEST(seeds_gather, runs_of_which_one_is_not_stationary_have_no_extremes_of_three_hours) {
   SeedsResults results;
   results.duration = 600.0;
-  results.quantities = {{"top_tension_max", "N", "", SeedExtreme::largest}};
+  results.quantities = {{"top_tension_max", "N", "", SeedExtreme::maximum}};
   for (const double value : gumbel_sample(20.0, 10.0, 12)) results.runs.emplace_back().values = {value};
   fill_statistics(results);
   EXPECT_TRUE(results.statistics[0].enough);
@@ -75,11 +75,11 @@ TEST(seeds_gather, runs_of_which_one_is_not_stationary_have_no_extremes_of_three
 }
 
 TEST(seeds_gather, few_or_equal_values_are_not_fitted) {
-  EXPECT_FALSE(seed_statistics(gumbel_sample(1.0, 1.0, 9), SeedExtreme::largest, 600.0).enough);
-  EXPECT_FALSE(seed_statistics(std::vector<double>(20, 3.0), SeedExtreme::largest, 600.0).enough);
-  const SeedStatistics one = seed_statistics(std::vector<double>{3.0}, SeedExtreme::largest, 600.0);
-  EXPECT_EQ(one.mean, 3.0);
-  EXPECT_EQ(one.std, 0.0);
+  EXPECT_FALSE(seed_statistics(gumbel_sample(1.0, 1.0, 9), SeedExtreme::maximum, 600.0).enough);
+  EXPECT_FALSE(seed_statistics(std::vector<double>(20, 3.0), SeedExtreme::maximum, 600.0).enough);
+  const SeedStatistics single = seed_statistics(std::vector<double>{3.0}, SeedExtreme::maximum, 600.0);
+  EXPECT_EQ(single.mean, 3.0);
+  EXPECT_EQ(single.std, 0.0);
 }
 
 TEST(seeds_gather, damage_of_welds_is_that_of_the_worst_spot_and_has_no_extreme) {
@@ -88,13 +88,13 @@ TEST(seeds_gather, damage_of_welds_is_that_of_the_worst_spot_and_has_no_extreme)
   run.fatigue->spots[0].path_damage = 0.01;
   run.fatigue->spots[1].path_damage = 0.03;
   const std::vector<SeedQuantity> quantities = seed_quantities(StaticResults{}, true);
-  const auto at = std::find_if(quantities.begin(), quantities.end(),
-                               [](const SeedQuantity& quantity) { return quantity.name == "fatigue_path_damage"; });
-  ASSERT_NE(at, quantities.end());
-  EXPECT_EQ(at->extreme, SeedExtreme::none);
+  const auto sample = std::find_if(quantities.begin(), quantities.end(),
+                                   [](const SeedQuantity& quantity) { return quantity.name == "fatigue_path_damage"; });
+  ASSERT_NE(sample, quantities.end());
+  EXPECT_EQ(sample->extreme, SeedExtreme::none);
   const std::vector<double> values = seed_values(StaticResults{}, run, true);
   ASSERT_EQ(values.size(), quantities.size());
-  EXPECT_EQ(values[static_cast<std::size_t>(at - quantities.begin())], 0.03);
+  EXPECT_EQ(values[static_cast<std::size_t>(sample - quantities.begin())], 0.03);
   EXPECT_EQ(seed_quantities(StaticResults{}).size(), quantities.size() - 1);
 }
 

@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-SampledKey key_of(Distribution of) {
+SampledKey make_sampled_key(Distribution of) {
   SampledKey key;
   key.key = "tensioner.tension";
   key.distribution = of;
@@ -20,14 +20,14 @@ SampledKey key_of(Distribution of) {
 }
 
 SampledKey uniform(double from, double to) {
-  SampledKey key = key_of(Distribution::uniform);
+  SampledKey key = make_sampled_key(Distribution::uniform);
   key.from = from;
   key.to = to;
   return key;
 }
 
 SampledKey normal(double mean, double std) {
-  SampledKey key = key_of(Distribution::normal);
+  SampledKey key = make_sampled_key(Distribution::normal);
   key.mean = mean;
   key.std = std;
   return key;
@@ -54,7 +54,7 @@ TEST(latin_hypercube, keys_go_together_at_random) {
   EXPECT_LT(std::abs(12.0 * product / 2000.0), 0.08);
 }
 
-TEST(latin_hypercube, draws_hang_on_the_seed_alone) {
+TEST(latin_hypercube, draws_depend_on_the_seed_alone) {
   const StudySample sample{5, 11, {normal(0.0, 1.0)}};
   EXPECT_EQ(latin_hypercube(sample), latin_hypercube(sample));
   EXPECT_NE(latin_hypercube(sample), latin_hypercube({5, 12, sample.keys}));
@@ -70,7 +70,7 @@ TEST(latin_hypercube, normal_quantiles_are_those_of_tables) {
 
 /// Mean and standard deviation of the key itself by integration of the quantile over the probability.
 TEST(latin_hypercube, lognormal_mean_and_deviation_are_those_of_the_key) {
-  SampledKey key = key_of(Distribution::lognormal);
+  SampledKey key = make_sampled_key(Distribution::lognormal);
   key.mean = 3.0;
   key.std = 0.6;
   double sum = 0.0, squares = 0.0;
@@ -85,11 +85,11 @@ TEST(latin_hypercube, lognormal_mean_and_deviation_are_those_of_the_key) {
 }
 
 TEST(latin_hypercube, weibull_and_triangular_quantiles_are_the_closed_forms) {
-  SampledKey weibull = key_of(Distribution::weibull);
+  SampledKey weibull = make_sampled_key(Distribution::weibull);
   weibull.scale = 2.0;
   weibull.shape = 1.5;
   EXPECT_NEAR(quantile(weibull, 1.0 - std::exp(-1.0)), 2.0, 1e-12);
-  SampledKey triangular = key_of(Distribution::triangular);
+  SampledKey triangular = make_sampled_key(Distribution::triangular);
   triangular.from = 0.0;
   triangular.to = 4.0;
   triangular.mode = 1.0;

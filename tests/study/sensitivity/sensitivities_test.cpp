@@ -32,8 +32,8 @@ Lay solved_file(const std::string& file) {
   return solved(read_model(OVERBEND_SOURCE_DIR + file).description.value());
 }
 
-/// Whose checks take the current as functional, so that they hang on one equilibrium alone.
-Lay without_still_lay(const std::string& file) {
+/// A lay whose checks take the current as functional, so that they depend on one equilibrium alone.
+Lay lay_without_still_water(const std::string& file) {
   const std::string path = OVERBEND_SOURCE_DIR + file;
   const Description description = read_model(path).description.value();
   const std::string text =
@@ -41,7 +41,7 @@ Lay without_still_lay(const std::string& file) {
   return solved(read_model_text(text, path).description.value());
 }
 
-std::vector<ResultValue> values_of(const Model& model, const StaticSolution& solution) {
+std::vector<ResultValue> collect_values(const Model& model, const StaticSolution& solution) {
   StaticResults results = recover_statics(model, solution);
   fill_checks(model, results);
   return result_values(results);
@@ -55,13 +55,13 @@ std::vector<ResultValue> solved_with(const Lay& lay, const std::string& key, dou
   const Model model = build_model(description);
   const StaticSolution solution = solve_statics(model, &lay.solution).solution.value();
   EXPECT_EQ(solution.mesh.s.size(), lay.solution.mesh.s.size()) << "the mesh has to be the same";
-  return values_of(model, solution);
+  return collect_values(model, solution);
 }
 
-/// What a result may differ by between two solves that end at 1e-11 of the line's weight, which is 20 N/1e6.
-double noise_of(const SensitivityOutput& result) {
-  const double least = result.unit == "N" ? 2e-5 : result.unit == "m" ? 1e-9 : 1e-11;
-  return std::max(2e-11 * std::abs(result.value), least);
+/// Tolerance of a result between two solves that end at 1e-11 of the line's weight, which is 20 N/1e6.
+double max_noise(const SensitivityOutput& result) {
+  const double min_value = result.unit == "N" ? 2e-5 : result.unit == "m" ? 1e-9 : 1e-11;
+  return std::max(2e-11 * std::abs(result.value), min_value);
 }
 
 /// An input, and the step of the full solves either way: wide enough to stand out of their noise, and too short for a
@@ -84,7 +84,7 @@ int compare(const Lay& lay, const SensitivityResults& found, const Trial& trial)
   for (std::size_t r = 0; r < found.results.size(); ++r) {
     const double full = (high[r].value - low[r].value) / (2.0 * trial.step);
     const double slope = found.at(r, static_cast<std::size_t>(input - found.inputs.begin())).value;
-    const double noise = trial.noisier * noise_of(found.results[r]) / trial.step;
+    const double noise = trial.noisier * max_noise(found.results[r]) / trial.step;
     EXPECT_NEAR(slope, full, trial.relative * std::abs(full) + noise) << found.results[r].name << " by " << trial.key;
     if (trial.relative * std::abs(full) > noise) ++compared;
   }
@@ -101,18 +101,18 @@ int compare(const Lay& lay, const std::vector<Trial>& trials) {
 
 TEST(sensitivities, of_bgl1_are_those_of_full_solves) {
   const int compared =
-      compare(without_still_lay("/examples/bgl1.yaml"), {{"tensioner.tension", 5.0},
-                                                         {"environment.water_depth", 1e-4},
-                                                         {"pipe.coatings[concrete].weight_density", 0.2},
-                                                         {"pipe.steel.youngs_modulus", 2e6},
-                                                         {"pipe.steel.wall_thickness", 1e-7},
-                                                         {"tensioner.x", 1e-5},
-                                                         {"vessel.stern_shoe.z", 1e-5},
-                                                         {"supports.ramp.boxes[ramp 4].z", 1e-5},
-                                                         {"supports.stinger.boxes[stinger 3].z", 1e-5},
-                                                         {"supports.stinger.boxes[stinger 8].x", 1e-5},
-                                                         {"environment.current[0].speed", 1e-5},
-                                                         {"environment.seabed.stiffness", 10.0}});
+      compare(lay_without_still_water("/examples/bgl1.yaml"), {{"tensioner.tension", 5.0},
+                                                               {"environment.water_depth", 1e-4},
+                                                               {"pipe.coatings[concrete].weight_density", 0.2},
+                                                               {"pipe.steel.youngs_modulus", 2e6},
+                                                               {"pipe.steel.wall_thickness", 1e-7},
+                                                               {"tensioner.x", 1e-5},
+                                                               {"vessel.stern_shoe.z", 1e-5},
+                                                               {"supports.ramp.boxes[ramp 4].z", 1e-5},
+                                                               {"supports.stinger.boxes[stinger 3].z", 1e-5},
+                                                               {"supports.stinger.boxes[stinger 8].x", 1e-5},
+                                                               {"environment.current[0].speed", 1e-5},
+                                                               {"environment.seabed.stiffness", 10.0}});
   EXPECT_GT(compared, 80);  // the others stand out of the noise by less than 1e-5
 }
 
@@ -143,7 +143,7 @@ TEST(sensitivities, know_what_yielding_steel_remembers) {
 }
 
 TEST(sensitivities, are_one_sided_where_a_contact_changes_within_the_tolerance) {
-  const Lay lay = without_still_lay("/examples/bgl1.yaml");
+  const Lay lay = lay_without_still_water("/examples/bgl1.yaml");
   const std::string key = "supports.stinger.boxes[stinger 2].z";
   const SensitivityResults found = find_sensitivities(lay.model, lay.solution, {{key}, true}).value();
   const auto result = std::ranges::find(found.results, "static.supports[stinger 1].reaction", &SensitivityOutput::name);
@@ -153,8 +153,8 @@ TEST(sensitivities, are_one_sided_where_a_contact_changes_within_the_tolerance) 
   EXPECT_TRUE(slope.closes);
   EXPECT_EQ(found.inputs[0].near.front(), "stinger 2");
   // Full solves on either side of where it is said to close; the response itself bends by 1e-4 on the way.
-  const auto full = [&](double at) {
-    return (solved_with(lay, key, at + 2e-5)[r].value - solved_with(lay, key, at - 2e-5)[r].value) / 4e-5;
+  const auto full = [&](double position) {
+    return (solved_with(lay, key, position + 2e-5)[r].value - solved_with(lay, key, position - 2e-5)[r].value) / 4e-5;
   };
   EXPECT_NEAR(full(slope.until - 1e-4), slope.value, 3e-4 * std::abs(slope.value));
   EXPECT_NEAR(full(slope.until + 1e-4), slope.beyond, 3e-4 * std::abs(slope.beyond));
@@ -173,7 +173,7 @@ TEST(sensitivities, as_a_jacobian_stand_in_the_order_asked_for) {
   EXPECT_FALSE(jacobian(lay.model, lay.solution, results, {"tensioner.nothing"}));
 }
 
-TEST(sensitivities, name_what_no_result_hangs_on) {
+TEST(sensitivities, name_what_no_result_depends_on) {
   const Lay lay = solved_file("/validation/static_cases/J12-D400-T560.yaml");
   const SensitivityResults found = find_sensitivities(lay.model, lay.solution).value();
   const auto idle = [&](const char* key) { return std::ranges::count(found.without_effect, key) == 1; };

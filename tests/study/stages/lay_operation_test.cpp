@@ -66,7 +66,7 @@ void expect_stage(const StageResult& stage, const Json& wanted) {
   }
 }
 
-/// Answers of a collocation of the elastica with frictionless rigid rollers, in the files beside the models.
+/// Answers of a collocation of the elastica with frictionless rigid rollers, in the files next to the models.
 void expect_reference(const std::string& name) {
   const OperationResults found = solve_operation(read("/validation/operation_cases/" + name + ".yaml"));
   const Json wanted = expected_stages(name);
@@ -105,7 +105,7 @@ TEST(lay_operation, start_up_with_its_anchor_in_place_finds_the_tension) {
   EXPECT_NEAR(found.stages[0].lay->top_tension, wanted[0]["tension"].get<double>(), 50.0);
 }
 
-TEST(lay_operation, a_cable_that_hangs_clear_of_the_bed_pulls_its_anchor_up_by_the_weight_that_the_top_does_not_carry) {
+TEST(lay_operation, a_cable_clear_of_the_bed_pulls_its_anchor_up_by_the_weight_that_the_top_does_not_carry) {
   Description d = read("/validation/operation_cases/SU10-J.yaml");
   d.operation.lay.stages.resize(1);
   d.operation.lay.cable->length = 200.0;
@@ -113,8 +113,8 @@ TEST(lay_operation, a_cable_that_hangs_clear_of_the_bed_pulls_its_anchor_up_by_t
   ASSERT_TRUE(found.stages[0].lay.has_value()) << found.stages[0].failure->why;
   const StaticResults& lay = *found.stages[0].lay;
   EXPECT_LT(lay.sum_seabed.norm(), 1.0);
-  const Vec3 hangs = lay.sum_weight + lay.sum_buoyancy + lay.sum_current;
-  EXPECT_NEAR(lay.far_anchor->uplift, lay.top_reaction.z() + hangs.z(), 1.0);
+  const Vec3 suspended_load = lay.sum_weight + lay.sum_buoyancy + lay.sum_current;
+  EXPECT_NEAR(lay.far_anchor->uplift, lay.top_reaction.z() + suspended_load.z(), 1.0);
   EXPECT_GT(lay.far_anchor->uplift, 10e3);
 }
 
@@ -154,24 +154,24 @@ TEST(lay_operation, elements_of_another_length_give_the_same_stage) {
 }
 
 // On a bed without friction the tension is the same all along the laid line.
-TEST(lay_operation, where_the_tension_is_least_does_not_hang_on_rounding) {
-  const auto least_of_stages = [](double turned) {
+TEST(lay_operation, where_the_tension_is_least_does_not_depend_on_rounding) {
+  const auto min_of_stages = [](double turned) {
     Description d = read("/examples/bgl1-start-up.yaml");
     d.vessel.heading += turned;
     for (CurrentPoint& point : d.environment.current) point.towards += turned;
     std::vector<double> places;
     for (const StageResult& stage : solve_operation(d).stages) {
-      if (stage.lay) places.push_back(stage.lay->total_length - stage.lay->smallest_tension.s);
+      if (stage.lay) places.push_back(stage.lay->total_length - stage.lay->min_effective_tension.s);
     }
     return places;
   };
-  const std::vector<double> north = least_of_stages(0.0), turned = least_of_stages(0.65);
+  const std::vector<double> north = min_of_stages(0.0), turned = min_of_stages(0.65);
   ASSERT_GE(north.size(), 4U);
   ASSERT_EQ(turned.size(), north.size());
   for (std::size_t i = 0; i < north.size(); ++i) EXPECT_NEAR(turned[i], north[i], 1e-3) << i;
 }
 
-// What lies on a bed without friction pulls on nothing: however long the cable, the line hangs as it does.
+// Pipe on a bed without friction pulls on nothing: the shape does not depend on the length of the cable.
 TEST(lay_operation, a_cable_longer_than_any_lay_still_ends_in_pipe_on_the_bed) {
   Description d = read("/validation/operation_cases/AR12-J.yaml");
   LayStageDescription stage = d.operation.lay.stages.back();
@@ -196,9 +196,9 @@ TEST(lay_operation, a_stage_below_its_weight_says_which_tension_would_do_and_lea
   const OperationResults found = solve_operation(d);
   ASSERT_TRUE(found.stages[0].failure.has_value());
   EXPECT_FALSE(found.stages[0].failure->why.empty());
-  ASSERT_TRUE(found.stages[0].failure->least_tension.has_value());
+  ASSERT_TRUE(found.stages[0].failure->min_tension.has_value());
   ASSERT_TRUE(found.stages[1].lay.has_value());
-  d.operation.lay.program->values[0] = *found.stages[0].failure->least_tension;
+  d.operation.lay.program->values[0] = *found.stages[0].failure->min_tension;
   EXPECT_TRUE(solve_operation(d).stages[0].lay.has_value());
 }
 
@@ -270,17 +270,17 @@ TEST(lay_operation, a_bed_that_falls_by_its_profile_gives_the_stage_of_a_slope) 
     shaped.environment.seabed.profile.push_back({x, shaped.environment.water_depth + std::tan(kFall) * x});
   }
   // A first guess that lands at the depth under the vessel, 68 m above this bed, left the laid pipe standing in loops.
-  const Model model = build_model(at_stage(shaped, lay_stages(shaped).front()));
+  const Model model = build_model(make_stage_description(shaped, lay_stages(shaped).front()));
   const LayPlane bed = lay_plane(model, model.mean_pose);
   const LayShape guess = stage_shape(model, bed, 416e3);
   const auto lands = std::lower_bound(guess.length.begin(), guess.length.end(), guess.touchdown) - guess.length.begin();
-  const auto at = static_cast<std::size_t>(lands);
-  EXPECT_NEAR(guess.z[at], bed.bed(guess.distance[at]), 5.0);
+  const auto sample = static_cast<std::size_t>(lands);
+  EXPECT_NEAR(guess.z[sample], bed.bed(guess.distance[sample]), 5.0);
   const OperationResults on_plane = solve_operation(plane), on_profile = solve_operation(shaped);
   ASSERT_TRUE(on_plane.stages[0].lay.has_value());
   ASSERT_TRUE(on_profile.stages[0].lay.has_value());
   const StaticResults &wanted = *on_plane.stages[0].lay, &found = *on_profile.stages[0].lay;
-  EXPECT_GT(found.smallest_tension.value, 0.0);
+  EXPECT_GT(found.min_effective_tension.value, 0.0);
   EXPECT_NEAR(found.bottom_tension, wanted.bottom_tension, 1e-3 * wanted.bottom_tension);
   EXPECT_NEAR(found.lay_back, wanted.lay_back, 0.2);
 }
@@ -337,7 +337,7 @@ TEST(lay_operation, field_joints_and_segments_go_with_the_pipe_when_the_barge_mo
   d.operation.type = OperationType::move;
   LayStageDescription stage;
   stage.ahead = 5.0;
-  const Model moved = build_model(at_stage(d, stage));
+  const Model moved = build_model(make_stage_description(d, stage));
   EXPECT_DOUBLE_EQ(moved.spans.front().from, 5.0);
   EXPECT_DOUBLE_EQ(moved.spans.front().to, 8.0);
 }

@@ -15,7 +15,7 @@
 #include "resultfiles/static/check_tables.h"
 #include "results/findings.h"
 #include "study/run/recheck.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "study/stages/lay_operation.h"
 #include "support/solved_case.h"
 
@@ -32,7 +32,7 @@ OperationResults solve(const Description& description) {
   return solve_lift(description, {});
 }
 
-/// What a value may differ by from one that two other formulations agree on; 0: it is not compared.
+/// Tolerance of a value against one that two other formulations agree on; 0: it is not compared.
 double allowed(const std::string& path, const std::string& key, double value) {
   const double size = std::abs(value);
   if (path.find("/gap/") != std::string::npos) return key == "angle" ? 0.05 * kDegree : 0.01;
@@ -90,20 +90,23 @@ const LiftResults& last(const OperationResults& results) {
 
 TEST(lift, does_not_depend_on_where_elements_end) {
   Description d = read_case("DL8-one");
-  const LiftResults own = last(solve(d));
+  const LiftResults lift_results = last(solve(d));
   for (const double element : {0.31, 0.9}) {
     d.lines[0].element = element;
-    const LiftResults other = last(solve(d));
-    EXPECT_NEAR(other.davits[0].tension_upper, own.davits[0].tension_upper, 1e-3 * own.davits[0].tension_upper);
-    EXPECT_NEAR(other.lines[0].bending.value, own.lines[0].bending.value, 1e-3 * own.lines[0].bending.value);
-    EXPECT_NEAR(other.lines[0].first.at.place.z(), own.lines[0].first.at.place.z(), 2e-3);
+    const LiftResults second_lift_results = last(solve(d));
+    EXPECT_NEAR(second_lift_results.davits[0].tension_upper, lift_results.davits[0].tension_upper,
+                1e-3 * lift_results.davits[0].tension_upper);
+    EXPECT_NEAR(second_lift_results.lines[0].bending.value, lift_results.lines[0].bending.value,
+                1e-3 * lift_results.lines[0].bending.value);
+    EXPECT_NEAR(second_lift_results.lines[0].first.location.place.z(), lift_results.lines[0].first.location.place.z(),
+                2e-3);
   }
 }
 
 /// The same in another direction, and turned upside down in its order.
 TEST(lift, does_not_depend_on_the_heading) {
   Description d = read_case("DL8-one");
-  const LiftResults own = last(solve(d));
+  const LiftResults lift_results = last(solve(d));
   const double turn = 0.7;  // to starboard
   d.vessel.heading += turn;
   const Mat3 turned = Eigen::AngleAxisd(-turn, Vec3::UnitZ()).toRotationMatrix();
@@ -115,12 +118,14 @@ TEST(lift, does_not_depend_on_the_heading) {
       }
     }
   }
-  const LiftResults other = last(solve(d));
-  EXPECT_NEAR(other.davits[0].tension_upper, own.davits[0].tension_upper, 1e-5 * own.davits[0].tension_upper);
-  EXPECT_NEAR(other.lines[0].sagging.value, own.lines[0].sagging.value, 1e-5 * own.lines[0].sagging.value);
+  const LiftResults second_lift_results = last(solve(d));
+  EXPECT_NEAR(second_lift_results.davits[0].tension_upper, lift_results.davits[0].tension_upper,
+              1e-5 * lift_results.davits[0].tension_upper);
+  EXPECT_NEAR(second_lift_results.lines[0].sagging.value, lift_results.lines[0].sagging.value,
+              1e-5 * lift_results.lines[0].sagging.value);
 }
 
-// Whatever holds the pipe bears its weight: davits, bed and what it displaces.
+// The supports carry the weight of the pipe: davits, bed and what it displaces.
 TEST(lift, leaves_a_slack_wire_alone) {
   Description d = read_case("DL12-three");
   d.operation.lay.stages.resize(1);
@@ -162,7 +167,7 @@ struct Pipe {
         t(d.lines[0].segments[0].section->steel.wall_thickness),
         inside_pressure(d.lines[0].segments[0].section->internal_pressure),
         water(d.environment.water_weight_density) {}
-  double outside(const LiftedNode& node) const { return water * std::max(-node.at.place.z(), 0.0); }
+  double outside(const LiftedNode& node) const { return water * std::max(-node.location.place.z(), 0.0); }
   double area() const { return std::numbers::pi * (D - t) * t; }
 
   /// Lame and Hencky: thick wall, both fibres, both surfaces.
@@ -240,17 +245,17 @@ TEST(lift, judges_the_stress_with_that_of_pressure) {
 TEST(lift, uses_pipe_alike_whatever_its_elements) {
   Description d = read_case("DL8-one");
   d.operation.lay.stages.resize(2);
-  const double own = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation;
+  const double original = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation;
   for (const double element : {0.31, 0.9}) {
     d.lines[0].element = element;
-    EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation, own, 5e-3 * own);
+    EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation, original, 5e-3 * original);
   }
 }
 
 /// The two sides of a place.
 std::pair<LiftedNode, LiftedNode> sides(const LiftedLine& line, double arc_length) {
   const auto first = std::ranges::find_if(
-      line.nodes, [&](const LiftedNode& node) { return std::abs(node.at.arc_length - arc_length) < 1e-6; });
+      line.nodes, [&](const LiftedNode& node) { return std::abs(node.location.arc_length - arc_length) < 1e-6; });
   EXPECT_NE(first, line.nodes.end());
   return {*first, *(first + 1)};
 }
@@ -260,7 +265,7 @@ TEST(lift, gives_both_sides_of_an_attachment_their_tension_and_stress) {
   const StaticResults state = last_state(solve(d));
   const LiftedWire& wire = state.lift->davits[0];
   const auto [before, behind] = sides(state.lift->lines[0], 10.0);
-  EXPECT_EQ(behind.at.arc_length, before.at.arc_length);
+  EXPECT_EQ(behind.location.arc_length, before.location.arc_length);
   EXPECT_NEAR(before.tension, wire.tension_before, 1e-9);
   EXPECT_NEAR(behind.tension, wire.tension_after, 1e-9);
   EXPECT_NEAR(behind.shear, wire.shear_after, 1e-9);
@@ -271,7 +276,7 @@ TEST(lift, gives_both_sides_of_an_attachment_their_tension_and_stress) {
   EXPECT_GT(std::abs(behind.von_mises - before.von_mises), 1e3);
 }
 
-// What holds up a clump is the difference of the forces on its two sides.
+// The force that carries a clump is the difference of the forces on its two sides.
 TEST(lift, gives_both_sides_of_a_clump_their_tension) {
   Description d = read_case("DL8-one");
   const double weight = 4e3;
@@ -283,7 +288,7 @@ TEST(lift, gives_both_sides_of_a_clump_their_tension) {
   d.lines[0].points.push_back(clump);
   const LiftedLine line = last(solve(d)).lines[0];
   const auto [before, behind] = sides(line, 22.0);
-  ASSERT_EQ(behind.at.arc_length, before.at.arc_length);
+  ASSERT_EQ(behind.location.arc_length, before.location.arc_length);
   EXPECT_NEAR(std::hypot(behind.tension - before.tension, behind.shear - before.shear), weight, 1e-6 * weight);
   EXPECT_NEAR(behind.sagging, before.sagging, 1e-6);
 }
@@ -296,11 +301,11 @@ TEST(lift, has_one_verdict_for_every_stage) {
   bool any = false;
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    const double most = worst_check(stage.lay->checks)->utilisation;
+    const double max_value = find_governing_check(stage.lay->checks)->utilisation;
     const bool exceeded = stage_verdict(stage).kind == VerdictKind::exceeded;
-    EXPECT_EQ(exceeded, most > 1.0) << stage.stage.name;
-    EXPECT_EQ(stages[i]["verdict"]["words"], stage_verdict(stage).words);
-    EXPECT_EQ(stages[i]["checks"]["worst"]["line"], worst_check(stage.lay->checks)->line);
+    EXPECT_EQ(exceeded, max_value > 1.0) << stage.stage.name;
+    EXPECT_EQ(stages[i]["verdict"]["words"], stage_verdict(stage).headline);
+    EXPECT_EQ(stages[i]["checks"]["worst"]["line"], find_governing_check(stage.lay->checks)->line);
     any = any || exceeded;
   }
   EXPECT_TRUE(any);
@@ -311,12 +316,13 @@ TEST(lift, has_one_verdict_for_every_stage) {
 TEST(lift, takes_all_load_effects_as_environmental_in_a_current) {
   Description d = read_case("DL8-one");
   d.operation.lay.stages.resize(1);
-  const CheckRow still = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe");
+  const CheckRow at_rest = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe");
   d.environment.current = {{0.0, 1e-6, 0.0}};
   const CheckRow row = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe");
-  EXPECT_NEAR(row.demand, 1.3 / 1.2 * still.demand, 1e-5 * row.demand);
+  EXPECT_NEAR(row.demand, 1.3 / 1.2 * at_rest.demand, 1e-5 * row.demand);
   d.checks.current_load = CurrentLoad::functional;
-  EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").demand, still.demand, 1e-5 * still.demand);
+  EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").demand, at_rest.demand,
+              1e-5 * at_rest.demand);
 }
 
 TEST(lift, names_wires_whose_breaking_load_is_not_given) {
@@ -331,11 +337,11 @@ TEST(lift, names_wires_whose_breaking_load_is_not_given) {
 }
 
 // 900 m away neither wire nor pipe, straight and stretched, are long enough.
-TEST(lift, refuses_a_stage_in_which_a_wire_cannot_reach) {
+TEST(lift, rejects_a_stage_in_which_a_wire_cannot_reach) {
   Description d = read_case("DL8-one");
-  EXPECT_FALSE(operation_obstacle(d));
+  EXPECT_FALSE(unsupported_in_operation(d));
   d.operation.lay.stages[2].vessel = VesselOffset{900.0, 0.0, 0.0};
-  const std::optional<StaticFailure> failure = operation_obstacle(d);
+  const std::optional<StaticFailure> failure = unsupported_in_operation(d);
   ASSERT_TRUE(failure);
   EXPECT_TRUE(failure->input);
   EXPECT_EQ(failure->key, "operation.stages[2]");
@@ -343,18 +349,18 @@ TEST(lift, refuses_a_stage_in_which_a_wire_cannot_reach) {
   EXPECT_NE(failure->where.find(d.operation.lay.stages[2].name), std::string::npos) << failure->where;
 }
 
-TEST(lift, refuses_a_wire_that_would_carry_several_times_its_breaking_load_and_goes_on) {
+TEST(lift, rejects_a_wire_that_would_carry_several_times_its_breaking_load_and_goes_on) {
   Description d = read_case("DL8-one");
   d.operation.lay.stages[1].lengths = {{"davit 1", 1e-3}};
   const OperationResults results = solve(d);
   ASSERT_TRUE(results.stages[1].failure);
   EXPECT_NE(results.stages[1].failure->where.find("davit 1"), std::string::npos);
   EXPECT_NE(results.stages[1].failure->why.find("times its breaking load"), std::string::npos);
-  EXPECT_EQ(stage_verdict(results.stages[1]).words, "NO EQUILIBRIUM");
+  EXPECT_EQ(stage_verdict(results.stages[1]).headline, "NO EQUILIBRIUM");
   EXPECT_TRUE(results.stages.back().lay);
 }
 
-TEST(lift, tells_which_line_does_not_get_where_a_stage_wants_it) {
+TEST(lift, reports_which_line_does_not_get_where_a_stage_wants_it) {
   Description d = read_case("DL8-one");
   d.operation.lay.stages.resize(1);
   d.operation.lay.stages[0].lengths.clear();
@@ -382,7 +388,7 @@ TEST(lift, finds_the_bed_under_pipe_of_two_diameters) {
   EXPECT_NEAR(line.suspended_length + lies, length, 1e-9);
 }
 
-// What it does not name is the line as drawn, though the stage before could not be.
+// Values it does not name are those of the line as drawn, though the stage before could not be.
 TEST(lift, begins_with_the_lines_as_drawn) {
   Description d = read_case("DL12-three");
   d.operation.lay.stages.resize(1);
@@ -397,7 +403,7 @@ TEST(lift, begins_with_the_lines_as_drawn) {
   }
 }
 
-TEST(lift, tells_a_stage_that_cannot_be_and_goes_on) {
+TEST(lift, reports_a_stage_that_cannot_be_and_goes_on) {
   Description d = read_case("DL8-one");
   LayStageDescription impossible;
   impossible.name = "too short";
@@ -411,7 +417,7 @@ TEST(lift, tells_a_stage_that_cannot_be_and_goes_on) {
 }
 
 // Collocation of the extensible elastica and a chain of links agree on this tension.
-TEST(lift, tells_the_tension_at_a_weld) {
+TEST(lift, reports_the_tension_at_a_weld) {
   const OperationResults results = solve(read_case("TI12-closed"));
   const LiftResults& raised = *results.stages[0].lay->lift;
   const LiftResults& welded = *results.stages[2].lay->lift;
@@ -448,15 +454,15 @@ Description as_line(const Description& lay, const StaticResults& laid) {
 }
 
 // A pipe is a line: written as one between the same ends it hangs with the same forces.
-TEST(lift, hangs_a_pipe_written_as_a_line_as_the_lay_does) {
+TEST(lift, suspends_a_pipe_written_as_a_line_as_the_lay_does) {
   Description lay = read_case("LW12-J");
   lay.lines.clear();
   Model pipe = build_model(lay);
   const StaticResults laid = run_statics(pipe).results.value();
   Model line = build_model(as_line(lay, laid));
-  const StaticResults hung = run_statics(line).results.value();
-  EXPECT_NEAR(hung.lines[0].first.tension, laid.top_tension, 1e-4 * laid.top_tension);
-  EXPECT_NEAR(hung.lines[0].second.tension, laid.bottom_tension, 1e-3 * laid.bottom_tension);
+  const StaticResults suspended_run = run_statics(line).results.value();
+  EXPECT_NEAR(suspended_run.lines[0].first.tension, laid.top_tension, 1e-4 * laid.top_tension);
+  EXPECT_NEAR(suspended_run.lines[0].second.tension, laid.bottom_tension, 1e-3 * laid.bottom_tension);
 }
 
 /// The table as scripts read it.
@@ -507,15 +513,15 @@ Description barge_on_a_wire(const std::string& load, const std::string& stages) 
 }
 
 // It comes to where a short hawser reaches; held, it does not, and its tug is not where the barge is.
-TEST(lift, refuses_a_short_hawser_to_a_tug_where_the_barge_is_held) {
+TEST(lift, rejects_a_short_hawser_to_a_tug_where_the_barge_is_held) {
   Description d = barge_on_a_wire("-300 kN", "{name: hauled, lengths: {hawser: 100 m}}");
-  EXPECT_FALSE(lift_obstacle(d));
+  EXPECT_FALSE(find_unreachable_stage(d));
   d.vessel.hydrostatics.reset();
-  const std::optional<StaticFailure> failure = lift_obstacle(d);
+  const std::optional<StaticFailure> failure = find_unreachable_stage(d);
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->what.find("cannot reach"), std::string::npos) << failure->what;
   d.operation.lay.stages[0].lengths[0].value = 180.0;
-  EXPECT_FALSE(lift_obstacle(d));
+  EXPECT_FALSE(find_unreachable_stage(d));
 }
 
 TEST(lift, of_a_barge_that_floats_free_hauls_it_to_its_tug_and_follows_the_tug) {

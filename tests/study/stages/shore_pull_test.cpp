@@ -17,7 +17,7 @@ namespace {
 
 const std::string kFolder = std::string(OVERBEND_SOURCE_DIR) + "/validation/operation_cases/";
 
-/// What the reference allows of a number, by its name and group.
+/// Tolerance of the reference for a number, by its name and group.
 double allowed(const std::string& group, const std::string& key, double wanted) {
   const double size = std::abs(wanted);
   if (group == "tension" || key == "wire_largest_tension" || key == "wire_utilisation") return 2e-3 * size;
@@ -124,10 +124,10 @@ double gain(const std::vector<Station>& stations) {
 }
 
 /// dT/ds = w (mu cos a + sin a) along a plane bed.
-void expect_plane(const std::vector<Change>& changes, double rise, double way) {
+void expect_plane(const std::vector<Change>& changes, double rise, double distance) {
   const StaticResults lay = only_lay(changes, 600.0);
   const double a = std::atan(rise);
-  const auto wanted = [&](double weight, double mu) { return weight * (way * mu * std::cos(a) + std::sin(a)); };
+  const auto wanted = [&](double weight, double mu) { return weight * (distance * mu * std::cos(a) + std::sin(a)); };
   // stretch changes the weight per length by less than 1e-4
   EXPECT_NEAR(gain(lying(lay, SectionKind::pipe)), wanted(kPipe, 0.45), 3e-4 * kPipe);
   EXPECT_NEAR(gain(lying(lay, SectionKind::cable)), wanted(kCable, 0.5), 2e-3 * kCable);
@@ -219,7 +219,7 @@ TEST(shore_pull, there_is_no_friction_where_the_cable_bridges) {
   }
 }
 
-TEST(shore_pull, results_hang_neither_on_the_mesh_nor_on_the_stiffness_of_the_bed) {
+TEST(shore_pull, results_depend_neither_on_the_mesh_nor_on_the_stiffness_of_the_bed) {
   const StaticResults lay = only_lay({}, 600.0);
   const std::vector<std::vector<Change>> others = {
       {{"operation:", "analysis: {mesh: {longest_element: 1 m, touchdown_element: 0.3 m}}\noperation:"}},
@@ -228,16 +228,17 @@ TEST(shore_pull, results_hang_neither_on_the_mesh_nor_on_the_stiffness_of_the_be
   };
   for (const std::vector<Change>& changes : others) {
     SCOPED_TRACE(changes.front().to);
-    const StaticResults other = only_lay(changes, 600.0);
-    EXPECT_NEAR(other.dragging->winch_tension, lay.dragging->winch_tension, 5e-4 * lay.dragging->winch_tension);
+    const StaticResults second_static_results = only_lay(changes, 600.0);
+    EXPECT_NEAR(second_static_results.dragging->winch_tension, lay.dragging->winch_tension,
+                5e-4 * lay.dragging->winch_tension);
     // on a bed ten times as stiff the head, 7 kN/m, stands 40 mm higher and carries a little more of the cable
-    EXPECT_NEAR(other.head->tension, lay.head->tension, 1e-3 * lay.head->tension);
-    EXPECT_NEAR(other.cable->length, lay.cable->length, 0.02);
-    EXPECT_NEAR(other.far_anchor->distance, 1300.0, 1e-5);
+    EXPECT_NEAR(second_static_results.head->tension, lay.head->tension, 1e-3 * lay.head->tension);
+    EXPECT_NEAR(second_static_results.cable->length, lay.cable->length, 0.02);
+    EXPECT_NEAR(second_static_results.far_anchor->distance, 1300.0, 1e-5);
   }
 }
 
-TEST(shore_pull, a_line_in_compression_is_refused_by_name) {
+TEST(shore_pull, a_line_in_compression_is_rejected_by_name) {
   const StageResult stage = only_stage({{"type: shore_pull", "type: hold_back"}}, 600.0);
   ASSERT_TRUE(stage.failure.has_value());
   EXPECT_EQ(stage.failure->what, "the line is in compression");
@@ -245,18 +246,18 @@ TEST(shore_pull, a_line_in_compression_is_refused_by_name) {
   EXPECT_NE(stage.failure->why.find("friction"), std::string::npos);
 }
 
-TEST(shore_pull, a_cable_that_does_not_reach_is_refused_by_name) {
+TEST(shore_pull, a_cable_that_does_not_reach_is_rejected_by_name) {
   // 694 m from the head to the winch; bent and on the bed it takes half a metre more
   const StageResult stage = only_stage({{"friction: 0.5}", "friction: 0.5, length: 694.1 m}"}}, 600.0);
   ASSERT_TRUE(stage.failure.has_value());
   EXPECT_EQ(stage.failure->what, "the cable does not reach");
 }
 
-TEST(shore_pull, too_little_tension_for_what_hangs_is_told_with_the_tension_it_takes) {
+TEST(shore_pull, too_little_tension_for_the_suspended_weight_is_reported_with_the_tension_it_takes) {
   const StageResult stage = only_stage({{"tension: 150 kN}\n\n", "tension: 8 kN}\n\n"}}, 600.0);
   ASSERT_TRUE(stage.failure.has_value());
   EXPECT_NE(stage.failure->what.find("tension"), std::string::npos) << stage.failure->what;
-  EXPECT_TRUE(stage.failure->least_tension.has_value());
+  EXPECT_TRUE(stage.failure->min_tension.has_value());
 }
 
 TEST(shore_pull, findings_name_a_lifted_head_and_a_cable_that_lies_to_its_winch) {

@@ -1,4 +1,4 @@
-// One way to ask the program, with the token of this start and with errors in words.
+// All requests to the program, with the access token of this start and with readable errors.
 
 let token = new URLSearchParams(location.search).get('token') ?? '';
 export const currentToken = (): string => token;
@@ -13,7 +13,7 @@ export function address(path: string): string {
 }
 
 let noteAnswer: (answered: boolean) => void = () => undefined;
-/** `note` is called after every request with whether the program answered it. */
+/** `note` is called after every request with true if the program answered it. */
 export const watchAnswers = (note: (answered: boolean) => void): void => { noteAnswer = note; };
 
 function noAnswer(): ApiError {
@@ -34,14 +34,14 @@ export async function ask<T>(method: string, path: string, body?: unknown): Prom
   }
   const text = await answer.text();
   let data: unknown = null;
-  try { data = text ? JSON.parse(text) : null; } catch { /* not JSON: said below */ }
-  // the program gives its reasons as JSON: other words are those of a proxy that does not reach it
+  try { data = text ? JSON.parse(text) : null; } catch { /* not JSON: reported below */ }
+  // the program answers errors in JSON: any other text is from a proxy that does not reach it
   if (!answer.ok && data === null && answer.status !== 401) throw noAnswer();
   noteAnswer(true);
   if (answer.ok) return data as T;
   const error = (data as { error?: { message?: string; hint?: string } } | null)?.error;
-  const words = error?.message ?? (answer.status === 401 ? 'This page belongs to an earlier start of the program.' : `The program refused (${answer.status}).`);
-  throw new ApiError(words, answer.status, error?.hint ?? (answer.status === 401 ? 'Open the address that the program printed at its start.' : ''), data);
+  const message = error?.message ?? (answer.status === 401 ? 'This page belongs to an earlier session of the program.' : `The program rejected the request (${answer.status}).`);
+  throw new ApiError(message, answer.status, error?.hint ?? (answer.status === 401 ? 'Open the address that the program printed when it started.' : ''), data);
 }
 
 const reads = new Set<Promise<unknown>>();
@@ -54,13 +54,13 @@ export function get<T>(path: string): Promise<T> {
   return answer;
 }
 
-/** Waits for every read on its way: what it reads can be deleted afterwards. */
+/** Waits for all pending reads: their data can be deleted afterwards. */
 export const finishReads = async (): Promise<void> => { await Promise.allSettled([...reads]); };
 
 export const post = <T>(path: string, body: unknown = {}): Promise<T> => ask<T>('POST', path, body);
 export const put = <T>(path: string, body: unknown): Promise<T> => ask<T>('PUT', path, body);
 
-/** Server-sent events; the browser itself tries again when the program was away. */
+/** Server-sent events; the browser reconnects by itself after an interruption. */
 export function listen(on: Record<string, (data: never) => void>, state: (connected: boolean) => void): () => void {
   const source = new EventSource(address('events'));
   source.onopen = () => state(true);

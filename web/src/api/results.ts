@@ -1,5 +1,5 @@
-// The types of what the program answers about results, and the units they are shown in. Made from the program's
-// table of quantities: do not edit, run `overbend schema --types > web/src/api/results.ts`. SI units, frame W.
+// Types of the results sent by the program, and the units they are shown in. Generated from the program's table of
+// quantities: do not edit, run `overbend schema --types > web/src/api/results.ts`. SI units, frame W.
 
 export type Vector = [number, number, number];
 
@@ -478,7 +478,7 @@ export interface DynamicSummary {
   checks: { worst: CheckInFull | null; list: CheckInFull[]; };
 }
 
-/** A unit in which values are shown: they times `factor`, with `digits` decimals, `more` than metric values. */
+/** Unit in which values are shown: value times `factor`, with `digits` decimals, `more` than for metric units. */
 export interface ShownUnit { unit: string; factor: number; digits: number; more: number }
 
 /** By system and SI unit. */

@@ -1,4 +1,4 @@
-// The page's side of the worker that asks for solutions: the newest request wins, answers come when they come.
+// Page side of the worker that requests solutions: the latest request wins, answers arrive asynchronously.
 import { ApiError, currentToken } from './client';
 import type { Said } from './solver.worker';
 import type { StaticAnswer } from './types';
@@ -13,13 +13,13 @@ export class Solver<Request extends { body: unknown }> {
     this.worker.onmessage = (event: MessageEvent<Said>) => {
       const said = event.data;
       const request = this.asked.get(said.id);
-      // requests older than this one were passed over for it
+      // older requests were skipped in favour of it
       for (const id of [...this.asked.keys()]) if (id <= said.id) this.asked.delete(id);
       if (!request) return;
       if ('answer' in said) receive(said.answer, request);
       else fail(new ApiError(said.error.message, said.error.status, said.error.hint, null));
     };
-    this.worker.onerror = () => fail(new Error('The part of the page that asks for solutions could not be started. Load the page again.'));
+    this.worker.onerror = () => fail(new Error('The solver worker could not be started. Reload the page.'));
   }
 
   get inFlight(): boolean { return this.asked.size > 0; }

@@ -1,4 +1,4 @@
-// Asks for solutions beside the page: drawing, which can hold the page up, does not hold up the next request.
+// Requests solutions in a worker, so that slow drawing does not delay the next request.
 import { LatestGate } from '../logic/gate';
 import { ApiError, post, setToken } from './client';
 import type { StaticAnswer } from './types';

@@ -1,4 +1,4 @@
-// One uPlot diagram with marks, levels, a common cursor, zoom by dragging and export.
+// A uPlot diagram with marks, levels, a common cursor, zoom by dragging and export.
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { download } from '../components/download';
@@ -12,15 +12,15 @@ import { inkOnPage } from './ink';
 import { drawLevel, nameLevels, nameMarks } from './marks';
 
 export interface ChartHandlers {
-  /** position under the pointer in x, and its index; null when the pointer left */
+  /** x position under the pointer and its index; null when the pointer left */
   hover: (x: number | null, index: number | null) => void;
   click: (x: number) => void;
   zoom: (low: number, high: number, whole: boolean) => void;
 }
 
-export interface Extra { shade?: [number, number] | null; now?: number | null }
+export interface Extra { shade?: [number, number] | null; position?: number | null }
 
-/** The longest name of an axis that is no wider than the room, in pixels. */
+/** Longest variant of an axis label that fits into a width in pixels. */
 function fitting(name: string, room: number, font: string): string {
   const names = axisNames(name), pen = document.createElement('canvas').getContext('2d');
   if (!pen) return name;
@@ -65,7 +65,7 @@ export class Chart {
     this.silent = false;
   }
 
-  /** What stands along the axes: as much of their names as there is room for. */
+  /** Axis labels, in the longest variant that fits. */
   private names(): { em: number; font: string; narrow: boolean; x: string; y: string } {
     const data = this.data!, r = this.box.getBoundingClientRect();
     const em = Number.parseFloat(getComputedStyle(document.body).fontSize), narrow = r.width < 260;
@@ -115,7 +115,7 @@ export class Chart {
     const band = data.lines.findIndex((l) => l.band);
     if (band >= 0) options.bands = [{ series: [band + 1, band + 2], fill: `${inkOnPage(data.lines[band]!.colour)}38` }];
     this.plot = new uPlot(options, [[], ...data.lines.map(() => [])] as uPlot.AlignedData, this.box);
-    // Of the pointer itself, not of uPlot's cursor: it tells of a cursor that was set from here as well, and later.
+    // Follows the pointer, not uPlot's cursor, which also reports a cursor set by the program, and later.
     this.plot.over.addEventListener('mousemove', (e) => this.hover(e));
     this.plot.over.addEventListener('mouseleave', () => this.on.hover(null, null));
     this.plot.over.addEventListener('click', (e) => {
@@ -134,11 +134,11 @@ export class Chart {
     if (low === null || high === null || !Number.isFinite(low)) return [0, 1];
     const data = this.data;
     const most = Math.max(Math.abs(low), Math.abs(high));
-    // a limit far away is told at the edge, so that the curve keeps its height
+    // a distant limit is shown at the edge, so that the curve keeps its height
     if (data && !this.zoomed) for (const l of data.level) if (l.kind !== 'limit' || Math.abs(l.y) < 2.2 * most) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
     if (this.extra.shade) { low = Math.min(low, this.extra.shade[0]); high = Math.max(high, this.extra.shade[1]); }
     if (data?.lines[0]?.width === -1) low = 0;
-    const least = 1e-3 * most; // what varies by less is constant, and looks it
+    const least = 1e-3 * most; // smaller variations are noise and are drawn as a constant
     if (high - low < least) [low, high] = [0.5 * (low + high - least), 0.5 * (low + high + least)];
     const pad = 0.06 * (high - low || Math.abs(high) || 1);
     return [low >= 0 && low < 0.35 * high ? 0 : low - pad, high + pad];
@@ -170,8 +170,8 @@ export class Chart {
     }
     nameLevels(u, this.data?.level ?? [], (name) => this.colour(name));
     nameMarks(u, this.data?.marks ?? [], this.data?.level ?? [], (name) => this.colour(name));
-    if (this.extra.now !== null && this.extra.now !== undefined) {
-      const x = u.valToPos(this.extra.now, 'x', true);
+    if (this.extra.position !== null && this.extra.position !== undefined) {
+      const x = u.valToPos(this.extra.position, 'x', true);
       if (x >= bbox.left && x <= bbox.left + bbox.width) {
         ctx.strokeStyle = '#ff2d7a'; ctx.lineWidth = 1.5 * d;
         ctx.beginPath(); ctx.moveTo(x, bbox.top); ctx.lineTo(x, bbox.top + bbox.height); ctx.stroke();
@@ -180,15 +180,15 @@ export class Chart {
     ctx.restore();
   }
 
-  /** All of it is shown, as of another model. */
+  /** Shows the full range, as for another model. */
   showWhole(): void {
     this.zoomed = null;
     if (this.plot && this.data) this.fill();
   }
 
-  setNow(now: number | null): void { if (this.extra.now !== now) { this.extra.now = now; this.plot?.redraw(false, false); } }
+  setPosition(position: number | null): void { if (this.extra.position !== position) { this.extra.position = position; this.plot?.redraw(false, false); } }
 
-  /** Puts the cursor of another diagram or of the 3-D view here. */
+  /** Sets the cursor from another diagram or from the 3-D view. */
   setCursor(s: number | null): void {
     if (!this.plot || !this.data || this.box.matches(':hover')) return;
     if (s === null) this.plot.setCursor({ left: -10, top: -10 });
@@ -198,7 +198,7 @@ export class Chart {
     }
   }
 
-  /** Values under the cursor in words. */
+  /** Text of the values under the cursor. */
   readAt(index: number | null): string {
     if (index === null || !this.data) return '';
     const unit = /\[(.*)\]/.exec(this.data.yName)?.[1] ?? '';
@@ -223,7 +223,7 @@ export class Chart {
     const { x, y } = this.plot.scales, shade = this.extra.shade;
     const { text, width, height } = drawing(this.data, { x: [x!.min ?? 0, x!.max ?? 1], y: [y!.min ?? 0, y!.max ?? 1], shade });
     if (kind === 'svg') return download(name, new Blob([text], { type: 'image/svg+xml' }));
-    // The picture is made of the drawing, so that it has title, units and names like the SVG has.
+    // The picture is made from the drawing, so that it has title, units and names as the SVG.
     const image = new Image();
     image.onload = () => {
       const canvas = document.createElement('canvas');

@@ -1,4 +1,4 @@
-// A diagram as a drawing of its own, made from its data and not from pixels, so that it prints sharp.
+// A diagram as a vector drawing, made from its data and not from pixels, so that it prints sharp.
 import { render } from 'preact';
 import { Chart } from '../components/Chart';
 import style from '../components/chart.css?inline';
@@ -8,17 +8,17 @@ import { colours } from '../components/colours';
 import type { ChartData } from './data';
 import { levelColour, shownLines } from './marks';
 
-/** What is shown of a diagram. */
+/** Parts of a diagram that are drawn. */
 export interface Stretch { x: Range; y: Range; shade?: Range | null }
 
-/** Not all programs that read drawings know variables. */
+/** Some programs that read SVG do not support CSS variables. */
 const paper: Record<string, string> = {
   ink: colours.ink, soft: colours.soft, axis: colours.soft, grid: '#e3e8ed', mark: colours.zero, paper: '#fff', deep: '#e9eef2',
 };
 
 const inPaper = (name: string): string => paper[name.replace(/^--/, '')] ?? colours.accent;
 
-/** Each narrower than those behind it, as far as their neighbours leave room. */
+/** Each bar is narrower than those behind it, within the room that its neighbours leave. */
 function bars({ x, lines, names }: ChartData): Bar[] {
   const apart = Math.min(...x.slice(1).map((place, i) => place - x[i]!));
   return lines.filter((line) => line.width === -1).flatMap(({ colour, values }, k) => {
@@ -49,17 +49,17 @@ function chartProps(data: ChartData, { x, y, shade }: Stretch): ChartProps {
   };
 }
 
-/** As the text of an SVG file, with its size in pixels. */
+/** Text of an SVG file, with its size in pixels. */
 export function drawing(data: ChartData, stretch: Stretch): { text: string; width: number; height: number } {
   const box = document.createElement('div');
   render(<Chart {...chartProps(data, stretch)} />, box);
   const svg = box.querySelector('svg')!;
   const { width, height } = svg.viewBox.baseVal;
-  const own = document.createElementNS(svg.namespaceURI, 'style');
+  const embedded = document.createElementNS(svg.namespaceURI, 'style');
   const family = getComputedStyle(document.body).fontFamily;
-  own.textContent = style.replace(/var\(--(\w+)\)/g, (_, name: string) => inPaper(name))
+  embedded.textContent = style.replace(/var\(--(\w+)\)/g, (_, name: string) => inPaper(name))
     + `svg.drawing{width:${width}px;height:${height}px;background:#fff;font-family:${family}}`;
-  svg.prepend(own);
+  svg.prepend(embedded);
   svg.setAttribute('width', String(width));
   svg.setAttribute('height', String(height));
   const text = new XMLSerializer().serializeToString(svg);

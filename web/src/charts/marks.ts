@@ -1,4 +1,4 @@
-// What stands in a diagram beside its curves: levels such as water or what is allowed, and the names of the boxes.
+// Marks of a diagram in addition to its curves: levels such as water or allowable values, and names of the boxes.
 import type uPlot from 'uplot';
 import { upright } from '../logic/labelRoom';
 import { tidy } from '../logic/units';
@@ -11,11 +11,11 @@ type Colour = (name: string) => string;
 export const levelColour = (l: ChartData['level'][number], colour: Colour): string =>
   (l.kind === 'water' ? '#4d9cc9' : l.kind === 'limit' ? colour('--bad') : '#a8905a');
 
-/** Lines as a legend names them; largest and least of a band are one. */
+/** Legend entries of the lines; maximum and minimum of a band are one entry. */
 export const shownLines = (data: ChartData): ChartData['lines'] =>
   data.lines.filter((l) => !l.band || l.name === 'largest').map((l) => (l.band ? { ...l, name: 'minimum to maximum' } : l));
 
-/** Water, seabed, or what is allowed. */
+/** Water, seabed, or an allowable value. */
 export function drawLevel(u: uPlot, l: ChartData['level'][number], colour: Colour): void {
   const { ctx, bbox } = u;
   const d = devicePixelRatio;
@@ -28,11 +28,11 @@ export function drawLevel(u: uPlot, l: ChartData['level'][number], colour: Colou
   ctx.setLineDash([]);
 }
 
-/** Their names over the curves; a limit out of sight is told with its value at the edge. */
+/** Names of levels above the curves; a limit outside the range is shown with its value at the edge. */
 export function nameLevels(u: uPlot, levels: ChartData['level'], colour: Colour): void {
   const { ctx, bbox } = u;
   const d = devicePixelRatio;
-  let told = Infinity;
+  let previous = Infinity;
   ctx.font = letters();
   ctx.textAlign = 'right';
   ctx.textBaseline = 'alphabetic';
@@ -40,20 +40,20 @@ export function nameLevels(u: uPlot, levels: ChartData['level'], colour: Colour)
     const y = u.valToPos(l.y, 'y', true);
     const hidden = y < bbox.top || y > bbox.top + bbox.height;
     if (hidden && (l.kind !== 'limit' || y > bbox.top)) continue;
-    // above its line, or below where there is no room
-    let at = hidden || y - bbox.top < 14 * d ? Math.max(y, bbox.top) + 12 * d : y - 4 * d;
-    if (Math.abs(at - told) < 13 * d) at = told - 13 * d;
-    told = at;
+    // above its line, or below if there is no room
+    let baseline = hidden || y - bbox.top < 14 * d ? Math.max(y, bbox.top) + 12 * d : y - 4 * d;
+    if (Math.abs(baseline - previous) < 13 * d) baseline = previous - 13 * d;
+    previous = baseline;
     const text = hidden ? `${l.label}: ${tidy(l.y, 4)} ↑` : l.label;
     ctx.fillStyle = levelColour(l, colour);
     ctx.strokeStyle = colour('--paper');
     ctx.lineWidth = 3 * d;
-    ctx.strokeText(text, bbox.left + bbox.width - 4 * d, at);
-    ctx.fillText(text, bbox.left + bbox.width - 4 * d, at);
+    ctx.strokeText(text, bbox.left + bbox.width - 4 * d, baseline);
+    ctx.fillText(text, bbox.left + bbox.width - 4 * d, baseline);
   }
 }
 
-/** Highest and lowest point [px] of all curves between two places. */
+/** Highest and lowest point [px] of all curves between two positions. */
 function curvesBetween(u: uPlot, left: number, right: number): [number, number] | null {
   const value = (px: number): number => u.posToVal((px - u.bbox.left) / devicePixelRatio, 'x');
   const from = Math.max(0, u.valToIdx(value(left)) - 1), to = u.valToIdx(value(right)) + 1;
@@ -68,7 +68,7 @@ function curvesBetween(u: uPlot, left: number, right: number): [number, number] 
   return band;
 }
 
-/** Names of the boxes upright at their marks, as many as there is room for beside each other and off the curves. */
+/** Upright names of the boxes at their marks, as many as fit next to each other and off the curves. */
 export function nameMarks(u: uPlot, marks: ChartData['marks'], levels: ChartData['level'], colour: Colour): void {
   const { ctx, bbox } = u;
   const d = devicePixelRatio;
@@ -88,7 +88,7 @@ export function nameMarks(u: uPlot, marks: ChartData['marks'], levels: ChartData
     const free = Number.isNaN(m.y) && m.over === undefined ? upright(length + 3 * d, room, curvesBetween(u, x - 0.5 * step, x + 0.5 * step)) : 'low';
     if (!free) continue;
     last = x;
-    // from the lower end upwards, but hanging below a curve that they mark
+    // from the lower end upwards, but downwards below a curve that they mark
     const below = !Number.isNaN(m.y);
     ctx.textAlign = below ? 'right' : 'left';
     ctx.save();

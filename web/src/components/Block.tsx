@@ -1,4 +1,4 @@
-// Draws what stands on a page of a report, each kind of block in its own way.
+// Draws the blocks of a report page, one component for each kind of block.
 import { createContext, type ComponentType } from 'preact';
 import { useContext } from 'preact/hooks';
 import { CalculationSheet } from './CalculationSheet';
@@ -8,10 +8,10 @@ import { Folded } from './Folded';
 import { Table } from './Table';
 import { Tiles } from './Tile';
 
-type BlockOf<Kind extends BlockData['kind']> = Extract<BlockData, { kind: Kind }>;
-export type FigureBlock = BlockOf<'figure'>;
+type BlockWithKind<Kind extends BlockData['kind']> = Extract<BlockData, { kind: Kind }>;
+export type FigureBlock = BlockWithKind<'figure'>;
 
-/** How figures are drawn on this page, and with which data. Without it none is. */
+/** Drawing function and data of the figures on this page; without it no figure is drawn. */
 export const FigureContext = createContext<ComponentType<{ figure: FigureBlock }>>(() => null);
 
 function Figure({ figure }: { figure: FigureBlock }) {
@@ -19,7 +19,7 @@ function Figure({ figure }: { figure: FigureBlock }) {
   return <Drawn figure={figure} />;
 }
 
-function Section({ id, heading, body }: BlockOf<'section'>) {
+function Section({ id, heading, body }: BlockWithKind<'section'>) {
   return (
     <section id={id}>
       <h2>{heading}</h2>
@@ -29,13 +29,13 @@ function Section({ id, heading, body }: BlockOf<'section'>) {
 }
 
 /** Ends with a link to a section of the page, or to the file of another report. */
-function Paragraph({ text, link }: BlockOf<'paragraph'>) {
+function Paragraph({ text, link }: BlockWithKind<'paragraph'>) {
   if (!link) return <p>{text}</p>;
   const to = /[./]/.test(link.to) ? link.to : `#${link.to}`;
   return <p>{text.trimEnd()} <a href={to}>{link.text}</a></p>;
 }
 
-function List({ items, numbered }: BlockOf<'list'>) {
+function List({ items, numbered }: BlockWithKind<'list'>) {
   const all = items.map((item) => <li>{item}</li>);
   return numbered ? <ol>{all}</ol> : <ul>{all}</ul>;
 }

@@ -1,4 +1,4 @@
-// A check written out: formulas, the numbers put in and where each comes from.
+// Calculation of a check: formulas, substituted numbers and their origin.
 import type { ComponentChild } from 'preact';
 import type { SheetLine } from './document';
 import { formulaPieces, type Piece } from './formula';
@@ -9,7 +9,7 @@ function setPiece(piece: Piece): ComponentChild {
   return piece.text;
 }
 
-/** A symbol or formula in the program's notation, with Greek letters, indices and powers. */
+/** A symbol or formula in the program's notation, with Greek letters, subscripts and powers. */
 export function Formula({ text }: { text: string }) {
   return <>{formulaPieces(text).map(setPiece)}</>;
 }
@@ -37,9 +37,9 @@ export function CalculationSheet({ lines }: { lines: SheetLine[] }) {
             <th class="t">Symbol</th>
             <th class="t">Meaning</th>
             <th class="t">Formula</th>
-            <th class="t">Numbers put in</th>
+            <th class="t">Substitution</th>
             <th>Value</th>
-            <th class="t">Clause or origin</th>
+            <th class="t">Clause or source</th>
             <th class="t">Confirmed by</th>
           </tr>
         </thead>

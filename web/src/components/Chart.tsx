@@ -1,4 +1,4 @@
-// A chart in SVG, made from data: axes with units, curves, areas, bars, points with labels, legend and words under the
+// A chart in SVG, made from data: axes with units, curves, areas, bars, points with labels, legend and values under the
 // pointer. Its props are described in chart/types.ts. Sizes are pixels of the drawing, which is scaled to the page.
 //
 //   <Chart title="Effective tension" x={{ range: [0, 200], label: 'Distance', si: 'm' }} y={{ range, si: 'N', digits: 1 }}
@@ -21,7 +21,7 @@ let charts = 0;
 
 interface AslantProps { names: { x: number; text: string }[]; y: number; angle: number; anchor: 'start' | 'end'; size: number }
 
-/** Names at one angle; one that would cover the name before it is left out. */
+/** Names at one angle; a name that would cover the previous one is left out. */
 export function AslantNames({ names, y, angle, anchor, size }: AslantProps): VNode {
   return (
     <g>
@@ -128,13 +128,13 @@ function Head({ props, layout: { frame, legends } }: { props: ChartProps; layout
   );
 }
 
-/** A line under the pointer with words for what is there. */
-function HoverLine({ frame, words }: { frame: Frame; words: (x: number) => string | null }) {
+/** A line under the pointer with the values at its position. */
+function HoverLine({ frame, hover }: { frame: Frame; hover: (x: number) => string | null }) {
   const group = useRef<SVGGElement>(null);
   const [x, setX] = useState<number | null>(null);
   usePointer(group, (pixel) => setX(pixel ? frame.x.invert(pixel[0]) : null));
   const [lo, hi] = frame.x.domain;
-  const text = x === null || x < lo || x > hi ? null : words(x);
+  const text = x === null || x < lo || x > hi ? null : hover(x);
   if (x === null || text === null) return <g ref={group} />;
   const pixel = frame.x(x);
   const width = frame.textWidth(text);
@@ -153,7 +153,7 @@ function PointerWatch({ frame, onPointer }: { frame: Frame; onPointer: NonNullab
   return <g ref={group} />;
 }
 
-/** Takes the places of everything that labels keep clear of. */
+/** Reserves the space of everything that labels avoid. */
 function takePlaces(props: ChartProps, frame: Frame) {
   for (const curve of props.curves ?? []) if (!curve.covered) curvePixels(frame, curve).forEach((run) => frame.room.takeCurve(run));
   for (const { points } of props.areas ?? []) {
@@ -168,7 +168,7 @@ function takePlaces(props: ChartProps, frame: Frame) {
   for (const point of props.points ?? []) room.takePoint([x(point.x), y(point.y)], pointRadius(point));
 }
 
-/** Every label takes its place when it is drawn: names of levels first, then points, then verticals. */
+/** Labels are placed as they are drawn: names of levels first, then points, then verticals. */
 function Labels({ props, frame }: { props: ChartProps; frame: Frame }) {
   const labels: ComponentChildren[] = [];
   for (const level of props.levels ?? []) labels.push(LevelName({ frame, level }));
@@ -183,7 +183,7 @@ export function Chart(props: ChartProps): VNode {
   const layout = layoutChart(props, units);
   const { frame } = layout;
   takePlaces(props, frame);
-  const own = props.children?.(frame);
+  const drawing = props.children?.(frame);
   return (
     <svg
       viewBox={`0 0 ${frame.width} ${frame.height.toFixed(1)}`}
@@ -212,10 +212,10 @@ export function Chart(props: ChartProps): VNode {
         {props.verticals?.map((vertical) => <VerticalLine frame={frame} vertical={vertical} />)}
         {props.lane && <LaneNames names={props.lane} frame={frame} />}
         {props.points?.map((point) => <PointMark frame={frame} point={point} />)}
-        {own}
+        {drawing}
         <Labels props={props} frame={frame} />
       </g>
-      {props.hover && <HoverLine frame={frame} words={props.hover} />}
+      {props.hover && <HoverLine frame={frame} hover={props.hover} />}
       {props.onPointer && <PointerWatch frame={frame} onPointer={props.onPointer} />}
     </svg>
   );

@@ -1,4 +1,4 @@
-// Names of curves at their right ends, in the margin, pushed apart where they would cover one another.
+// Names of curves at their right ends, in the margin, moved apart if they would overlap.
 import type { VNode } from 'preact';
 import type { Frame } from './chart/types';
 
@@ -7,7 +7,7 @@ export interface EndName { text: string; colour: string; y: number }
 
 const apart = 15; // px
 
-/** Heights of names from top to bottom: in the order of their ends, within `top` and `bottom` where they find room there. */
+/** Heights of names from top to bottom: in the order of the curve ends, within `top` and `bottom` if they fit. */
 export function spreadNames(ends: readonly EndName[], top: number, bottom: number): (EndName & { row: number })[] {
   const rows: (EndName & { row: number })[] = [];
   for (const end of [...ends].sort((a, b) => a.y - b.y)) {

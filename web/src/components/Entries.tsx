@@ -1,6 +1,6 @@
 // Names with values.
 
-/** A value that is empty keeps the height of a line, to be written in by hand. */
+/** An empty value keeps the height of a line, for handwriting. */
 export function Entries({ entries, framed = false }: { entries: [string, string][]; framed?: boolean }) {
   return (
     <dl class={framed ? 'control' : undefined}>

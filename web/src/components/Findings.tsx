@@ -21,7 +21,7 @@ function FindingList({ findings }: { findings: FindingData[] }) {
   );
 }
 
-/** The first six, the others folded; nothing without any. */
+/** The first six findings, the others folded; nothing if there are none. */
 export function Findings({ findings }: { findings: FindingData[] }) {
   if (findings.length === 0) return null;
   const rest = findings.slice(shown);

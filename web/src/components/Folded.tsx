@@ -1,9 +1,9 @@
-// Content behind a summary on screen.
+// Content that is folded behind a summary on screen.
 import type { ComponentChildren } from 'preact';
 
 interface Props { summary: string; printed: boolean; children: ComponentChildren }
 
-/** `printed`: whether paper shows it, unfolded; see openWhilePrinting. */
+/** `printed`: true to unfold it on paper; see openWhilePrinting. */
 export function Folded({ summary, printed, children }: Props) {
   return (
     <details class={printed ? 'print-open' : 'print-not'}>
@@ -13,7 +13,7 @@ export function Folded({ summary, printed, children }: Props) {
   );
 }
 
-/** Unfolds what is to be printed before printing, and folds it again afterwards. */
+/** Unfolds printed parts before printing, and folds them again afterwards. */
 export function openWhilePrinting(): void {
   const opened: HTMLDetailsElement[] = [];
   window.addEventListener('beforeprint', () => {

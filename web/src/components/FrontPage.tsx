@@ -1,4 +1,4 @@
-// The first page of a report: what it is of, the verdict, what is used most, findings and contents.
+// First page of a report: subject, verdict, highest utilisations, findings and contents.
 import type { Bar, BlockData, Front, VerdictData } from './document';
 import { Entries } from './Entries';
 import { Findings } from './Findings';
@@ -20,7 +20,7 @@ function UtilisationBar({ bar }: { bar: Bar }) {
   );
 }
 
-/** Without bars only what the verdict is of. */
+/** Only the subject of the verdict if there are no bars. */
 function Utilisation({ heading, bars, note }: NonNullable<Front['utilisation']>) {
   const remark = note ? <p class="small">{note}</p> : null;
   if (bars.length === 0) return remark;

@@ -1,4 +1,4 @@
-// Values over two keys as coloured cells, with what the checks say of each.
+// Values over two keys as coloured cells, with the status of the code checks.
 import { useId } from 'preact/hooks';
 import { ticks, tickTexts } from './chart/scale';
 import { textWidth } from './chart/text';
@@ -10,12 +10,12 @@ export type CellState = 'passed' | 'reserved' | 'exceeded' | 'not judged' | 'fai
 
 export interface HeatCell { value: number | null; state: CellState; title: string; chosen?: boolean }
 
-export interface HeatAxis { name: string; words: string[] }
+export interface HeatAxis { name: string; labels: string[] }
 
 export interface HeatMapProps {
   label: string;
   title?: string;
-  /** Values of the keys that this map does not vary. */
+  /** Values of the keys that are constant in this map. */
   note?: string;
   x: HeatAxis;
   y: HeatAxis;
@@ -23,59 +23,59 @@ export interface HeatMapProps {
   cells: (HeatCell | null)[][];
   scale: ValueScale;
   width?: number;
-  /** Most height of a row, in the units of the width. */
+  /** Maximum row height, in the units of the width. */
   row?: number;
   choose?: (i: number, j: number) => void;
 }
 
-/** Every so many words of an axis are written, so that none runs into the next. */
-export function wordStep(words: readonly string[], each: number, letter: number): number {
-  const widths = words.map((word) => textWidth(word, letter));
+/** Label interval of an axis at which no label overlaps the next. */
+export function wordStep(labels: readonly string[], each: number, letter: number): number {
+  const widths = labels.map((word) => textWidth(word, letter));
   const fits = (step: number): boolean => widths.every((width, i) => i % step > 0 || i + step >= widths.length
     || (width + widths[i + step]!) / 2 + 0.9 * letter <= step * each);
-  return words.map((_, i) => i + 1).find(fits) ?? 1;
+  return labels.map((_, i) => i + 1).find(fits) ?? 1;
 }
 
-const kStateWords: [CellState, string][] = [
+const kStateLabels: [CellState, string][] = [
   ['exceeded', 'struck through: a check is exceeded'], ['reserved', 'ringed: passes with reservations'],
   ['not judged', 'dotted: not judged'], ['failed', 'hatched: no result'], ['open', 'empty: not computed yet']];
 
 /** Explains the marks of the states that occur. */
-export function stateWords(states: readonly CellState[]): string {
+export function stateLabels(states: readonly CellState[]): string {
   const judged = states.some((state) => state === 'passed' || state === 'exceeded');
-  return kStateWords.filter(([state]) => states.includes(state) && (judged || state !== 'not judged')).map(([, words]) => words).join('; ');
+  return kStateLabels.filter(([state]) => states.includes(state) && (judged || state !== 'not judged')).map(([, label]) => label).join('; ');
 }
 
 interface Layout {
   width: number;
   height: number;
-  /** Of the cells. */
+  /** Extent of the cells. */
   left: number;
   top: number;
   wide: number;
   tall: number;
   letter: number;
-  /** Beside the scale. */
+  /** Position next to the scale. */
   numbers: { value: number; text: string }[];
   x: (i: number) => number;
   y: (j: number) => number;
 }
 
 function layOut({ title, note, x, y, scale, width = 480, row = 26 }: HeatMapProps): Layout {
-  const letter = 13;  // that of small drawings
+  const letter = 13;  // letter size of small drawings
   const values = ticks(scale.low, scale.high, 5);
   const numbers = tickTexts(values).map((text, k) => ({ value: values[k]!, text }));
-  const longest = Math.max(...y.words.map((word) => textWidth(shortened(word), letter)));
+  const longest = Math.max(...y.labels.map((word) => textWidth(shortened(word), letter)));
   const left = Math.ceil(2.3 * letter + longest);
   const top = Math.ceil((title ? 1.9 * letter : 0.6 * letter) + (note ? 1.35 * letter : 0));
-  // At least as high as the name of the axis beside it is long.
-  const tall = Math.max(row * Math.min(y.words.length, 12), Math.min(textWidth(y.name, letter), 15 * letter), 5 * row);
+  // At least as high as the name of its axis is long.
+  const tall = Math.max(row * Math.min(y.labels.length, 12), Math.min(textWidth(y.name, letter), 15 * letter), 5 * row);
   const wide = width - left - Math.ceil(2.5 * letter + Math.max(...numbers.map(({ text }) => textWidth(text, letter))));
   return { width, height: top + tall + 3.4 * letter, left, top, wide, tall, letter, numbers,
-    x: (i) => left + wide * i / x.words.length, y: (j) => top + tall * (1 - j / y.words.length) };
+    x: (i) => left + wide * i / x.labels.length, y: (j) => top + tall * (1 - j / y.labels.length) };
 }
 
-/** Mark of what the checks say, in a colour that is seen on the cell's own. */
+/** Mark of the check status, in a colour that contrasts with the cell. */
 function StateMark({ cell, scale, x, y, wide, tall }: { cell: HeatCell; scale: ValueScale; x: number; y: number; wide: number; tall: number }) {
   if (cell.value === null || Math.min(wide, tall) < 6) return null;
   const colour = markColour(scale, cell.value);
@@ -111,7 +111,7 @@ function Cells({ map, layout, hatch }: { map: HeatMapProps; layout: Layout; hatc
   }))}</>;
 }
 
-/** The line around the cells that pass, and the frame of the one that is chosen. */
+/** Outline of the cells that pass, and frame of the selected cell. */
 function Borders({ cells, layout: { x, y } }: { cells: HeatMapProps['cells']; layout: Layout }) {
   const edge = passEdges(cells).map(([i, j, right, up]) => `M${x(i)} ${y(j)}L${x(i + right)} ${y(j + up)}`).join('');
   const chosen = cells.flatMap((row, j) => row.flatMap((cell, i) => (cell?.chosen ? [`M${x(i)} ${y(j)}H${x(i + 1)}V${y(j + 1)}H${x(i)}Z`] : []))).join('');
@@ -125,8 +125,8 @@ function Borders({ cells, layout: { x, y } }: { cells: HeatMapProps['cells']; la
   );
 }
 
-function AxisWords({ map: { x, y }, layout: { letter, left, top, wide, tall, x: px, y: py } }: { map: HeatMapProps; layout: Layout }) {
-  const [across, up] = [x.words, y.words].map((words) => words.map((word) => shortened(word))) as [string[], string[]];
+function AxisLabels({ map: { x, y }, layout: { letter, left, top, wide, tall, x: px, y: py } }: { map: HeatMapProps; layout: Layout }) {
+  const [across, up] = [x.labels, y.labels].map((labels) => labels.map((word) => shortened(word))) as [string[], string[]];
   const every = wordStep(across, wide / across.length, letter);
   const everyRow = Math.ceil(1.2 * letter / (tall / up.length));
   return (
@@ -143,7 +143,7 @@ function AxisWords({ map: { x, y }, layout: { letter, left, top, wide, tall, x: 
   );
 }
 
-/** The colours and their values, with a line at the limit. */
+/** Colours and their values, with a line at the limit. */
 function ScaleBar({ scale, layout: { letter, left, top, wide, tall, numbers } }: { scale: ValueScale; layout: Layout }) {
   const id = useId();
   const { low, top: limit, high } = scale;
@@ -178,7 +178,7 @@ export function HeatMap(map: HeatMapProps) {
       <Cells map={map} layout={layout} hatch={hatch} />
       <rect x={left} y={top} width={wide} height={tall} style={{ fill: 'none', stroke: '#8794a0', pointerEvents: 'none' }} />
       <Borders cells={map.cells} layout={layout} />
-      <AxisWords map={map} layout={layout} />
+      <AxisLabels map={map} layout={layout} />
       {map.title ? <text class="title" x={left} y={1.25 * letter}>{map.title}</text> : null}
       {map.note ? <text class="soft" x={left} y={2.55 * letter}>{map.note}</text> : null}
       {map.cells.flat().some((cell) => cell && cell.value !== null) ? <ScaleBar scale={map.scale} layout={layout} /> : null}

@@ -1,4 +1,4 @@
-// Curves of a lay table over what is varied, shaded where every check passes.
+// Curves of a lay table over the varied quantity, shaded where every check passes.
 import type { LayTableCurves } from '../api/types';
 import { Chart } from './Chart';
 import type { Range } from './chart/scale';
@@ -9,14 +9,14 @@ export interface LayTableLook { curves: string[]; limit: string; passing: string
 
 const kPaper: LayTableLook = { curves: [colours.pipe, colours.second], limit: colours.accent, passing: '#e6f2ea' };
 
-/** Where every check passes, as far as the chart goes. */
+/** Range in which every check passes, within the chart. */
 function passingRange({ least, largest }: LayTableCurves, [low, high]: Range): Range | null {
   if (least === null && largest === null) return null;
   const inside = (value: number): number => Math.min(Math.max(value, low), high);
   return [inside(least ?? low), inside(largest ?? high)];
 }
 
-/** Holds the curves and the limit. */
+/** Range that includes the curves and the limit. */
 export function valueRange({ series, limit }: LayTableCurves['panels'][number]): Range {
   const values = series.flatMap(({ points }) => points.map(([, value]) => value));
   return roomAround(limit === null ? values : [...values, limit], 0.08);

@@ -1,11 +1,11 @@
-// Names with their lines, below a figure of many curves, as many in a row as there is room.
+// Key of a figure with many curves, below it, with as many names in a row as fit.
 import { textWidth } from './chart/text';
 
 export interface KeyEntry { name: string; colour: string; dash?: string }
 
 const kLine = 26, kRow = 22;
 
-/** Places of the entries' lines between `left` and `right`, the first on the base line `top`, and the last base line. */
+/** Positions of the entries' lines between `left` and `right`, with the first base line at `top`, and the last base line. */
 function placeEntries(entries: readonly KeyEntry[], left: number, right: number, top: number) {
   let [x, y] = [left, top];
   const places = entries.map((entry) => {
@@ -20,7 +20,7 @@ function placeEntries(entries: readonly KeyEntry[], left: number, right: number,
 
 interface Room { entries: readonly KeyEntry[]; left: number; right: number; top: number }
 
-/** Height that the rows take from the first base line on. */
+/** Height of the rows below the first base line. */
 export const keyHeight = ({ entries, left, right }: Omit<Room, 'top'>): number => placeEntries(entries, left, right, 0).bottom + 12;
 
 export function LineKey({ entries, left, right, top }: Room) {

@@ -8,7 +8,7 @@ import { fixed } from './units';
 
 export interface LimitData { at: number[]; limit: number | null; beyond: boolean; decided: boolean; governing: string }
 
-/** Largest value of a key that passes, for every combination of the others. */
+/** Largest passing value of a key, for every combination of the others. */
 export interface OperabilityData {
   over: string;
   least: number | null;
@@ -21,15 +21,15 @@ export interface OperabilityData {
   year?: number;
 }
 
-/** "hs" of "hs [m]". */
-const nameOf = (axis: KeyAxis): string => axis.name.replace(/ \[.*/, '');
+/** "hs" from "hs [m]". */
+const axisTitle = (axis: KeyAxis): string => axis.name.replace(/ \[.*/, '');
 
 const kMonths = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
 
-/** The axis of directions, -1 without one. */
+/** Index of the axis of directions, -1 if there is none. */
 export const headingAxis = (all: OperabilityData): number => all.axes.findIndex((axis) => axis.name.endsWith('[deg]') && axis.words.length > 2);
 
-/** The axis of the chart: of those with numbers that are no direction the one with the most values, else the first. */
+/** Axis of the chart: the numeric axis (other than a direction) with the most values, otherwise the first. */
 export function chartAxis(all: OperabilityData): number {
   const heading = headingAxis(all);
   const count = (axis: number): number => all.axes[axis]!.words.length;
@@ -37,22 +37,22 @@ export function chartAxis(all: OperabilityData): number {
   return numeric.sort((a, b) => count(b) - count(a))[0] ?? 0;
 }
 
-/** The value that a cell is drawn at; null: not even the smallest one passes. */
+/** Value at which a cell is drawn; null if not even the smallest value passes. */
 const shownLimit = (all: OperabilityData, cell: LimitData): number | null => (cell.beyond ? all.largest : cell.limit);
 
-const placeWords = (all: OperabilityData, cell: LimitData, without = -1): string =>
-  all.axes.flatMap((axis, i) => (i === without ? [] : [`${nameOf(axis)} ${axis.words[cell.at[i]!]}`])).join(', ');
+const cellLabel = (all: OperabilityData, cell: LimitData, without = -1): string =>
+  all.axes.flatMap((axis, i) => (i === without ? [] : [`${axisTitle(axis)} ${axis.words[cell.at[i]!]}`])).join(', ');
 
 function describeCell(all: OperabilityData, cell: LimitData): string {
-  const limit = !cell.decided ? 'not decided' : cell.beyond ? `over ${all.largest}` : cell.limit === null ? `below ${all.least}` : String(cell.limit);
-  return [placeWords(all, cell), limit, ...(cell.governing ? [`above it: ${cell.governing}`] : [])].join('\n');
+  const limit = !cell.decided ? 'undetermined' : cell.beyond ? `over ${all.largest}` : cell.limit === null ? `below ${all.least}` : String(cell.limit);
+  return [cellLabel(all, cell), limit, ...(cell.governing ? [`governing above: ${cell.governing}`] : [])].join('\n');
 }
 
-/** Cells that differ by this axis only, with the look of their curve. */
+/** Cells that differ by this axis only, with the style of their curve. */
 function linesAlong(all: OperabilityData, axis: number): { name: string; cells: LimitData[]; colour: string; dash?: string }[] {
   const lines = new Map<string, LimitData[]>();
   for (const cell of all.cells) {
-    const name = placeWords(all, cell, axis);
+    const name = cellLabel(all, cell, axis);
     lines.set(name, [...(lines.get(name) ?? []), cell]);
   }
   return [...lines].map(([name, cells], k) => ({ name: name || all.over, cells, ...curveLook(k) }));
@@ -61,11 +61,11 @@ function linesAlong(all: OperabilityData, axis: number): { name: string; cells: 
 export function OperabilityChart({ all }: { all: OperabilityData }) {
   const axis = chartAxis(all);
   const { places } = axisPlaces(all.axes[axis]!);
-  const xOf = (cell: LimitData): number => places[cell.at[axis]!]!;
+  const findX = (cell: LimitData): number => places[cell.at[axis]!]!;
   const point = (cell: LimitData, colour: string): Point => {
     const limit = cell.decided ? shownLimit(all, cell) : null;
     const shape = limit === null ? 'cross' : cell.beyond ? 'triangle' : 'circle';
-    return { x: xOf(cell), y: limit ?? 0.025 * all.largest, radius: 3.6, shape, colour, title: describeCell(all, cell) };
+    return { x: findX(cell), y: limit ?? 0.025 * all.largest, radius: 3.6, shape, colour, title: describeCell(all, cell) };
   };
   const lines = linesAlong(all, axis);
   return (
@@ -75,13 +75,13 @@ export function OperabilityChart({ all }: { all: OperabilityData }) {
         levels={[{ value: all.largest, colour: colours.steel, dash: '3 3' }]}
         curves={lines.map(({ cells, colour, dash }) => ({
           colour, dash,
-          points: cells.filter((cell) => cell.decided && shownLimit(all, cell) !== null).sort((a, b) => xOf(a) - xOf(b))
-            .map((cell) => [xOf(cell), shownLimit(all, cell)]),
+          points: cells.filter((cell) => cell.decided && shownLimit(all, cell) !== null).sort((a, b) => findX(a) - findX(b))
+            .map((cell) => [findX(cell), shownLimit(all, cell)]),
         }))}
         points={lines.flatMap(({ cells, colour }) => cells.map((cell) => point(cell, colour)))}
         legend={lines.map(({ name, colour, dash }) => ({ text: name, colour, dash }))}
       />
-      <p class="small">{'\u25b2 the largest value of all passes \u2003 \u00d7 not even the smallest passes, or not decided'}</p>
+      <p class="small">{'\u25b2 the largest value passes \u2003 \u00d7 the smallest value fails, or undetermined'}</p>
     </>
   );
 }

@@ -1,4 +1,4 @@
-// A vessel on its moorings from above, true to scale: lines with tensions, hull, pipe, objects, directions of waves and current.
+// Plan of a moored vessel, true to scale: lines with tensions, hull, pipe, objects, directions of waves and current.
 import type { VNode } from 'preact';
 import { Chart } from './Chart';
 import type { Pixel } from './chart/labels';
@@ -7,7 +7,7 @@ import { extent } from './chart/scale';
 import type { Frame } from './chart/types';
 import { colours } from './colours';
 import {
-  flat, hangingAndLaid, hullOutline, lineColours, type MooredState, type MooringLineData, type MooringSpread, type Place,
+  flat, suspendedAndLaid, hullOutline, lineColours, type MooredState, type MooringLineData, type MooringSpread, type Place,
 } from './mooringSpread';
 import type { Vector } from './painter';
 import { fixed, useUnits, type Units } from './units';
@@ -23,20 +23,20 @@ function Stroke({ frame, points, colour, width, dash }: StrokeProps): VNode {
 
 function Line({ frame, line }: { frame: Frame; line: MooringLineData }): VNode {
   if (line.parted) return <Stroke frame={frame} points={[line.fairlead, line.anchor]} colour={lineColours.parted} width={1.2} dash="3 5" />;
-  const [hanging, laid] = hangingAndLaid(line);
-  const colour = line.slack ? lineColours.slack : lineColours.hanging;
+  const [suspended, laid] = suspendedAndLaid(line);
+  const colour = line.slack ? lineColours.slack : lineColours.suspended;
   return (
     <g>
       {laid.length > 1 && <Stroke frame={frame} points={laid} colour={lineColours.laid} width={2} />}
-      <Stroke frame={frame} points={hanging} colour={colour} width={2.2} dash={line.slack ? '6 4' : undefined} />
+      <Stroke frame={frame} points={suspended} colour={colour} width={2.2} dash={line.slack ? '6 4' : undefined} />
     </g>
   );
 }
 
 function Touchdown({ frame, line }: { frame: Frame; line: MooringLineData }): VNode | null {
-  const [, laid] = hangingAndLaid(line);
+  const [, laid] = suspendedAndLaid(line);
   if (line.parted || laid.length < 2) return null;
-  return <circle cx={frame.x(laid[0]![0])} cy={frame.y(laid[0]![1])} r="2.6" fill="#fff" stroke={lineColours.hanging} stroke-width="1.3" />;
+  return <circle cx={frame.x(laid[0]![0])} cy={frame.y(laid[0]![1])} r="2.6" fill="#fff" stroke={lineColours.suspended} stroke-width="1.3" />;
 }
 
 function Anchor({ frame, line }: { frame: Frame; line: MooringLineData }): VNode {
@@ -47,7 +47,7 @@ function Anchor({ frame, line }: { frame: Frame; line: MooringLineData }): VNode
 
 const tensionText = (line: MooringLineData, units: Units): string => (line.parted ? 'parted' : line.slack ? 'slack' : units.shown(line.tension, 'N', 1));
 
-/** Places of a name of two lines around an anchor: away from the line first, then above or below, then back along it. */
+/** Candidate positions of a two-line name around an anchor: away from the line, then above or below, then back along it. */
 function namePlaces([x, y]: Pixel, line: MooringLineData, width: number) {
   const [east, north] = [line.anchor[0] - line.fairlead[0], line.anchor[1] - line.fairlead[1]];
   const far = Math.hypot(east, north) || 1;
@@ -61,7 +61,7 @@ function namePlaces([x, y]: Pixel, line: MooringLineData, width: number) {
   }));
 }
 
-/** Name and tension outside the anchor, where the line does not run. */
+/** Name and tension outside the anchor, clear of the line. */
 function LineName({ frame, line }: { frame: Frame; line: MooringLineData }): VNode {
   const tension = tensionText(line, useUnits());
   const width = Math.max(frame.textWidth(line.name, true), frame.textWidth(tension));
@@ -107,7 +107,7 @@ function Directions({ frame, spread }: { frame: Frame; spread: MooringSpread }):
   return <g>{arrows.map((arrow, k) => <Arrow x={x} y={y + 46 * k} {...arrow} />)}</g>;
 }
 
-/** A bar of a round length, about a sixth of the width. */
+/** Scale bar of a round length, about a sixth of the width. */
 function ScaleBar({ frame }: { frame: Frame }): VNode {
   const unit = useUnits().unit('m');
   const perUnit = Math.abs(frame.x(1) - frame.x(0)) / unit.factor;
@@ -125,11 +125,11 @@ function ScaleBar({ frame }: { frame: Frame }): VNode {
   );
 }
 
-interface NameProps { frame: Frame; at: Place | Vector; text: string; colour?: string; css?: 'mark' | 'soft' }
+interface NameProps { frame: Frame; position: Place | Vector; text: string; colour?: string; css?: 'mark' | 'soft' }
 
-/** A word near a point, clear of what stands there. */
-export function Name({ frame, at, text, colour, css = 'mark' }: NameProps): VNode {
-  const [x, y] = frame.room.place([frame.x(at[0]), frame.y(at[1])], frame.textWidth(text, css === 'mark'));
+/** A text near a point, clear of other marks. */
+export function Name({ frame, position, text, colour, css = 'mark' }: NameProps): VNode {
+  const [x, y] = frame.room.place([frame.x(position[0]), frame.y(position[1])], frame.textWidth(text, css === 'mark'));
   return <text class={`halo ${css}`} x={x} y={y} style={{ fill: colour }}>{text}</text>;
 }
 
@@ -140,11 +140,11 @@ function ObjectShape({ frame, object: { points } }: { frame: Frame; object: Seab
   return <Stroke frame={frame} points={points} colour="#8a5a2b" width={2.4} dash="9 4" />;
 }
 
-function PipeTouchdown({ frame, at }: { frame: Frame; at: Vector }): VNode {
-  return <circle cx={frame.x(at[0])} cy={frame.y(at[1])} r="4" fill="#fff" stroke={colours.pipe} stroke-width="2" />;
+function PipeTouchdown({ frame, position }: { frame: Frame; position: Vector }): VNode {
+  return <circle cx={frame.x(position[0])} cy={frame.y(position[1])} r="4" fill="#fff" stroke={colours.pipe} stroke-width="2" />;
 }
 
-/** What is drawn within the plot. */
+/** Content of the plot. */
 function Picture({ frame, spread, state }: { frame: Frame; spread: MooringSpread; state: MooredState }): VNode {
   return (
     <g>
@@ -156,7 +156,7 @@ function Picture({ frame, spread, state }: { frame: Frame; spread: MooringSpread
   );
 }
 
-/** Marks and names above it; each takes its room in this order. */
+/** Marks and names above the plot; each reserves its space in this order. */
 function Names({ frame, spread, state }: { frame: Frame; spread: MooringSpread; state: MooredState }): VNode {
   for (const line of state.lines) frame.room.takeCurve(toPixels(frame, [line.fairlead, line.anchor]));
   frame.room.takeCurve(toPixels(frame, spread.pipe));
@@ -164,14 +164,14 @@ function Names({ frame, spread, state }: { frame: Frame; spread: MooringSpread; 
   return (
     <g>
       {state.lines.map((line) => <Touchdown frame={frame} line={line} />)}
-      {touch && <PipeTouchdown frame={frame} at={touch} />}
+      {touch && <PipeTouchdown frame={frame} position={touch} />}
       <Directions frame={frame} spread={spread} />
       <ScaleBar frame={frame} />
       {state.lines.map((line) => <Anchor frame={frame} line={line} />)}
       {spread.objects.map((object) => (
-        <Name frame={frame} at={object.points[Math.floor(object.points.length / 2)]!} text={object.name} colour="#6d4620" />
+        <Name frame={frame} position={object.points[Math.floor(object.points.length / 2)]!} text={object.name} colour="#6d4620" />
       ))}
-      {touch && <Name frame={frame} at={touch} text="pipe, touchdown" colour={colours.pipe} />}
+      {touch && <Name frame={frame} position={touch} text="pipe, touchdown" colour={colours.pipe} />}
       {state.lines.map((line) => <LineName frame={frame} line={line} />)}
     </g>
   );
@@ -182,7 +182,7 @@ export function PlanView({ spread, state }: { spread: MooringSpread; state: Moor
   const [x0, x1] = extent(seen.map((p) => p[0]));
   const [y0, y1] = extent(seen.map((p) => p[1]));
   const room = 0.1 * Math.max(x1 - x0, y1 - y0, 10);
-  const legend = [{ text: 'hanging', colour: lineColours.hanging }, { text: 'on the seabed', colour: lineColours.laid }];
+  const legend = [{ text: 'hanging', colour: lineColours.suspended }, { text: 'on the seabed', colour: lineColours.laid }];
   return (
     <Chart
       title="Moorings in plan, true to scale"

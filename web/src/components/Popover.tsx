@@ -1,5 +1,5 @@
-// A light button that shows a value; pressing it opens a panel below with the fields behind the value. It lies on the
-// browser's top layer: it is not clipped, closes with Escape and by a click elsewhere.
+// A flat button that shows a value and opens a panel with its fields below. The panel lies on the top layer of the
+// browser: it is not clipped, and closes with Escape and by a click elsewhere.
 import type { ComponentChildren } from 'preact';
 import { useId, useRef, useState } from 'preact/hooks';
 import '../styles/popover.css';
@@ -7,10 +7,10 @@ import '../styles/popover.css';
 const margin = 8;
 
 interface Props {
-  /** Small, above the value. */
+  /** Small label above the value. */
   label: string;
   value: string;
-  /** Shown in place of an empty value. */
+  /** Placeholder for an empty value. */
   placeholder?: string;
   /** A reservation, shown as the title and with a mark. */
   note?: string;
@@ -34,10 +34,10 @@ export function Popover({ label, value, placeholder = '–', note, wide, childre
     setOpen(shown);
     if (shown) requestAnimationFrame(() => { place(); panel.current?.querySelector<HTMLElement>('input, select, button')?.focus(); });
   };
-  // Fields take their value with Enter; the panel has then done its work.
+  // Enter commits a field and closes the panel.
   const pressed = (event: KeyboardEvent): void => {
     if (event.key !== 'Enter' || !(event.target instanceof HTMLInputElement)) return;
-    event.preventDefault();  // else the button, which has the focus then, would open the panel again
+    event.preventDefault();  // otherwise the button, which then has the focus, would open the panel again
     panel.current?.hidePopover();
   };
   return (

@@ -9,7 +9,7 @@ export interface RoseLine { name: string; colour: string; dash?: string; points:
 
 export interface RoseProps {
   label: string;
-  /** What the directions and the levels are. */
+  /** Names of the directions and levels. */
   note: string;
   directions: number[];
   largest: number;
@@ -23,13 +23,13 @@ function place(degrees: number, distance: number): [number, number] {
   return [kCentre[0] + distance * Math.sin(turn), kCentre[1] - distance * Math.cos(turn)];
 }
 
-/** Whether directions go all the way round: without a gap of 120 degrees. */
+/** True if the directions cover the full circle, without a gap of 120 degrees. */
 export function isClosed(directions: readonly number[]): boolean {
   const gaps = directions.map((from, i) => (directions[(i + 1) % directions.length]! - from + 360) % 360);
   return directions.length > 2 && Math.max(...gaps) < 120;
 }
 
-/** Levels are written in the middle between two neighbouring directions, where the lines are the farthest from them. */
+/** Levels are labelled midway between two neighbouring directions, at the largest distance from their lines. */
 function emptiest(directions: readonly number[], levels: readonly number[], lines: readonly RoseLine[]): number {
   const near = (line: RoseLine, degrees: number): number => line.points.find((point) => point.degrees === degrees)?.value ?? 0;
   const places = directions.slice(1).map((to, i) => {

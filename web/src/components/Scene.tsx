@@ -1,4 +1,4 @@
-// A three-dimensional picture that turns with the pointer, drawn as SVG.
+// A three-dimensional picture that is rotated with the pointer, drawn as SVG.
 import type { ComponentChildren, JSX } from 'preact';
 import { useId, useMemo, useRef, useState } from 'preact/hooks';
 import { ticks } from './chart/scale';
@@ -48,18 +48,18 @@ function useRotation(azimuth: number, elevation: number) {
     });
   };
   const stop = (): void => { dragged.current.active = false; };
-  const onMouseDown = (event: MouseEvent): void => event.preventDefault(); // no text is selected by dragging
+  const onMouseDown = (event: MouseEvent): void => event.preventDefault(); // dragging does not select text
   return { angles, handlers: { onMouseDown, onPointerDown, onPointerMove, onPointerUp: stop, onPointerCancel: stop } };
 }
 
 interface SceneProps {
   title: string;
   height: number;
-  /** Of the camera at first [rad]. */
+  /** Initial camera angles [rad]. */
   azimuth: number;
   elevation: number;
   build: (camera: Camera) => SceneContent;
-  /** What the colours mean, at the lower left. */
+  /** Legend of the colours, at the lower left. */
   children?: ComponentChildren;
 }
 
@@ -90,7 +90,7 @@ export function Scene({ title, height, azimuth, elevation, build, children }: Sc
   );
 }
 
-/** A word beside a block of its colour. */
+/** A label next to a block of its colour. */
 function KeyEntry({ x, colour, text }: { x: number; colour: string; text: string }) {
   return (
     <g transform={`translate(${x},-3)`}>
@@ -104,14 +104,14 @@ const scaleWidth = 220;
 
 interface ColourKeyProps {
   title: string;
-  /** The largest value of the scale, in the unit shown. */
+  /** Maximum of the scale, in the unit shown. */
   top: number;
-  /** Words for the colour of what is beyond the scale. */
+  /** Label of the colour beyond the scale. */
   beyond: string | null;
   entries: { colour: string; text: string }[];
 }
 
-/** The colour scale of the pipe, and what other colours mean. */
+/** Colour scale of the pipe, and legend of the other colours. */
 export function ColourKey({ title, top, beyond, entries }: ColourKeyProps) {
   const gradient = useId();
   const list = beyond ? [{ colour: aboveLimit, text: beyond }, ...entries] : entries;

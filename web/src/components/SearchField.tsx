@@ -1,4 +1,4 @@
-// One field with a list of what fits below it, for the keyboard alone: arrows choose, Enter takes, Esc closes.
+// A field with a list of matches below it, operated by keyboard: arrows move, Enter selects, Esc closes.
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { findEntries, prepare, type SearchEntry } from '../logic/search';
 import './searchField.css';
@@ -6,23 +6,23 @@ import './searchField.css';
 interface Props<E extends SearchEntry> {
   label: string;
   placeholder: string;
-  /** Asked for when the field is entered, so that it costs nothing before. */
+  /** Entries, collected only when the field gets the focus. */
   entries: () => E[];
   choose: (entry: E) => void;
   id?: string;
   /** The list is part of the layout and always open, as in a dialog. */
-  still?: boolean;
+  inline?: boolean;
   kinds?: boolean;
-  /** Keys that lead to the field, shown at its end. */
+  /** Shortcut of the field, shown at its end. */
   keys?: string;
 }
 
 const kindNames: Record<SearchEntry['kind'], string> = { command: 'command', object: 'object', key: 'key', finding: 'finding', example: 'example' };
 const shownEntries = 40;
 
-export function SearchField<E extends SearchEntry>({ label, placeholder, entries, choose, id = 'find', still = false, kinds = true, keys: shortcut }: Props<E>) {
+export function SearchField<E extends SearchEntry>({ label, placeholder, entries, choose, id = 'find', inline = false, kinds = true, keys: shortcut }: Props<E>) {
   const [query, setQuery] = useState('');
-  const [open, setOpen] = useState(still);
+  const [open, setOpen] = useState(inline);
   const [chosen, setChosen] = useState(0);
   const input = useRef<HTMLInputElement>(null);
   const list = useRef<HTMLUListElement>(null);
@@ -31,17 +31,17 @@ export function SearchField<E extends SearchEntry>({ label, placeholder, entries
   useEffect(() => setChosen(0), [query, open]);
   useEffect(() => { list.current?.querySelector('[aria-selected=true]')?.scrollIntoView({ block: 'nearest' }); }, [chosen]);
 
-  const leave = (): void => { setQuery(''); if (!still) { setOpen(false); input.current?.blur(); } };
+  const leave = (): void => { setQuery(''); if (!inline) { setOpen(false); input.current?.blur(); } };
   const take = (entry: E | undefined): void => { if (!entry) return; leave(); choose(entry); };
   const keys = (event: KeyboardEvent): void => {
     const last = fits.length - 1;
     const next = { ArrowDown: Math.min(last, chosen + 1), ArrowUp: Math.max(0, chosen - 1), PageDown: Math.min(last, chosen + 8), PageUp: Math.max(0, chosen - 8) }[event.key];
     if (next !== undefined) { event.preventDefault(); setOpen(true); setChosen(next); }
     else if (event.key === 'Enter') { event.preventDefault(); take(fits[chosen]); }
-    else if (event.key === 'Escape' && !still) { event.preventDefault(); event.stopPropagation(); leave(); }
+    else if (event.key === 'Escape' && !inline) { event.preventDefault(); event.stopPropagation(); leave(); }
   };
   return (
-    <div class={`searchfield${still ? ' still' : ''}`} role="search">
+    <div class={`searchfield${inline ? ' still' : ''}`} role="search">
       <input
         ref={input}
         id={id}
@@ -56,7 +56,7 @@ export function SearchField<E extends SearchEntry>({ label, placeholder, entries
         spellcheck={false}
         value={query}
         onFocus={() => setOpen(true)}
-        onBlur={() => { if (!still) setOpen(false); }}
+        onBlur={() => { if (!inline) setOpen(false); }}
         onInput={(e) => { setOpen(true); setQuery(e.currentTarget.value); }}
         onKeyDown={keys}
       />
@@ -78,7 +78,7 @@ export function SearchField<E extends SearchEntry>({ label, placeholder, entries
               {kinds ? <i>{kindNames[entry.kind]}</i> : null}
             </li>
           ))}
-          {fits.length === 0 ? <li class="none">{query ? 'Nothing fits.' : 'Type a name.'}</li> : null}
+          {fits.length === 0 ? <li class="none">{query ? 'No matches.' : 'Type to search.'}</li> : null}
         </ul>
       ) : null}
     </div>

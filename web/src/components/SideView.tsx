@@ -1,4 +1,4 @@
-// The line in its plane as an engineer draws it: water, seabed, hull, ramp and stinger with their rollers, pipe.
+// Elevation of the line: water, seabed, hull, ramp and stinger with their rollers, pipe.
 import type { ComponentChildren, VNode } from 'preact';
 import { Chart } from './Chart';
 import { extent } from './chart/scale';
@@ -19,13 +19,13 @@ type Place = readonly [number, number];
 
 const toPixels = (frame: Frame, points: readonly Place[]): Place[] => points.map(([x, z]) => [frame.x(x), frame.y(z)]);
 
-/** Pixels per metre across and upwards; the axes may run either way. */
+/** Pixels per metre horizontally and vertically; the axes may run in either direction. */
 export const pixelsPerMetre = (frame: Frame): Place => [Math.abs(frame.x(1) - frame.x(0)), Math.abs(frame.y(1) - frame.y(0))];
 
 export const polygonIn = (frame: Frame, points: readonly Place[]): string => polygonPoints(toPixels(frame, points));
 
 /** Pipe axis in the elevation. */
-export const elevationOf = ({ stations }: LayData, indices: readonly number[]): Place[] => indices.map((i) => [stations.x[i]!, stations.z[i]!]);
+export const pipeElevation = ({ stations }: LayData, indices: readonly number[]): Place[] => indices.map((i) => [stations.x[i]!, stations.z[i]!]);
 
 interface SeaProps { frame: Frame; bed: readonly Place[]; hull: readonly Place[] }
 
@@ -44,7 +44,7 @@ export function Sea({ frame, bed, hull }: SeaProps): VNode {
   );
 }
 
-/** Those of a lay. */
+/** Surroundings of a lay. */
 export function Surroundings({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
   const [x0, x1] = frame.x.domain;
   const bed = seabedPlaces(lay, x0, x1).map((x): Place => [x, seabedHeight(lay, x)]);
@@ -82,7 +82,7 @@ function BottomRoller({ frame, roller }: { frame: Frame; roller: RollerData }): 
   );
 }
 
-/** A side roller is seen across its axis: in outline before the pipe, filled behind it. */
+/** A side roller, seen across its axis: an outline in front of the pipe, filled behind it. */
 function SideRoller({ frame, roller, front }: { frame: Frame; roller: RollerData; front: boolean }): VNode {
   const [x, z] = [roller.p[0] - roller.radius * roller.normal[0], roller.p[2] - roller.radius * roller.normal[2]];
   const [ax, az] = [roller.axis[0], roller.axis[2]];
@@ -114,11 +114,11 @@ export function Rollers({ frame, boxes, position }: { frame: Frame; boxes: Suppo
   );
 }
 
-/** The pipe with its true diameters, at the scale across. */
+/** The pipe with its true diameters, at the horizontal scale. */
 export function TruePipe({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
   const [across] = pixelsPerMetre(frame);
   const [diameter, steel] = [lay.pipe_outer_diameter * across, lay.steel_outer_diameter * across];
-  const d = linePath(toPixels(frame, elevationOf(lay, stationsUpTo(lay, wholeEnd(lay)))));
+  const d = linePath(toPixels(frame, pipeElevation(lay, stationsUpTo(lay, wholeEnd(lay)))));
   return (
     <g fill="none" stroke-linejoin="round">
       <path d={d} stroke="var(--outline, #3d4a56)" stroke-width={Math.max(diameter + 1.2, 2.6)} />
@@ -129,7 +129,7 @@ export function TruePipe({ frame, lay }: { frame: Frame; lay: LayData }): VNode 
   );
 }
 
-/** Height of the pipe's axis over the middle of a box: it need not rest there. */
+/** Height of the pipe axis above the centre of a box; the pipe may be clear of it. */
 export function pipeAbove({ stations: { x, z } }: LayData, box: SupportData): number {
   const i = x.findIndex((_, k) => k > 0 && (x[k - 1]! - box.p[0]) * (x[k]! - box.p[0]) <= 0);
   if (i < 0) return box.p[2];
@@ -141,7 +141,7 @@ export interface PlacedName { x: number; y: number; text: string }
 
 interface NamesProps { names: PlacedName[]; angle: number; anchor: 'start' | 'end'; css: string; size: number }
 
-/** Names that run aslant from points of their own, without those that would cover the one before. */
+/** Slanted names at separate points, without those that would cover the previous one. */
 export function NamesAt({ names, angle, anchor, css, size }: NamesProps): VNode {
   const turn = angle * Math.PI / 180;
   const shown: PlacedName[] = [];
@@ -181,7 +181,7 @@ function WaterName({ frame }: { frame: Frame }): VNode | null {
   return <text class="soft" text-anchor="end" x={frame.right - 6} y={frame.y(0) - 5} style={{ fontSize: '13px' }}>mean water level</text>;
 }
 
-/** Reaction, or without contact the separation, below each bottom roller of a box. */
+/** Reaction, or the separation if there is no contact, below each bottom roller of a box. */
 function Separations({ frame, box }: { frame: Frame; box: SupportData }): VNode {
   const units = useUnits();
   const rollers = box.rows.flatMap((row) => row.rollers.find((roller) => roller.position === 'bottom') ?? []);
@@ -206,13 +206,13 @@ export const elevationAxes = { x: { label: 'X, astern of the stern shoe', si: 'm
 interface SideViewProps {
   lay: LayData;
   title: string;
-  /** What must be seen. */
+  /** Extent that must be visible. */
   boxes: SupportData[];
-  /** Of what is shown beyond the boxes, and below and above the pipe there [m]. */
+  /** Margins beyond the boxes, and below and above the pipe [m]. */
   room: { before: number; after: number; below: number; above: number };
   maxHeight: number;
   legend?: LegendEntry[];
-  /** A box whose reactions and separations are written. */
+  /** Box for which reactions and separations are written. */
   detail?: SupportData;
 }
 

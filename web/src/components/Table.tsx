@@ -1,10 +1,10 @@
-// A table from its data. On a page its rows can be sorted and copied; a report has neither.
+// A table from its data. On the page its rows can be sorted and copied; in a report they cannot.
 import { useState } from 'preact/hooks';
 import type { Cell, Column, RowMark, TableData } from './document';
 import { download } from './download';
 import { cellText, nextOrder, rowOrder, tableCsv, tableText, type SortOrder } from './tableText';
 
-/** What a click on the name of a row does; `colour`: of a dot in front of the name. */
+/** Action of a click on the name of a row; `colour`: of a dot in front of the name. */
 export interface RowAction { act: () => void; title: string; chosen?: boolean; colour?: string }
 
 interface Props {
@@ -13,11 +13,11 @@ interface Props {
   sortable?: boolean;
   /** A button copies the table as tab-separated text. */
   copyable?: boolean;
-  /** Name of a CSV file without its ending: a button saves the table there. */
+  /** Name of a CSV file without extension: a button saves the table there. */
   file?: string;
-  /** By the text in the first cell of a row. */
+  /** Row actions by the text in the first cell. */
   rowAction?: (name: string) => RowAction | undefined;
-  /** Words where the pointer rests on a number. */
+  /** Tooltip of a number. */
   numberTitle?: (text: string, column: Column) => string;
 }
 
@@ -81,7 +81,7 @@ function Row({ cells, mark, of: { table, rowAction, numberTitle } }: RowProps) {
   );
 }
 
-/** Says beside itself that it has copied, until the pointer or the focus leaves it. */
+/** Shows "copied" until the pointer or the focus leaves the button. */
 function CopyButton({ text }: { text: () => string }) {
   const [state, setState] = useState('');
   const copy = () => navigator.clipboard.writeText(text()).then(() => setState('copied'), () => setState('not permitted by the browser'));

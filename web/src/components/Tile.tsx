@@ -1,7 +1,7 @@
 // Key figures in large print.
 import type { TileData } from './document';
 
-/** Letters in large print that find room in a tile. */
+/** Characters in large print that fit into a tile. */
 const room = 9;
 
 export function Tile({ tile }: { tile: TileData }) {

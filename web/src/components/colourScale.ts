@@ -1,7 +1,7 @@
-// The one colour scale: viridis (van der Walt and Smith 2015), of even steps in lightness, also for people who see no red
-// or no green, and in grey. Values above a limit leave it for reds.
+// The common colour scale: viridis (van der Walt and Smith 2015), uniform in lightness, suitable for colour-blind readers
+// and for grey print. Values above a limit are shown in reds.
 
-/** Values above a limit, outside of the colour scale. */
+/** Values above a limit, outside the colour scale. */
 export const aboveLimit = '#e0243c';
 
 export type Rgb = [number, number, number];
@@ -18,10 +18,10 @@ export function writeHex(rgb: Rgb): string {
   return `#${rgb.map((v) => Math.round(Math.min(255, Math.max(0, v))).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** From the least of what exceeds a limit to the most. */
+/** From the smallest to the largest value above a limit. */
 const above = ['#f0937c', '#d92b3a', '#8f0b26'];
 
-/** Colour at `share` of a list of colours, 0 to 1. */
+/** Colour at the fraction `share` of a list of colours, 0 to 1. */
 function mixed(list: readonly string[], share: number): string {
   const place = Math.min(1, Math.max(0, Number.isFinite(share) ? share : 0)) * (list.length - 1);
   const first = Math.min(list.length - 2, Math.floor(place));
@@ -42,7 +42,7 @@ export function shade(hex: string, factor: number): string {
   return writeHex(readHex(hex).map((v) => v * factor) as Rgb);
 }
 
-/** viridis from `low` to `top`, reds from there to `high`; without values above a limit, top and high are the same. */
+/** viridis from `low` to `top`, reds from there to `high`; if no value exceeds a limit, top and high are the same. */
 export interface ValueScale { low: number; top: number; high: number }
 
 /** Utilisations have a limit, other results have none. */
@@ -65,7 +65,7 @@ export function valueColour({ low, top, high }: ValueScale, value: number): stri
 const shares = (list: readonly string[]): Rgb[] => list.map((hex) => readHex(hex).map((v) => v / 255) as Rgb);
 const [anchorShares, aboveShares] = [shares(anchors), shares(above)];
 
-/** Colour at `share` of a list of colours, written into `out`; components from 0 to 1. */
+/** Colour at the fraction `share` of a list of colours, written into `out`; components from 0 to 1. */
 export function mixShares(list: readonly Rgb[], share: number, out: Rgb): Rgb {
   const place = Math.min(1, Math.max(0, Number.isFinite(share) ? share : 0)) * (list.length - 1);
   const first = Math.min(list.length - 2, Math.floor(place));
@@ -73,17 +73,17 @@ export function mixShares(list: readonly Rgb[], share: number, out: Rgb): Rgb {
   return out;
 }
 
-/** The colour of a value as three numbers from 0 to 1, written into `out` to spare garbage while a picture is drawn. */
+/** Colour of a value as three numbers from 0 to 1, written into `out` to avoid allocations while drawing. */
 export function valueShares({ low, top, high }: ValueScale, value: number, out: Rgb): Rgb {
   return value > top ? mixShares(aboveShares, shareBetween(top, high, value), out) : mixShares(anchorShares, shareBetween(low, top, value), out);
 }
 
-/** As the background of a legend, from left to right. */
+/** CSS background of a legend, from left to right. */
 export function gradientCss(scale: ValueScale): string {
   return `linear-gradient(to right, ${gradientStops(scale).map(({ offset, colour }) => `${colour} ${(100 * offset).toFixed(1)}%`).join(', ')})`;
 }
 
-/** Of marks on the colour of a value. */
+/** Colour of marks on the colour of a value. */
 export function markColour({ low, top, high }: ValueScale, value: number): string {
   const dark = value > top ? shareBetween(top, high, value) > 0.25 : shareBetween(low, top, value) < 0.55;
   return dark ? '#fff' : '#1b2733';

@@ -15,7 +15,7 @@ export const colours = {
   ink: '#1b2733',
 } as const;
 
-/** Of several curves of one kind: distinct with every kind of colour vision (Okabe and Ito 2008). */
+/** Colours of several curves of one kind: distinct for all kinds of colour vision (Okabe and Ito 2008). */
 export const curveColours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000'] as const;
 
 /** Dashes that distinguish curves in print. */

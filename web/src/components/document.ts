@@ -1,27 +1,27 @@
-// What a report is made of: the data that the program writes (src/overbend/report/page/blocks.h) and components draw.
+// Data of a report: written by the program (src/overbend/report/page/blocks.h), drawn by the components.
 
-/** A number in the unit of its column, words, a verdict, or nothing. */
+/** A number in the unit of its column, a text, a verdict, or nothing. */
 export type Cell = number | string | { verdict: 'passed' | 'reserved' | 'exceeded' | 'not judged'; text: string } | null;
 
 export interface Column {
   title: string;
   unit?: string;
-  /** Decimals shown; numbers have two more. Not of words. */
+  /** Decimals shown; exported numbers have two more. Not for texts. */
   digits?: number;
-  /** A column of words, set flush left. */
+  /** A column of texts, set flush left. */
   words?: boolean;
   /** Name of the quantity, in tables for the page. */
   key?: string;
-  /** What it is, in tables for the page. */
+  /** Description of the quantity, in tables for the page. */
   description?: string;
 }
 
-/** How a row stands out; "reserved" and "limit" on the page alone. */
+/** Emphasis of a row; "reserved" and "limit" on the page only. */
 export type RowMark = '' | 'over' | 'soft' | 'total' | 'loaded' | 'reserved' | 'limit';
 
 export interface TableData {
   title: string;
-  /** How it is set: "plain", "dense", "checks", "dense summary". */
+  /** Style: "plain", "dense", "checks", "dense summary". */
   look: string;
   columns: Column[];
   /** A head above the columns: title, number of columns. */
@@ -32,11 +32,11 @@ export interface TableData {
 
 export interface TileData { name: string; value: string; unit: string; note: string; over?: boolean }
 
-/** A formula of a calculation sheet with what stands beside it. */
+/** A line of a calculation sheet: formula, values and origin. */
 export interface SheetLine {
   symbol: string;
   meaning: string;
-  /** As an equation, in the program's notation: "sigma_eq = sqrt(sigma_l^2 + 3 tau^2)"; empty for an input. */
+  /** An equation in the program's notation: "sigma_eq = sqrt(sigma_l^2 + 3 tau^2)"; empty for an input. */
   formula: string;
   numbers: string;
   value: string;
@@ -70,25 +70,25 @@ export interface VerdictData { kind: 'passed' | 'reserved' | 'exceeded' | 'not j
 export interface Front {
   kind: string;
   title: string;
-  /** The box that a document carries; left out where the model fills none of it. */
+  /** Document control box; omitted if the model gives none of it. */
   control?: [string, string][];
   /** Names with values below the title. */
   entries: [string, string][];
   verdict?: VerdictData;
-  /** Bars of utilisation; without any only the note stands there. */
+  /** Bars of utilisation; if there are none, only the note is shown. */
   utilisation?: { heading: string; bars: Bar[]; note: string };
-  /** By severity. */
+  /** Findings by severity. */
   findings: FindingData[];
 }
 
 export interface ReportDocument {
   title: string;
-  /** What it is printed on: A4, or Letter where values are in US customary units. */
+  /** Paper size: A4, or Letter if values are in US customary units. */
   paper: 'A4' | 'letter';
   front: Front;
-  /** Sections, in their order. */
+  /** Sections in order. */
   body: BlockData[];
 }
 
-/** Units that people read, by the SI unit; "section": lengths of a cross-section and gaps. */
+/** Shown units by SI unit; "section": lengths of a cross-section and gaps. */
 export type ShownUnits = Record<string, { name: string; factor: number; more: number }>;

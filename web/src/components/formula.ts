@@ -1,4 +1,4 @@
-// A formula in the program's notation as pieces to be set: "sigma_eq = sqrt(sigma_l^2 + 3 tau^2)".
+// Splits a formula in the program's notation into typeset pieces: "sigma_eq = sqrt(sigma_l^2 + 3 tau^2)".
 
 export type Piece = { kind: 'text'; text: string } | { kind: 'index'; text: string } | { kind: 'power'; pieces: Piece[] };
 
@@ -29,13 +29,13 @@ function tokens(formula: string): Token[] {
   });
 }
 
-/** Whether two tokens in a row are factors of a product; a function and its bracket are none. */
+/** True if two consecutive tokens are factors of a product; a function and its bracket are not. */
 function multiplies(left: Token, right: Token): boolean {
   const ends = left.kind === 'number' || left.kind === 'close' || (left.kind === 'name' && !functions.has(left.text));
   return ends && right.kind !== 'close' && right.kind !== 'sign';
 }
 
-/** A sign between two terms has room; that before a number or after a bracket stands close. */
+/** A binary sign has space around it; a sign before a number or after a bracket has none. */
 function sign(text: string, before: Token | undefined): string {
   if (text === ',') return ', ';
   if (text === '/' || text === '^') return text;
@@ -51,7 +51,7 @@ function symbol(name: string): Piece[] {
   return [{ kind: 'text', text: greek(name.slice(0, cut)) }, { kind: 'index', text: greek(name.slice(cut + 1)) }];
 }
 
-/** Texts in a row as one. */
+/** Merges consecutive texts. */
 function joined(pieces: Piece[]): Piece[] {
   const out: Piece[] = [];
   for (const piece of pieces) {

@@ -1,4 +1,4 @@
-// Which of several things stands out: the one under the pointer, else the chosen one.
+// The highlighted item of a list: the one under the pointer, otherwise the selected one.
 import { useEffect, useState } from 'preact/hooks';
 
 export class Highlight {
@@ -16,7 +16,7 @@ export class Highlight {
     this.listeners.forEach((listener) => listener());
   }
 
-  /** Chooses one, or none where it was chosen before. */
+  /** Selects an item; selecting it again clears the selection. */
   choose(index: number): void {
     this.chosen = this.chosen === index ? null : index;
     this.pointed = null;
@@ -29,7 +29,7 @@ export class Highlight {
   }
 }
 
-/** What stands out now; the component is drawn again when that changes. */
+/** The highlighted item; the component is drawn again when it changes. */
 export function useHighlighted(highlight: Highlight): number | null {
   const [current, setCurrent] = useState(highlight.current);
   useEffect(() => highlight.listen(() => setCurrent(highlight.current)), [highlight]);

@@ -1,13 +1,13 @@
-// Axes of keys that vary, and ranges of the results over them.
+// Axes of varied keys, and ranges of the results over them.
 import { tidy } from '../logic/units';
 import { extent } from './chart/scale';
 import type { Axis } from './chart/types';
 import { shortened } from './units';
 
-/** `words`: values of the key; `values`: the same as numbers, where they are such. */
+/** `words`: values of the key as text; `values`: the same as numbers, if they are numeric. */
 export interface KeyAxis { name: string; words: string[]; values: (number | null)[] }
 
-/** The range of values with a part of it added on both sides, but not across zero. */
+/** The range of values, extended on both sides but not across zero. */
 export function roomAround(values: readonly number[], part: number): [number, number] {
   const [low, high] = extent(values);
   if (low === 0 && high === 0) return [0, 1];
@@ -15,26 +15,26 @@ export function roomAround(values: readonly number[], part: number): [number, nu
   return [low >= 0 ? Math.max(0, low - room) : low - room, high <= 0 ? Math.min(0, high + room) : high + room];
 }
 
-/** The range of values; a single one stands in the middle. */
+/** The range of values; a single value is centred. */
 export function wholeRange(values: readonly number[]): [number, number] {
   const [low, high] = extent(values);
   return low === high ? [low - 0.5, high + 0.5] : [low, high];
 }
 
-/** Values of an axis where all are numbers, otherwise its places in the list. */
-export function axisPlaces(axis: KeyAxis): { places: number[]; words: string[]; numeric: boolean } {
+/** Numeric values of an axis, otherwise the positions in its list. */
+export function axisPlaces(axis: KeyAxis): { places: number[]; labels: string[]; numeric: boolean } {
   const numeric = axis.values.length === axis.words.length && axis.values.every((value) => value !== null);
-  if (!numeric) return { places: axis.words.map((_, i) => i), words: axis.words, numeric };
+  if (!numeric) return { places: axis.words.map((_, i) => i), labels: axis.words, numeric };
   const places = axis.values as number[];
-  return { places, words: places.map((value) => tidy(value, 6)), numeric };
+  return { places, labels: places.map((value) => tidy(value, 6)), numeric };
 }
 
-/** Axis of a chart, of names where the values are words. */
+/** Axis of a chart, with names if the values are texts. */
 export function keyAxis(axis: KeyAxis): Axis {
-  const { places, words, numeric } = axisPlaces(axis);
+  const { places, labels, numeric } = axisPlaces(axis);
   if (numeric) return { range: wholeRange(places), label: axis.name };
-  return { range: [-0.3, places.length - 0.7], label: axis.name, names: places.map((value, i) => ({ value, text: shortened(words[i]!) })) };
+  return { range: [-0.3, places.length - 0.7], label: axis.name, names: places.map((value, i) => ({ value, text: shortened(labels[i]!) })) };
 }
 
-/** The end of a long name: paths differ there. */
+/** The end of a long name, where paths differ. */
 export const nameEnd = (name: string, length: number): string => (name.length > length ? `\u2026${name.slice(1 - length)}` : name);

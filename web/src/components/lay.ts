@@ -1,8 +1,8 @@
-// The lay as figures need it: stations, boxes, hull and seabed in ship axes (astern, port, up), with heights above the water.
+// The lay for figures: stations, boxes, hull and seabed in ship axes (astern, port, up), with heights above the water.
 import { interpolate } from './chart/scale';
 import type { Vector } from './painter';
 
-/** Columns from the tensioner to the anchor, in SI; `s` is the distance along the pipe from the tensioner. */
+/** Columns from the tensioner to the anchor, in SI; `s` is the arc length from the tensioner. */
 export type Stations = Record<string, number[]> & Record<'s' | 'x' | 'y' | 'z' | 'von_mises' | 'yield_stress', number[]>;
 
 export type Position = 'bottom' | 'port' | 'starboard';
@@ -16,7 +16,7 @@ export interface RollerData {
   face: number;
   reaction: number;
   separation: number;
-  /** The pipe has left it over its end. */
+  /** The pipe has left it beyond its end. */
   passed: boolean;
 }
 
@@ -51,29 +51,29 @@ export interface LayData {
   water_depth: number;
   pipe_outer_diameter: number;
   steel_outer_diameter: number;
-  /** Of an uneven seabed. */
+  /** Profile of an uneven seabed. */
   bed?: { heights: { x: number; z: number }[]; spans: { s_to: number; largest_gap: number }[] };
 }
 
-/** To a little beyond the last box, so that the pipe is seen leaving. */
+/** End slightly beyond the last box, so that the pipe is seen leaving it. */
 export function overbendEnd({ stations, supports }: LayData): number {
   const reach = Math.max(...supports.map((box) => box.s + box.length / 2));
   return Math.min(stations.s.at(-1)!, reach + Math.max(5, 0.12 * reach));
 }
 
-/** The pipe laid on the seabed is the same all along: enough of it to see that, and its free spans. */
+/** End of the shown part of the laid pipe, with its free spans; beyond it nothing changes. */
 export function wholeEnd({ stations, touchdown, bed }: LayData): number {
   const last = (bed?.spans ?? []).filter((span) => span.largest_gap > 0.05).at(-1);
   const spanned = last ? last.s_to + 20 - touchdown.s : 0;
   return Math.min(stations.s.at(-1)!, touchdown.s + Math.max(30, 0.15 * touchdown.s, spanned));
 }
 
-/** Numbers of the stations down to a distance along the pipe. */
+/** Number of stations up to an arc length. */
 export function stationsUpTo({ stations }: LayData, end: number): number[] {
   return [...stations.s.keys()].filter((i) => stations.s[i]! <= end + 1e-9);
 }
 
-/** Linear between stations. */
+/** Linear interpolation between stations. */
 export const stationValue = ({ stations }: LayData, column: string, s: number): number => interpolate(stations.s, stations[column]!, s);
 
 export const stationPoint = ({ stations }: LayData, i: number): Vector => [stations.x[i]!, stations.y[i]!, stations.z[i]!];
@@ -90,12 +90,12 @@ export function hullCorner({ vessel }: LayData, along: number, across: number, u
 /** Heights of keel and deck above the water at midship. */
 export const hullHeights = ({ vessel }: LayData): [number, number] => [-vessel.draught, vessel.depth - vessel.draught];
 
-/** Places between two where the height of the seabed is known, and these two. */
+/** The two limits, and the known seabed points between them. */
 export function seabedPlaces({ bed }: LayData, x0: number, x1: number): number[] {
   return [x0, ...(bed?.heights ?? []).map((height) => height.x).filter((x) => x > x0 && x < x1), x1];
 }
 
-/** Height of an uneven seabed between the known ones, else of the plane below the stern shoe and under touchdown. */
+/** Seabed height: interpolated on an uneven seabed, otherwise the plane through stern shoe and touchdown. */
 export function seabedHeight(lay: LayData, x: number): number {
   if (lay.bed) {
     const { heights } = lay.bed;
@@ -112,7 +112,7 @@ export function belowBox(box: SupportData, along: number, down: number): Vector 
   return [box.p[0] + along * c - down * s, box.p[1], box.p[2] - along * s - down * c];
 }
 
-/** Boxes of the ramp and of the stinger, each where there are any. */
+/** Boxes of the ramp and of the stinger, if there are any. */
 export function structures(boxes: SupportData[]): SupportData[][] {
   return [boxes.filter((box) => !box.stinger), boxes.filter((box) => box.stinger)].filter((list) => list.length > 0);
 }

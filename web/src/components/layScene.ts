@@ -1,4 +1,4 @@
-// What stands in the three-dimensional pictures of a lay: sea, vessel, ramp, stinger, rollers, pipe.
+// Contents of the three-dimensional pictures of a lay: sea, vessel, ramp, stinger, rollers, pipe.
 import { aboveLimit, paperScale } from './colourScale';
 import { Camera, Painter, add, cross, dot, scale, toPicture, unit, type Look, type Vector } from './painter';
 import {
@@ -13,7 +13,7 @@ const layers = { bed: 0, under: 1, water: 2, behind: 3, things: 4, before: 5 };
 
 export const rollerColours = { contact: '#e8741a', noContact: '#aab4bd' };
 
-/** The largest von Mises stress of the colour scale [Pa]: up to the yield stress. */
+/** Maximum of the colour scale of von Mises stress [Pa], up to the yield stress. */
 export function largestOfScale({ stations }: LayData): number {
   return Math.max(...stations.von_mises.map((stress, i) => Math.min(stress, stations.yield_stress[i]! || stress)));
 }
@@ -54,7 +54,7 @@ const boxFaces: Vector[][] = ([0, 1, 2] as const).flatMap((axis) => [-1, 1].map(
     return corner as unknown as Vector;
   })));
 
-/** A translucent box between two heights of the hull: faces turned away first, faces towards the eye last. */
+/** A translucent box between two heights of the hull: rear faces first, front faces last. */
 function addHull(painter: Painter, lay: LayData, [low, high]: [number, number], [back, front]: [number, number], opacity: number): void {
   const middle = add(toPicture(lay.vessel.origin), [0, 0, (low + high) / 2]);
   for (const face of boxFaces) {
@@ -67,11 +67,11 @@ function addHull(painter: Painter, lay: LayData, [low, high]: [number, number], 
   }
 }
 
-/** A line below the boxes, to one side. */
+/** A line below the boxes, on one side. */
 const chordBelow = (boxes: SupportData[], across: number, down: number): Vector[] =>
   boxes.flatMap((box) => [-0.5, 0.5].map((k) => toPicture(add(belowBox(box, k * box.length, down), [0, across, 0]))));
 
-/** Schematic chords and posts under the boxes of ramp and stinger. */
+/** Schematic chords and posts below the boxes of ramp and stinger. */
 function addStructure(painter: Painter, width: number, shown: SupportData[]): void {
   const thick: Look = { stroke: '#76838f', 'stroke-width': width, 'stroke-linecap': 'round' };
   const thin: Look = { stroke: '#97a3ad', 'stroke-width': 0.65 * width };
@@ -94,7 +94,7 @@ function addStructure(painter: Painter, width: number, shown: SupportData[]): vo
 
 type Pair = [Vector, Vector];
 
-/** Two unit vectors across an axis. */
+/** Two unit vectors perpendicular to an axis. */
 function acrossAxis(axis: Vector): Pair {
   const a = unit(cross(Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0], axis));
   return [a, cross(axis, a)];
@@ -130,9 +130,9 @@ function addRoller(painter: Painter, layer: number, roller: RollerData): void {
   painter.addShaded(layer, second, axis, colour);
 }
 
-const rollersOf = (boxes: SupportData[]): RollerData[] => boxes.flatMap((box) => box.rows.flatMap((row) => row.rollers));
+const allRollers = (boxes: SupportData[]): RollerData[] => boxes.flatMap((box) => box.rows.flatMap((row) => row.rollers));
 
-/** The pipe as a body, coloured by stress, in short pieces so that the order of painting stays right. */
+/** The pipe as a solid coloured by stress, in short pieces so that the painting order is correct. */
 function addPipeBody(painter: Painter, lay: LayData, from: number, to: number, colour: StressColour): void {
   const step = 0.5; // m
   for (let s = from + step; s < to; s += step) {
@@ -171,7 +171,7 @@ export function wholeScene(lay: LayData, camera: Camera): SceneContent {
     const layer = boxes[0]!.stinger ? layers.under : layers.things;
     for (const side of [-0.8, 0.8]) painter.addLine(layer, chordBelow(boxes, side, 0.4), { stroke: '#55636f', 'stroke-width': 1.6 });
   }
-  for (const roller of rollersOf(supports)) addRoller(painter, roller.p[2] < 0 ? layers.under : layers.things, roller);
+  for (const roller of allRollers(supports)) addRoller(painter, roller.p[2] < 0 ? layers.under : layers.things, roller);
   addPipeLine(painter, lay, indices, stressColour(lay));
   const high = toPicture(hullCorner(lay, 1, 0, 1, 0, deck));
   painter.addLabel(toPicture(lay.touchdown.p), 'touchdown', 0, -36);
@@ -182,7 +182,7 @@ export function wholeScene(lay: LayData, camera: Camera): SceneContent {
   return { painter, fit: [...corners, toPicture(hullCorner(lay, 1, 1, 1, 0, deck))] };
 }
 
-/** Boxes with every roller and the pipe over them; `before`, `after`: of the pipe beyond the boxes [m]. */
+/** Boxes with all rollers and the pipe; `before`, `after`: pipe beyond the boxes [m]. */
 export function boxesScene(lay: LayData, camera: Camera, boxes: SupportData[], before: number, after: number): SceneContent {
   const painter = new Painter(camera);
   const all = boxes.length === lay.supports.length;
@@ -190,7 +190,7 @@ export function boxesScene(lay: LayData, camera: Camera, boxes: SupportData[], b
   const to = Math.min(wholeEnd(lay), Math.max(...boxes.map((box) => box.s + box.length / 2)) + after);
   if (all) addHull(painter, lay, hullHeights(lay), [layers.behind, layers.before], 0.1);
   addStructure(painter, all ? 1.1 : 1.8, boxes);
-  for (const roller of rollersOf(boxes)) addRoller(painter, layers.things, roller);
+  for (const roller of allRollers(boxes)) addRoller(painter, layers.things, roller);
   addPipeBody(painter, lay, from, to, stressColour(lay));
   for (const box of boxes) painter.addLabel(toPicture(box.p), box.name, -12, 44, 'end', true);
   const fit = boxes.flatMap((box) => [add(box.p, [-box.length / 2, 1.5, -1]), add(box.p, [box.length / 2, -1.5, 1.5])]);

@@ -1,9 +1,9 @@
-// A vessel on mooring lines as figures need it, in world axes: x east, y north, z above the water.
+// A moored vessel for figures, in world axes: x east, y north, z above the water.
 import type { Vector } from './painter';
 
 export interface MooringLineData {
   name: string;
-  /** At the fairlead. */
+  /** Tension at the fairlead. */
   tension: number;
   slack: boolean;
   parted: boolean;
@@ -49,7 +49,7 @@ export const flat = (p: Vector): Place => [p[0], p[1]];
 
 export const distance = (a: Vector, b: Vector): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
-/** Offset of the hull ahead and to port, in the world. */
+/** Offset of the hull ahead and to port, in world axes. */
 export function offsetInWorld({ heading }: MooringSpread, ahead: number, port: number): Place {
   const [s, c] = [Math.sin(heading), Math.cos(heading)];
   return [ahead * s - port * c, ahead * c + port * s];
@@ -64,13 +64,13 @@ export function hullOutline(spread: MooringSpread, state: MooredState): Place[] 
   return corners.map(([x, y]) => [east + x * Math.cos(turn) - y * Math.sin(turn), north + x * Math.sin(turn) + y * Math.cos(turn)]);
 }
 
-/** The part that hangs, from the fairlead, and the part from touchdown on. */
-export function hangingAndLaid(line: MooringLineData): [Vector[], Vector[]] {
+/** Suspended part, from the fairlead, and laid part, from touchdown on. */
+export function suspendedAndLaid(line: MooringLineData): [Vector[], Vector[]] {
   const touch = line.shape.findIndex((p) => distance(p, line.fairlead) >= line.touchdown - 0.5);
   return touch < 0 || line.on_bed <= 0 ? [line.shape, []] : [line.shape.slice(0, touch + 1), line.shape.slice(touch)];
 }
 
-/** Lines whose profiles are the same to the width of a stroke. */
+/** Groups of lines whose profiles coincide within the stroke width. */
 export function groupAlike(lines: MooringLineData[]): MooringLineData[][] {
   const reach = (line: MooringLineData): number => distance(line.anchor, line.fairlead);
   const groups: MooringLineData[][] = [];
@@ -81,4 +81,4 @@ export function groupAlike(lines: MooringLineData[]): MooringLineData[][] {
   return groups;
 }
 
-export const lineColours = { hanging: '#00785a', laid: '#8fcbb6', slack: '#c77700', parted: '#b3261e' };
+export const lineColours = { suspended: '#00785a', laid: '#8fcbb6', slack: '#c77700', parted: '#b3261e' };

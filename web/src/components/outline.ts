@@ -1,4 +1,4 @@
-// What a report contains, for its contents and the numbers of its figures.
+// Sections of a report for its contents, and numbers of its figures.
 import type { BlockData } from './document';
 
 type Section = Extract<BlockData, { kind: 'section' }>;
@@ -11,12 +11,12 @@ function* inOrder(blocks: BlockData[]): Generator<BlockData> {
   }
 }
 
-/** Sections in their order, those within others too. */
+/** Sections in order, including nested ones. */
 export function sections(blocks: BlockData[]): Section[] {
   return [...inOrder(blocks)].filter((block) => block.kind === 'section');
 }
 
-/** Numbers of the figures, counted over the whole page. */
+/** Figure numbers, counted over the whole page. */
 export function figureNumbers(blocks: BlockData[]): Map<FigureBlock, number> {
   const figures = [...inOrder(blocks)].filter((block) => block.kind === 'figure');
   return new Map(figures.map((figure, i) => [figure, i + 1]));

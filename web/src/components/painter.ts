@@ -25,7 +25,7 @@ export class Camera {
     this.up = cross(this.towardsEye, this.right);
   }
 
-  /** To the right, downwards, and towards the eye. */
+  /** Components to the right, downwards, and towards the eye. */
   project(p: Vector): Vector {
     return [dot(this.right, p), -dot(this.up, p), dot(this.towardsEye, p)];
   }
@@ -49,7 +49,7 @@ export interface Label {
   dx: number;
   dy: number;
   anchor: 'start' | 'middle' | 'end';
-  /** It may be moved along its leader, or be left out, where it would cover another. */
+  /** It may be moved along its leader, or left out, to avoid overlaps. */
   movable: boolean;
 }
 
@@ -62,7 +62,7 @@ export class Painter {
     this.light = unit(add(add(scale(camera.right, 0.25), camera.up, 0.6), camera.towardsEye));
   }
 
-  /** `nearer`: brings it forward within its layer [m]. */
+  /** `nearer`: moves it forward within its layer [m]. */
   addFace(layer: number, points: Vector[], look: Look, nearer = 0): void {
     this.addPiece(layer, points, look, true, nearer);
   }
@@ -71,7 +71,7 @@ export class Painter {
     this.addPiece(layer, points, { fill: 'none', ...look }, false, nearer);
   }
 
-  /** A face of a round body: only if it looks at the eye, brighter towards the light. */
+  /** A face of a solid: drawn only if it faces the eye, brighter towards the light. */
   addShaded(layer: number, points: Vector[], normal: Vector, colour: string): void {
     if (dot(normal, this.camera.towardsEye) <= 0) return;
     const shaded = shade(colour, 0.45 + 0.65 * Math.max(0, dot(normal, this.light)));
@@ -82,7 +82,7 @@ export class Painter {
     this.labels.push({ seen: this.camera.project(point), text, dx, dy, anchor, movable });
   }
 
-  /** In the order of painting. */
+  /** In painting order. */
   sortedPieces(): Piece[] {
     return this.pieces.sort((a, b) => a.layer - b.layer || a.depth - b.depth);
   }
@@ -94,12 +94,12 @@ export class Painter {
   }
 }
 
-/** Where projected points lie in a picture [px]. */
+/** Position of projected points in a picture [px]. */
 export type Place = (seen: Vector) => [number, number];
 
 export interface Room { left: number; right: number; top: number; bottom: number }
 
-/** Scales what must be seen into the room within the margins, in the middle. */
+/** Scales the visible extent to the room within the margins, centred. */
 export function fitInto(seen: Vector[], width: number, height: number, margin: Room): Place {
   const [x0, x1] = [Math.min(...seen.map((p) => p[0])), Math.max(...seen.map((p) => p[0]))];
   const [y0, y1] = [Math.min(...seen.map((p) => p[1])), Math.max(...seen.map((p) => p[1]))];
@@ -117,7 +117,7 @@ interface Box { x0: number; x1: number; y0: number; y1: number }
 
 const overlap = (a: Box, b: Box): boolean => a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
 
-/** Labels without those that find no room. Moved ones stay above `lowest`, where the colour scale stands. */
+/** Labels that fit. Moved labels stay above `lowest`, the position of the colour scale. */
 export function placeLabels(labels: Label[], place: Place, width: (text: string) => number, lowest: number): PlacedLabel[] {
   const taken: Box[] = [];
   const placed: PlacedLabel[] = [];
@@ -129,7 +129,7 @@ export function placeLabels(labels: Label[], place: Place, width: (text: string)
       const dy = label.dy + 17 * step * Math.sign(label.dy);
       const box = { x0: left - 2, x1: left + wide + 2, y0: y + dy - 8, y1: y + dy + 7 };
       if (step > 0 && box.y1 > lowest) break;
-      if (label.movable && taken.some((other) => overlap(box, other))) continue;
+      if (label.movable && taken.some((occupied) => overlap(box, occupied))) continue;
       taken.push(box);
       placed.push({ label, x, y, dy });
       break;

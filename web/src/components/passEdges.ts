@@ -1,8 +1,8 @@
-// Where in a map of cells passing ends.
+// Boundary of the passing cells in a map.
 
 type Cell = { state: string } | null | undefined;
 
-/** Edges between a cell that passes and a neighbour that does not: their corner (column, row) and which way they run. */
+/** Edges between a passing cell and a neighbour that does not pass: corner (column, row) and direction. */
 export function passEdges(cells: readonly (readonly Cell[])[]): [i: number, j: number, right: 0 | 1, up: 0 | 1][] {
   const edges: [number, number, 0 | 1, 0 | 1][] = [];
   const differ = (a: Cell, b: Cell): boolean => Boolean(a && b) && (a!.state === 'passed') !== (b!.state === 'passed');

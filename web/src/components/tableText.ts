@@ -1,11 +1,11 @@
-// Texts and orders of tables, apart from how they are drawn.
+// Texts and sort orders of tables, independent of their drawing.
 import type { Cell, Column, TableData } from './document';
 import { fixed } from './units';
 
-/** Order of rows by a column; null as they came. */
+/** Sort order by a column; null for the original order. */
 export interface SortOrder { column: number; descending: boolean }
 
-/** A cell as it is read; numbers with the decimals of their column. */
+/** Text of a cell; numbers with the decimals of their column. */
 export function cellText(cell: Cell | undefined, column: Column | undefined): string {
   if (cell === null || cell === undefined) return '';
   if (typeof cell === 'number') return fixed(cell, column?.digits ?? 3);
@@ -17,15 +17,15 @@ export function titleWithUnit(column: Column): string {
   return column.unit ? `${column.title} [${column.unit}]` : column.title;
 }
 
-/** Largest first, smallest first, as they came; words from A first. */
-export function nextOrder(order: SortOrder | null, column: number, words = false): SortOrder | null {
-  if (order?.column !== column) return { column, descending: !words };
-  return order.descending === words ? null : { column, descending: words };
+/** Largest first, smallest first, original order; texts from A first. */
+export function nextOrder(order: SortOrder | null, column: number, isText = false): SortOrder | null {
+  if (order?.column !== column) return { column, descending: !isText };
+  return order.descending === isText ? null : { column, descending: isText };
 }
 
 const isEmpty = (cell: Cell | undefined): boolean => ['', '-'].includes(cellText(cell, undefined));
 
-/** Of some columns the numbers are texts. */
+/** Some columns give their numbers as texts. */
 const numberIn = (cell: Cell | undefined): number => (typeof cell === 'number' ? cell : Number(cellText(cell, undefined)));
 
 function compared(a: Cell | undefined, b: Cell | undefined): number {
@@ -44,13 +44,13 @@ export function rowOrder(table: TableData, order: SortOrder | null): number[] {
   return indices.sort((a, b) => rank(a) - rank(b) || (rank(a) === 0 ? direction * compared(cell(a), cell(b)) : a - b));
 }
 
-/** The column's title with that of its group in front: "Tension: hold [kN]". */
+/** Title of the column with its group in front: "Tension: hold [kN]". */
 export function fullTitles(table: TableData): string[] {
   const groups = (table.groups ?? []).flatMap(([title, span]) => Array<string>(span).fill(title));
   return table.columns.map((column, i) => (groups[i] ? `${groups[i]}: ` : '') + titleWithUnit(column));
 }
 
-/** Tab-separated text, as a spreadsheet takes it. */
+/** Tab-separated text for a spreadsheet. */
 export function tableText(table: TableData, order: SortOrder | null = null): string {
   const flat = (text: string): string => text.replace(/\s+/g, ' ');
   const rows = rowOrder(table, order).map((row) => table.columns.map((column, i) => cellText(table.rows[row]![i], column)));
@@ -62,7 +62,7 @@ const quoted = (text: string): string => (/[",\r\n]/.test(text) ? `"${text.repla
 /** Comma-separated values as in RFC 4180. */
 export const csvText = (rows: (string | number)[][]): string => rows.map((cells) => `${cells.map((cell) => quoted(String(cell))).join(',')}\r\n`).join('');
 
-/** The same of a table, with all decimals that its numbers have. */
+/** Comma-separated values of a table, with all decimals of its numbers. */
 export function tableCsv(table: TableData, order: SortOrder | null = null): string {
   const text = (cell: Cell | undefined): string | number => (typeof cell === 'number' ? cell : cellText(cell, undefined));
   const rows = rowOrder(table, order).map((row) => table.columns.map((_column, i) => text(table.rows[row]![i])));

@@ -1,4 +1,4 @@
-// A workbook (.xlsx) of plain tables, made in the page: sheets with a bold, frozen head; numbers stay numbers.
+// A workbook (.xlsx) of plain tables, written by the page: sheets with a bold, frozen head; numbers stay numbers.
 import type { Cell, TableData } from './document';
 import { fullTitles } from './tableText';
 
@@ -22,7 +22,7 @@ function cellXml(value: string | number | null, row: number, column: number): st
   return `<c ${place} t="inlineStr"><is><t xml:space="preserve">${escapeXml(value)}</t></is></c>`;
 }
 
-/** Wide enough for its longest text, within reason. */
+/** Column width for its longest text, within limits. */
 function widths(rows: Sheet['rows']): string {
   const count = Math.max(...rows.map((row) => row.length), 1);
   const wide = (column: number): number => Math.min(48, Math.max(9, ...rows.map((row) => String(row[column] ?? '').length + 2)));
@@ -46,7 +46,7 @@ const kStyles = `${kXml}<styleSheet xmlns="${kMain}"><fonts count="2"><font><sz 
   + '<borders count="1"><border><left/><right/><top/><bottom/><diagonal/></border></borders><cellStyleXfs count="1"><xf/></cellStyleXfs>'
   + '<cellXfs count="2"><xf/><xf fontId="1" applyFont="1"/></cellXfs></styleSheet>';
 
-/** Names of sheets: at most 31 letters, none of []:*?/\, each once. */
+/** Sheet names: at most 31 characters, none of []:*?/\, unique. */
 function sheetNames(sheets: readonly Sheet[]): string[] {
   const names: string[] = [];
   for (const { name } of sheets) {
@@ -86,18 +86,18 @@ export function crc32(bytes: Uint8Array): number {
   return (c ^ 0xffffffff) >>> 0;
 }
 
-/** Values of two (positive) and four (negative) bytes, the low byte first. */
+/** Two (positive) and four (negative) bytes of values, low byte first. */
 function record(...values: [number, 2 | 4][]): Uint8Array {
   const out = new DataView(new ArrayBuffer(values.reduce((sum, [, size]) => sum + size, 0)));
-  let at = 0;
+  let offset = 0;
   for (const [value, size] of values) {
-    if (size === 2) out.setUint16(at, value, true); else out.setUint32(at, value, true);
-    at += size;
+    if (size === 2) out.setUint16(offset, value, true); else out.setUint32(offset, value, true);
+    offset += size;
   }
   return new Uint8Array(out.buffer);
 }
 
-/** 1 January 1980, the earliest date of the format: files do not differ by when they were made. */
+/** 1 January 1980, the earliest date of the format: files do not depend on the time of writing. */
 const kDate = 0x0021;
 const kUtf8 = 0x0800;
 
@@ -113,8 +113,8 @@ export function zip(files: readonly [string, string][]): Uint8Array {
   }
   const end = record([0x06054b50, 4], [0, 2], [0, 2], [files.length, 2], [files.length, 2], [length(directory), 4], [length(body), 4], [0, 2]);
   const all = [...body, ...directory, end], out = new Uint8Array(length(all));
-  let at = 0;
-  for (const part of all) { out.set(part, at); at += part.length; }
+  let offset = 0;
+  for (const part of all) { out.set(part, offset); offset += part.length; }
   return out;
 }
 
@@ -125,6 +125,6 @@ export const workbook = (sheets: readonly Sheet[]): Blob =>
 
 const plainCell = (cell: Cell): string | number | null => (typeof cell === 'object' && cell !== null ? cell.text : cell);
 
-/** A table as a sheet, its title as the name. */
-export const sheetOf = (table: TableData, name = table.title): Sheet => (
+/** A table as a sheet, named by its title. */
+export const makeSheet = (table: TableData, name = table.title): Sheet => (
   { name, rows: [fullTitles(table), ...table.rows.map((row) => row.map(plainCell))] });

@@ -1,7 +1,7 @@
-// Height of the seabed at a place, as it is drawn.
+// Height of the seabed at a position, as drawn.
 import type { BedShape, Scene } from '../api/types';
 
-/** The interval of rising knots that holds `value`, and how far in it; at the ends beyond them. */
+/** Interval of ascending knots that contains `value`, and the fraction within it; clamped at the ends. */
 function interval(knots: number[], value: number): [number, number] {
   let i = 0;
   while (i + 2 < knots.length && knots[i + 1]! < value) ++i;
@@ -16,11 +16,11 @@ function onShape(shape: BedShape, x: number, y: number): number {
     return shape.z[i]! * (1 - part) + shape.z[i + 1]! * part;
   }
   const [i, u] = interval(shape.x, x), [j, v] = interval(shape.y, y);
-  const at = (row: number, column: number): number => shape.z[row * shape.x.length + column]!;
-  return (at(j, i) * (1 - u) + at(j, i + 1) * u) * (1 - v) + (at(j + 1, i) * (1 - u) + at(j + 1, i + 1) * u) * v;
+  const heightAt = (row: number, column: number): number => shape.z[row * shape.x.length + column]!;
+  return (heightAt(j, i) * (1 - u) + heightAt(j, i + 1) * u) * (1 - v) + (heightAt(j + 1, i) * (1 - u) + heightAt(j + 1, i + 1) * u) * v;
 }
 
-/** World height of the seabed under a place in plan [m]. */
+/** World height of the seabed below a position in plan [m]. */
 export function bedHeight(bed: Scene['seabed'], x: number, y: number): number {
   if (bed.shape) return onShape(bed.shape, x, y);
   const n = bed.normal, p = bed.point;

@@ -1,4 +1,4 @@
-// The cable of a stage: tension along it, and its numbers.
+// The cable of a stage: tension along it, and its results.
 import type { ChartData } from '../charts/data';
 import type { Check, Lay, LineParts } from '../api/types';
 import { display } from './show';
@@ -7,13 +7,13 @@ export interface CableState {
   /** Arc lengths from the tensioner or winch and tensions there, SI. */
   s: number[]; tension: number[];
   length: number; largest: number; least: number;
-  /** Tension at the ends: first the one nearer to the vessel. */
+  /** Tension at the ends: first the end nearer to the vessel. */
   near: number; far: number;
-  /** Length of it that lies on the seabed, by height. */
+  /** Length on the seabed, determined by height. */
   onBed: number;
 }
 
-/** `bed`: height of the seabed at a place; null without a cable in the line. */
+/** `bed`: height of the seabed at a position; null if there is no cable in the line. */
 export function cableState(lay: Lay, parts: LineParts | null, bed: (x: number, y: number) => number): CableState | null {
   if (!parts) return null;
   const { s, x, y, z, effective_tension: tension } = lay.pipe;
@@ -26,7 +26,7 @@ export function cableState(lay: Lay, parts: LineParts | null, bed: (x: number, y
   return { s: places, tension: values, length: places.at(-1)! - places[0]!, largest: Math.max(...values), least: Math.min(...values), near: values[0]!, far: values.at(-1)!, onBed };
 }
 
-/** The check of its breaking load, where it is made. */
+/** The check of its breaking load, if there is one. */
 export const cableCheck = (checks: readonly Check[]): Check | null => checks.find((check) => check.id === 'cable_load') ?? null;
 
 export function cableChart(cable: CableState, breakingLoad: number | null, check: Check | null): ChartData {

@@ -1,4 +1,4 @@
-// Code checks in the order in which they matter.
+// Code checks in order of importance.
 import type { Check, SheetLine } from '../api/types';
 import type { SheetLine as DrawnLine } from '../components/document';
 import { display } from './show';
@@ -7,7 +7,7 @@ const regions = ['tower', 'overbend', 'stinger tip', 'sagbend', 'seabed', 'line'
 
 const judged = (c: Check): boolean => c.status === 'passed' || c.status === 'exceeded';
 
-/** The check that decides in each region, tensioner first. */
+/** The governing check of each region, tensioner first. */
 export function governing(checks: readonly Check[]): Check[] {
   return regions.flatMap((region) => {
     const those = checks.filter((c) => c.region === region && c.governing && judged(c));
@@ -15,7 +15,7 @@ export function governing(checks: readonly Check[]): Check[] {
   });
 }
 
-/** All checks: those that decide by utilisation, then those for information, then those that could not be judged. */
+/** All checks: the governing ones by utilisation, then those for information, then those not evaluated. */
 export function ranked(checks: readonly Check[]): Check[] {
   const rank = (c: Check): number => (!judged(c) ? 2 : c.governing ? 0 : 1);
   return [...checks].sort((a, b) => rank(a) - rank(b) || (b.utilisation ?? 0) - (a.utilisation ?? 0));
@@ -40,6 +40,6 @@ function confirmation({ confirmation: kind, sources }: SheetLine): string {
   return kind === 'unconfirmed' ? `Recalled, not confirmed by a public text${of}` : `Confirmed by ${kind}${of}`;
 }
 
-/** A calculation sheet as it is drawn. */
+/** A calculation sheet for drawing. */
 export const drawnSheet = (lines: readonly SheetLine[]): DrawnLine[] => lines.map((line) => (
   { ...line, numbers: '', value: sheetValue(line), confirmed: confirmation(line), soft: line.confirmation === 'unconfirmed' }));

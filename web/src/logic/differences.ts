@@ -1,11 +1,11 @@
-// Two texts line by line, side by side: what differs, with a little of what stands around it.
+// Line-by-line comparison of two texts, side by side, with some context.
 
 export interface Row { left: string | null; right: string | null; gap?: boolean }
 
 const around = 2;
-const mostCells = 4e6; // of the table below; longer texts are compared by their middle as a whole
+const mostCells = 4e6; // maximum size of the table below; the differing middle of longer texts is compared as a whole
 
-/** Lines that belong together: the longest common subsequence between common beginning and end. */
+/** Matching lines: the longest common subsequence between common beginning and end. */
 function pairs(a: string[], b: string[]): Row[] {
   let head = 0;
   while (head < a.length && head < b.length && a[head] === b[head]) ++head;

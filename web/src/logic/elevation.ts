@@ -1,4 +1,4 @@
-// The picture from the side: what static answer, scene and a moment of a run say, in ship axes, as figures need it.
+// The elevation for figures: static results, scene and an instant of a run in ship axes.
 import type { LayData, RollerData, RowData, SupportData } from '../components/lay';
 import type { Lay, MooredState, Roller, Scene, Support, Vector } from '../api/types';
 import { bedHeight } from './bed';
@@ -6,7 +6,7 @@ import { carried } from './moorings';
 import { nearest } from './series';
 import { shipAxes, toShip, toWorld, turnToShip, type ShipAxes } from './shipAxes';
 
-/** A moment of a run: pose of the vessel, places of the pipe's stations, points of the lines, reactions of the boxes. */
+/** An instant of a run: vessel pose, positions of pipe stations and line points, reactions of the boxes. */
 export interface DrawnMoment { pose: number[]; places: ArrayLike<number>; lines: ReadonlyMap<string, ArrayLike<number>> | null; reactions: ReadonlyMap<string, number> }
 
 export interface SideLine { name: string; points: [number, number][]; parted: boolean; moored: boolean }
@@ -21,15 +21,15 @@ export interface Elevation {
 
 const triples = (list: ArrayLike<number>): Vector[] => Array.from({ length: Math.floor(list.length / 3) }, (_, i) => [list[3 * i]!, list[3 * i + 1]!, list[3 * i + 2]!]);
 
-/** While one run follows another, or statics a run, a moment may be of a line with other stations. */
+/** During a change of run, an instant may belong to a line with other stations. */
 const belongs = (moment: DrawnMoment | null, lay: Lay): boolean => moment?.places.length === 3 * lay.pipe.s.length;
 
-/** Places of the stations in the world. */
+/** Positions of the stations in world axes. */
 export const pipePlaces = (lay: Lay, moment: DrawnMoment | null): Vector[] =>
   (moment && belongs(moment, lay) ? triples(moment.places) : lay.pipe.s.map((_, i): Vector => [lay.pipe.x[i]!, lay.pipe.y[i]!, lay.pipe.z[i]!]));
 
 /** Rows of a box: each begins with its bottom roller. */
-export function rowsOf(support: Support): Roller[][] {
+export function rollerRows(support: Support): Roller[][] {
   const rows: Roller[][] = [];
   for (const roller of support.rollers) {
     if (roller.position === 'bottom' || rows.length === 0) rows.push([]);
@@ -41,14 +41,14 @@ export function rowsOf(support: Support): Roller[][] {
 const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** From the middle of a roller to the pipe, across the axis of the roller. */
+/** From the centre of a roller to the pipe, perpendicular to the roller axis. */
 function rollerNormal(center: Vector, axis: Vector, pipe: Vector): Vector {
   const away = minus(pipe, center), along = dot(away, axis);
   const across: Vector = [away[0] - along * axis[0], 0, away[2] - along * axis[2]], size = Math.hypot(...across);
   return size > 1e-9 ? [across[0] / size, 0, across[2] / size] : [0, 0, 1];
 }
 
-/** `astern`: of the stations, which are sorted so but for rounding. */
+/** `astern`: x of the stations, ascending except for round-off. */
 interface Placing { axes: ShipAxes; move: (p: Vector) => Vector; pipe: Vector[]; astern: number[]; reactions: ReadonlyMap<string, number> | null }
 
 function rollerData(roller: Roller, support: Support, on: Placing): RollerData {
@@ -63,15 +63,15 @@ function rollerData(roller: Roller, support: Support, on: Placing): RollerData {
 }
 
 function supportData(support: Support, scene: Scene, on: Placing): SupportData {
-  const still = [...scene.ramp, ...scene.stinger].find((box) => box.name === support.name);
-  const direction = still ? turnToShip(on.axes, still.direction) : [1, 0, 0] as const;
-  const rows = rowsOf(support).map((rollers): RowData => {
+  const fixedBox = [...scene.ramp, ...scene.stinger].find((box) => box.name === support.name);
+  const direction = fixedBox ? turnToShip(on.axes, fixedBox.direction) : [1, 0, 0] as const;
+  const rows = rollerRows(support).map((rollers): RowData => {
     const data = rollers.map((roller) => rollerData(roller, support, on));
     return { p: data[0]!.p, reaction: data.reduce((sum, r) => sum + r.reaction, 0), rollers: data };
   });
   return {
     name: support.name, stinger: support.structure === 'stinger', s: support.s, p: toShip(on.axes, on.move(support.place)),
-    length: still?.length || 1, inclination: Math.atan2(-direction[2], direction[0]), rows,
+    length: fixedBox?.length || 1, inclination: Math.atan2(-direction[2], direction[0]), rows,
   };
 }
 
@@ -87,14 +87,14 @@ function vesselData(scene: Scene, axes: ShipAxes, pose: number[] | undefined): L
 
 function sideLines(lay: Lay, state: MooredState | null, axes: ShipAxes, moment: DrawnMoment | null): SideLine[] {
   const seen = (points: readonly ArrayLike<number>[]): [number, number][] => points.map((p) => { const q = toShip(axes, p); return [q[0], q[2]]; });
-  const places = (name: string, still: Vector[]): readonly ArrayLike<number>[] => { const own = moment?.lines?.get(name); return own ? triples(own) : still; };
+  const places = (name: string, fixed: Vector[]): readonly ArrayLike<number>[] => { const recorded = moment?.lines?.get(name); return recorded ? triples(recorded) : fixed; };
   return [
     ...(state?.moorings ?? []).map((l) => ({ name: l.name, points: seen(places(l.name, l.shape.length > 1 ? l.shape : [l.fairlead, l.anchor])), parted: l.parted, moored: true })),
     ...lay.lines.map((l) => ({ name: l.name, points: seen(places(l.name, l.shape)), parted: false, moored: false })),
   ];
 }
 
-/** `scene` with the vessel as it lies in statics; `state` of the moorings that is shown. */
+/** `scene`: with the vessel at its static pose; `state`: moored state that is shown. */
 export function elevation(lay: Lay, scene: Scene, state: MooredState | null, shown: DrawnMoment | null, steel: number | null): Elevation {
   const moment = belongs(shown, lay) ? shown : null;
   const axes = shipAxes(scene, lay);

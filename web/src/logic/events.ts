@@ -1,4 +1,4 @@
-// Events of a run: impacts, changes of the tensioner's state, what happens to lines; in the order of time.
+// Events of a run: impacts, changes of the tensioner state, line events, in order of time.
 import type { Column, Finding, Impact, MooringInTime, Series } from '../api/types';
 import { columnName, tensionerState } from './tensioner';
 
@@ -9,22 +9,22 @@ export interface RunEvent {
   kind: EventKind;
   /** "impact on stinger 8", "tensioner pays out". */
   name: string;
-  /** A second line for the picture: what it was in numbers. */
+  /** A second line for the picture: values of the event. */
   impact?: Impact;
-  /** Box or line that it is about. */
+  /** Box or line of the event. */
   object?: string;
 }
 
 export const impactEvent = (impact: Impact): RunEvent => ({ time: impact.time, kind: 'impact', name: `impact on ${impact.support}`, object: impact.support, impact });
 
-/** Changes of the tensioner's state; the history may be thinned out to ranges. */
+/** Changes of the tensioner state; the history may be reduced to ranges. */
 export function tensionerEvents(series: Series | undefined): RunEvent[] {
   if (!series) return [];
   const out: RunEvent[] = [];
   series.t.forEach((time, i) => {
-    const before = i > 0 ? Math.round(series.max[i - 1]!) : null, now = Math.round(series.max[i]!);
-    const state = tensionerState(now);
-    if (before !== null && now !== before && state && time >= 0) out.push({ time, kind: 'tensioner', name: `tensioner ${state.words}` });
+    const before = i > 0 ? Math.round(series.max[i - 1]!) : null, current = Math.round(series.max[i]!);
+    const state = tensionerState(current);
+    if (before !== null && current !== before && state && time >= 0) out.push({ time, kind: 'tensioner', name: `tensioner ${state.label}` });
   });
   return out;
 }
@@ -46,9 +46,9 @@ export function eventsOfRun({ impacts, state, lines, findings }: Sources): RunEv
   return [...impacts.map(impactEvent), ...tensionerEvents(state), ...lineEvents(lines), ...findingEvents(findings)].sort((a, b) => a.time - b.time);
 }
 
-/** The next event after a time, or the one before it; those that are shown already at that time do not count. */
+/** The next event after a time, or the previous one; events already shown at that time do not count. */
 export function nextEvent(events: readonly RunEvent[], time: number, step: 1 | -1, kind?: EventKind): RunEvent | null {
-  const shown = 0.06; // s: the clock goes in steps
+  const shown = 0.06; // s: resolution of the clock
   const list = kind ? events.filter((event) => event.kind === kind) : events;
   return (step > 0 ? list.find((event) => event.time > time + shown) : list.findLast((event) => event.time < time - shown)) ?? null;
 }
@@ -59,8 +59,8 @@ export const worstImpact = (impacts: readonly Impact[]): Impact | null =>
 
 export interface Extreme { time: number; value: number }
 
-/** The largest value of a history, or the smallest, from t = 0 on. */
-export function extremeOf(series: Series, sign: 1 | -1): Extreme | null {
+/** Maximum or minimum of a history, from t = 0 on. */
+export function findExtreme(series: Series, sign: 1 | -1): Extreme | null {
   let best: Extreme | null = null;
   series.t.forEach((time, i) => {
     const value = sign > 0 ? series.max[i]! : series.min[i]!;
@@ -69,17 +69,17 @@ export function extremeOf(series: Series, sign: 1 | -1): Extreme | null {
   return best;
 }
 
-/** Histories whose smallest value is what matters as well. */
+/** Histories whose minimum is relevant as well. */
 const smallMatters = /tension|clearance|separation/;
 
 export interface Wanted { column: Column; sign: 1 | -1; name: string }
 
-/** What the menu "largest of" offers: every history, and the smallest of tensions and clearances. */
+/** Entries of the menu "Go to max / min": every history, and the minimum of tensions and clearances. */
 export function wantedExtremes(columns: readonly Column[]): Wanted[] {
   const shown = columns.filter((c) => !/^(tensioner\/state|step|energy_drift|time)$/.test(c.name));
   const named = (sign: 1 | -1) => (column: Column): Wanted => ({ column, sign, name: columnName(column.name) });
   return [...shown.map(named(1)), ...shown.filter((c) => smallMatters.test(c.name)).map(named(-1))];
 }
 
-/** Box or mooring line that a history belongs to. */
+/** Box or mooring line of a history. */
 export const objectOfColumn = (name: string): string | null => /^(?:support|mooring|line)\/([^/]+)\//.exec(name)?.[1] ?? null;

@@ -1,8 +1,8 @@
-// The first item of a list that the form can begin; the next ones are copies of the last.
+// The first item of a list that the form can create; later items are copies of the last.
 import type { Field } from '../api/types';
 import type { Node } from './formTree';
 
-/** Null where it has to be written in the YAML. `depth`: of the water, in m; `operation`: its type. */
+/** Null if it has to be written in the YAML. `depth`: water depth in m; `operation`: its type. */
 export function firstItem(path: string, depth: number, operation = ''): unknown {
   switch (path) {
     case 'operation.stages': return ['start_up', 'shore_pull', 'hold_back'].includes(operation) ? { pipe_out: '100 m' } : operation === 'move' ? { ahead: '0 m' } : operation === '' || operation === 'moored' || operation === 'lift' ? { name: 'stage 1' } : { cable_out: '50 m' };
@@ -18,16 +18,16 @@ export function nextName(name: string): string {
   return counted ? `${counted[1]}${Number(counted[2]) + 1}` : `${name} 2`;
 }
 
-/** A new item of a list is the last one again, so that it is valid at once and only has to be changed. */
-export function copyOf(node: Node<Field>): unknown {
+/** A new item copies the last one, so that it is valid at once and only has to be changed. */
+export function copyItem(node: Node<Field>): unknown {
   if (node.children.length === 0) return node.field!.value;
   const out: Record<string, unknown> = {};
   for (const c of node.children) {
     if (!c.given) continue;
     const key = c.path.split('.').at(-1)!;
-    // names tell items apart: one that has to be there is counted on
+    // names identify items: a required name is numbered
     if (key === 'name') { if (c.field?.required) out[key] = nextName(String(c.field.value)); continue; }
-    out[key] = copyOf(c);
+    out[key] = copyItem(c);
   }
   return out;
 }

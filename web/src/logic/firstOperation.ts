@@ -1,14 +1,14 @@
-// A first operation on the line, sized by the lay that is solved: head, cable and stages that reach the seabed.
+// A first operation on the line, sized from the solved lay: head, cable and stages that reach the seabed.
 import type { Change } from '../api/types';
 import { tidy } from './units';
 
 export const firstOperations = ['abandonment', 'recovery', 'lay_down', 'start_up', 'move', 'shore_pull', 'hold_back', 'passage', 'ballast', 'lift'] as const;
 export type FirstOperation = (typeof firstOperations)[number];
 
-/** The lay as far as a first operation needs it. SI units; `tip` and `touchdown` along the pipe from the tensioner. */
+/** The lay data used for a first operation. SI units; `tip` and `touchdown` are arc lengths from the tensioner. */
 export interface LaySize {
   joint: number; tip: number; touchdown: number;
-  /** Tension at the top, and the horizontal one at touchdown. */
+  /** Top tension, and horizontal tension at touchdown. */
   tension: number; bottomTension: number;
   /** Height of the tensioner above the water. */
   height: number;
@@ -16,29 +16,29 @@ export interface LaySize {
   depthAt: (distance: number) => number;
 }
 
-/** What some operations need of the model: a structure in the pipe, a tank of the stinger, lines on a pipe with their lengths in m. */
+/** Model parts that some operations require: a structure in the pipe, a tank of the stinger, lines on a pipe with their lengths in m. */
 export interface OperationParts { structure: string; tank: string; davits: { name: string; length: number }[] }
 
-/** Why a model does not have what an operation is of; empty where it has. */
+/** Reason why the model cannot have an operation; empty if it can. */
 export function missingPart(type: FirstOperation, parts: OperationParts): string {
-  if (type === 'passage' && !parts.structure) return 'needs a structure in the pipe (pipe.structures)';
-  if (type === 'ballast' && !parts.tank) return 'needs a tank of the stinger (supports.stinger.tanks)';
-  if (type === 'lift' && parts.davits.length === 0) return 'needs lines that hold a pipe of lines (lines with an end on another line)';
+  if (type === 'passage' && !parts.structure) return 'requires a structure in the pipe (pipe.structures)';
+  if (type === 'ballast' && !parts.tank) return 'requires a tank in the stinger (supports.stinger.tanks)';
+  if (type === 'lift' && parts.davits.length === 0) return 'requires lines attached to another line';
   return '';
 }
 
-/** Without a solved lay these can be made as well: none of their values is sized by it. */
+/** Operations that need no solved lay: none of their values depends on it. */
 export const needsLay = (type: FirstOperation): boolean => type !== 'ballast' && type !== 'lift';
 
-// Six-strand wire rope with a wire core, over its squared diameter, as the program makes it of its diameter.
+// Six-strand wire rope with a wire core, over its squared diameter, as the program derives it from the diameter.
 const rope = { weight: 39126, submerged: 34070, stiffness: 4.04e10, breaking: 6.334e8 };
 const ropeSizes = [13, 16, 19, 22, 26, 32, 38, 44, 52, 58, 64, 70, 76, 83, 89, 96, 102, 114, 127, 140, 152];
 const breakingOverTension = 3;
 const headLength = 6;
 const steelInWater = 0.87; // submerged weight over weight in air
 
-/** Length of a cable with `tension` at the top, from the top down by `height` to where `lift` pulls upwards at its end. */
-export function hangingLength(tension: number, height: number, weight: number, lift: number): number {
+/** Length of a cable with the top tension `tension`, from its top down by `height` to its end, where `lift` pulls upwards. */
+export function suspendedLength(tension: number, height: number, weight: number, lift: number): number {
   const end = Math.max(tension - weight * height, 0);
   const up = Math.min(lift, end);
   return (Math.sqrt(tension ** 2 - end ** 2 + up ** 2) - up) / weight;
@@ -50,15 +50,15 @@ function sized(lay: LaySize): Sized {
   const depth = lay.depthAt(lay.touchdown);
   const millimetres = ropeSizes.find((d) => rope.breaking * (d / 1e3) ** 2 >= breakingOverTension * lay.tension) ?? ropeSizes.at(-1)!;
   const pipeWeight = (lay.tension - lay.bottomTension) / (depth + lay.height);
-  // Heavier than the pipe by no more than half of the bottom tension: the tension of the lay carries it at any depth.
+  // Heavier than the pipe by at most half of the bottom tension: the lay tension carries it at any depth.
   const headWeight = Math.max(Math.min(0.1 * lay.tension, headLength * pipeWeight + 0.5 * lay.bottomTension), 100);
   return { diameter: millimetres / 1e3, submerged: rope.submerged * (millimetres / 1e3) ** 2, headWeight };
 }
 
-/** Where it ends the depth counts: on a bed that slopes down, that of the head and not that of the lay's touchdown. */
+/** Water depth at the end of the operation: on a sloping seabed that of the head, not that of the touchdown of the lay. */
 function toTheBed(lay: LaySize, weight: number, lift: number): number {
   let length = lay.touchdown;
-  for (let i = 0; i < 4; ++i) length = hangingLength(lay.tension, lay.depthAt(length) + lay.height, weight, lift);
+  for (let i = 0; i < 4; ++i) length = suspendedLength(lay.tension, lay.depthAt(length) + lay.height, weight, lift);
   return length;
 }
 
@@ -81,7 +81,7 @@ function cableKeys(diameter: number): Record<string, string> {
 
 function startUp(lay: LaySize): Change[] {
   const { diameter, submerged, headWeight } = sized(lay);
-  // long enough that the anchor is hardly lifted while all of the cable hangs
+  // long enough that the anchor is hardly lifted while the cable is fully suspended
   const length = 1.1 * toTheBed(lay, submerged, 0), depth = lay.depthAt(length + lay.touchdown);
   return [
     set('type', 'start_up'), headKeys(headWeight), set('cable', { ...cableKeys(diameter), length: metres(length) }),
@@ -89,7 +89,7 @@ function startUp(lay: LaySize): Change[] {
   ];
 }
 
-/** The head goes down on the cable, or up again: both list their stages from the vessel to the bed. */
+/** The head is lowered on the cable, or recovered: both list their stages from the vessel to the seabed. */
 function toOrFromBed(type: FirstOperation, lay: LaySize): Change[] {
   const { diameter, submerged, headWeight } = sized(lay);
   // half of the head's weight at the end of the cable would lift it; over the rollers the cable is longer by less than to the tip
@@ -97,10 +97,10 @@ function toOrFromBed(type: FirstOperation, lay: LaySize): Change[] {
   return [set('type', type), headKeys(headWeight), set('cable', cableKeys(diameter)), evenStages(0.3 * lay.tip, Math.ceil(out), 10)];
 }
 
-const pullLength = 600; // m of pipe over the bed, where friction leaves a tension for it
+const pullLength = 600; // m of pipe above the seabed, for which friction leaves a tension
 const pullFriction = 0.5;
 
-/** Pipe that a winch on the bed draws from the vessel; held back, friction may take less than half of the tension. */
+/** Pipe that a winch on the seabed pulls from the vessel; held back, friction may use up to half of the tension. */
 function pull(type: 'shore_pull' | 'hold_back', lay: LaySize): Change[] {
   const { headWeight } = sized(lay), depth = lay.depthAt(lay.touchdown);
   const weight = (lay.tension - lay.bottomTension) / (depth + lay.height);
@@ -113,14 +113,14 @@ function pull(type: 'shore_pull' | 'hold_back', lay: LaySize): Change[] {
   ];
 }
 
-/** Hauls every davit in by steps of 2 m, by no more than half of its length. */
+/** Hauls in every davit cable in steps of 2 m, by at most half of its length. */
 function lift(davits: OperationParts['davits']): Change[] {
   const step = Math.min(2, ...davits.map((d) => d.length / 8));
   const lengths = (k: number): Record<string, string> => Object.fromEntries(davits.map((d) => [d.name, `${tidy(d.length - k * step, 4)} m`]));
-  return [set('type', 'lift'), set('stages', [0, 1, 2, 3, 4].map((k) => ({ name: k ? `hauled in ${tidy(k * step, 3)} m` : 'as drawn', lengths: lengths(k) })))];
+  return [set('type', 'lift'), set('stages', [0, 1, 2, 3, 4].map((k) => ({ name: k ? `hauled in ${tidy(k * step, 3)} m` : 'initial lengths', lengths: lengths(k) })))];
 }
 
-/** Stages at the tension of the tensioner, to be changed afterwards. `lay` may be null where needsLay() is false. */
+/** Stages at the lay tension, to be changed afterwards. `lay` may be null if needsLay() is false. */
 export function firstOperation(type: FirstOperation, lay: LaySize | null, parts: OperationParts = { structure: '', tank: '', davits: [] }): Change[] {
   if (type === 'lift') return lift(parts.davits);
   if (type === 'ballast') return [set('type', type), set('tank', parts.tank), set('stages', [0, 0.25, 0.5, 0.75, 1].map((ballast) => ({ ballast })))];

@@ -1,4 +1,4 @@
-// The flat list of fields as a tree for the form.
+// The list of fields as a tree for the form.
 
 export interface Leaf { path: string; kind: string; given: boolean; required?: boolean; count?: number }
 export interface Node<F extends Leaf> { path: string; label: string; field: F | null; children: Node<F>[]; given: boolean }
@@ -7,19 +7,19 @@ export function parts(path: string): string[] {
   return path.replaceAll('[', '.[').split('.').filter(Boolean);
 }
 
-const words: Record<string, string> = { hs: 'Hs', tp: 'Tp', x: 'x', z: 'z', youngs_modulus: "Young's modulus", poissons_ratio: "Poisson's ratio" };
+const labels: Record<string, string> = { hs: 'Hs', tp: 'Tp', x: 'x', z: 'z', youngs_modulus: "Young's modulus", poissons_ratio: "Poisson's ratio" };
 
 /** "outside_diameter" becomes "outside diameter"; list items are counted from 1. */
 export function label(part: string): string {
   const item = /^\[(\d+)\]$/.exec(part);
   if (item) return String(Number(item[1]) + 1);
-  return words[part] ?? part.replaceAll('_', ' ');
+  return labels[part] ?? part.replaceAll('_', ' ');
 }
 
 export function tree<F extends Leaf>(fields: F[]): Node<F>[] {
   const root: Node<F> = { path: '', label: '', field: null, children: [], given: true };
   const known = new Map<string, Node<F>>([['', root]]);
-  const at = (path: string): Node<F> => {
+  const nodeAt = (path: string): Node<F> => {
     const have = known.get(path);
     if (have) return have;
     const list = parts(path);
@@ -27,11 +27,11 @@ export function tree<F extends Leaf>(fields: F[]): Node<F>[] {
     const up = path.slice(0, path.length - last.length).replace(/\.$/, '');
     const node: Node<F> = { path, label: label(last), field: null, children: [], given: false };
     known.set(path, node);
-    at(up).children.push(node);
+    nodeAt(up).children.push(node);
     return node;
   };
   for (const f of fields) {
-    const node = at(f.path);
+    const node = nodeAt(f.path);
     node.field = f;
     node.given = f.given;
   }

@@ -1,9 +1,9 @@
-// Frames of an animation as the program sends them: base64 of little-endian float32.
+// Frames of an animation from the program: base64 of little-endian float32.
 
 export interface FramesAnswer {
   total: number; from: number; stations: number; time: number[]; pose: number[][];
   place: string; effective_tension: string; von_mises: string;
-  /** Lines with the number of their points, and the places of all of them: mooring lines from fairlead to anchor, others from their first end. */
+  /** Lines with their number of points, and the positions of all points: mooring lines from fairlead to anchor, others from their first end. */
   lines?: FrameLine[]; line_place?: string;
 }
 
@@ -28,21 +28,21 @@ export function decode(answer: FramesAnswer): Chunk {
   };
 }
 
-/** Values between two frames: a at 0, b at 1. */
+/** Interpolation between two frames: a at 0, b at 1. */
 export function blend(a: ArrayLike<number>, aFrom: number, b: ArrayLike<number>, bFrom: number, count: number, f: number, out: Float32Array): Float32Array {
   for (let i = 0; i < count; ++i) out[i] = a[aFrom + i]! * (1 - f) + b[bFrom + i]! * f;
   return out;
 }
 
-/** Points of each line between frame `a` of one chunk and frame `b` of another; null where none were recorded. */
-export function linesBetween(one: Chunk, a: number, other: Chunk, b: number, f: number): Map<string, Float32Array> | null {
-  if (one.lines.length === 0) return null;
-  const all = 3 * one.lines.reduce((sum, l) => sum + l.points, 0);
+/** Points of each line between frame `a` of one chunk and frame `b` of another; null if none were recorded. */
+export function linesBetween(first: Chunk, a: number, second: Chunk, b: number, f: number): Map<string, Float32Array> | null {
+  if (first.lines.length === 0) return null;
+  const all = 3 * first.lines.reduce((sum, l) => sum + l.points, 0);
   const out = new Map<string, Float32Array>();
-  let at = 0;
-  for (const line of one.lines) {
-    out.set(line.name, blend(one.linePlace, a * all + at, other.linePlace, b * all + at, 3 * line.points, f, new Float32Array(3 * line.points)));
-    at += 3 * line.points;
+  let offset = 0;
+  for (const line of first.lines) {
+    out.set(line.name, blend(first.linePlace, a * all + offset, second.linePlace, b * all + offset, 3 * line.points, f, new Float32Array(3 * line.points)));
+    offset += 3 * line.points;
   }
   return out;
 }

@@ -1,5 +1,5 @@
-// "Latest only": while one request is on its way, later ones wait, and of those that wait only the newest is sent.
-// A slider can so be dragged as fast as one likes; the program is never asked for a picture nobody will see.
+// "Latest only": while one request is pending, later ones wait, and of those only the newest is sent.
+// A slider can so be dragged at any speed; no outdated picture is requested.
 
 export class LatestGate<Request, Answer> {
   private waiting: { request: Request } | null = null;
@@ -35,7 +35,7 @@ export class LatestGate<Request, Answer> {
     while (sent) {
       const { request, answer } = sent;
       const got = await answer.then((value) => ({ value }), (error: unknown) => ({ error }));
-      // the next one is on its way while the page takes in what came
+      // the next request is pending while the page processes the answer
       sent = this.send();
       try {
         if ('value' in got) this.receive(got.value, request); else this.fail(got.error);

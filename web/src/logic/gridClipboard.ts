@@ -1,4 +1,4 @@
-// Tables from and to a spreadsheet: tab or comma separated text, a row of heads recognised by the names of the columns.
+// Tables from and to a spreadsheet: tab or comma separated text, with a head row recognised by the column names.
 
 function delimiterIn(text: string): string {
   if (text.includes('\t')) return '\t';
@@ -8,7 +8,7 @@ function delimiterIn(text: string): string {
   return !decimals && lines.length > 0 && lines.every((line) => line.includes(',')) ? ',' : '\t';
 }
 
-/** Cells of a text as it comes from a spreadsheet or a CSV file; quoted cells may hold line breaks. */
+/** Cells of a text from a spreadsheet or a CSV file; quoted cells may contain line breaks. */
 export function parseTable(text: string): string[][] {
   const delimiter = delimiterIn(text);
   const rows: string[][] = [];
@@ -33,12 +33,12 @@ export function parseTable(text: string): string[][] {
 
 export interface NamedColumn { id: string; title: string; unit: string }
 
-/** Where the columns of a pasted table go: id of the column, null: nowhere. */
+/** Target columns of a pasted table: id of the column, null: none. */
 export interface TableHead { columns: (string | null)[]; units: string[]; ignored: string[]; rows: string[][] }
 
 const unitPattern = /\s*(?:\[([^\]]*)\]|\(([^)]*)\)|,\s*([a-zA-Z%°/^*0-9]+))\s*$/;
 
-/** Title and unit of "x [m]", "x (ft)" or "x, m". */
+/** Title and unit from "x [m]", "x (ft)" or "x, m". */
 export function splitTitle(text: string): { title: string; unit: string } {
   const match = unitPattern.exec(text);
   return match ? { title: text.slice(0, match.index).trim(), unit: (match[1] ?? match[2] ?? match[3] ?? '').trim() } : { title: text.trim(), unit: '' };
@@ -46,7 +46,7 @@ export function splitTitle(text: string): { title: string; unit: string } {
 
 const flat = (text: string): string => text.toLowerCase().replace(/^.*:\s*/, '').replace(/[\s_.-]+/g, ' ').trim();
 
-/** What columns are called elsewhere. */
+/** Names of columns in other programs. */
 const synonyms: Record<string, string[]> = {
   name: ['box', 'roller box', 'line', 'label', 'id', 'segment', 'stage'],
   x: ['x coordinate', 'x coord', 'x pos', 'x position', 'easting'],
@@ -69,14 +69,14 @@ function columnNamed(text: string, columns: NamedColumn[]): string | null {
 const isNumber = (text: string): boolean => /^[-+−]?[\d.,' ]*\d/.test(text);
 const isUnit = (text: string): boolean => text === '' || /^[[(]?[a-zA-Z%°/^*0-9² ³-]{1,8}[\])]?$/.test(text);
 
-/** Units in a row of their own below the heads. */
+/** Units in a separate row below the heads. */
 function unitRow(row: string[] | undefined): string[] | null {
   if (!row || row.every((cell) => cell === '') || row.some(isNumber) || !row.every(isUnit)) return null;
   const units = row.map((cell) => cell.replace(/[[\]()]/g, ''));
   return units.some((unit) => /^(m|mm|cm|km|ft|in|kN|N|MN|kip|deg|°|MPa|m\/s|knot|t|kg)$/.test(unit)) ? units : null;
 }
 
-/** The table with its row of heads; null where the first row is none. */
+/** The table with its head row; null if the first row is not one. */
 export function readHead(rows: string[][], columns: NamedColumn[]): TableHead | null {
   const heads = rows[0];
   if (!heads || heads.some((cell) => cell !== '' && isNumber(cell))) return null;
@@ -89,16 +89,16 @@ export function readHead(rows: string[][], columns: NamedColumn[]): TableHead | 
   });
   const named = heads.filter((cell) => cell !== '').length;
   if (seen.size === 0 || 2 * seen.size < Math.min(named, 2)) return null;
-  const own = unitRow(rows[1]);
+  const units = unitRow(rows[1]);
   return {
     columns: found,
-    units: heads.map((cell, i) => own?.[i] || splitTitle(cell).unit),
+    units: heads.map((cell, i) => units?.[i] || splitTitle(cell).unit),
     ignored: heads.filter((cell, i) => cell !== '' && found[i] === null),
-    rows: rows.slice(own ? 2 : 1),
+    rows: rows.slice(units ? 2 : 1),
   };
 }
 
 const flatCell = (text: string): string => text.replace(/\s+/g, ' ');
 
-/** Tab-separated text, as a spreadsheet takes it. */
+/** Tab-separated text for a spreadsheet. */
 export const tabText = (rows: string[][]): string => rows.map((cells) => `${cells.map(flatCell).join('\t')}\n`).join('');

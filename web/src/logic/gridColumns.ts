@@ -1,39 +1,39 @@
-// Columns of a list of the model, from the schema: its members with their units; groups of a few values, such as
-// x, y and z of a place, get a column for each.
+// Columns of a list of the model, from the schema: its members with their units; small groups, such as
+// x, y and z of a position, get a column for each member.
 import { schemasAt, type Schema } from './schema';
 import { label, parts } from './formTree';
 
 export type ColumnKind = 'quantity' | 'number' | 'integer' | 'text' | 'choice' | 'nested';
 
 export interface GridColumn {
-  /** Path within an item: "x", "anchor.x"; empty where the items are values themselves. */
+  /** Path within an item: "x", "anchor.x"; empty if the items are plain values. */
   key: string;
   title: string;
   kind: ColumnKind;
-  /** Unit in which the program writes it; empty without. */
+  /** Unit in which the program writes it; empty if it has none. */
   unit: string;
   info: string;
   choices: string[];
   required: boolean;
-  /** As written where it is left out; empty without. */
+  /** Text for an omitted value; empty if there is none. */
   standard: string;
-  /** A value that may stand there. */
+  /** A sample value. */
   example: string;
 }
 
 const mostInGroup = 3;
 
-/** Parts of a path as the schema knows them: items of lists are "[]". */
+/** Parts of a path for the schema: items of lists are "[]". */
 export function schemaPath(path: string): string[] {
   return parts(path).map((part) => (part.startsWith('[') ? '[]' : part));
 }
 
-/** The schema of an item of the list; null where the path is no list. */
+/** Schema of an item of the list; null if the path is not a list. */
 export function itemSchema(root: Schema, path: string): Schema | null {
   return schemasAt(root, schemaPath(path)).find((s) => s.items !== undefined)?.items ?? null;
 }
 
-function kindOf(schema: Schema): ColumnKind {
+function columnKind(schema: Schema): ColumnKind {
   if (schema.anyOf?.length || schema.properties || schema.items || typeof schema.additionalProperties === 'object') return 'nested';
   if (schema.enum) return 'choice';
   if (schema['x-unit']) return 'quantity';
@@ -44,14 +44,14 @@ function kindOf(schema: Schema): ColumnKind {
 
 function column(schema: Schema, key: string, title: string, required: boolean): GridColumn {
   return {
-    key, title, required, kind: kindOf(schema), unit: schema['x-unit'] ?? '', info: schema.description ?? '',
+    key, title, required, kind: columnKind(schema), unit: schema['x-unit'] ?? '', info: schema.description ?? '',
     choices: (schema.enum ?? []).map(String), standard: schema.default === undefined ? '' : String(schema.default), example: String(schema.examples?.[0] ?? ''),
   };
 }
 
 function isGroup(schema: Schema): boolean {
   const members = Object.values(schema.properties ?? {});
-  return !schema.anyOf?.length && members.length > 0 && members.length <= mostInGroup && members.every((m) => kindOf(m) !== 'nested');
+  return !schema.anyOf?.length && members.length > 0 && members.length <= mostInGroup && members.every((m) => columnKind(m) !== 'nested');
 }
 
 function members(schema: Schema, key: string, title: string, required: boolean): GridColumn[] {
@@ -62,7 +62,7 @@ function members(schema: Schema, key: string, title: string, required: boolean):
 
 const requiredKeys = (schema: Schema): string[] => (schema as { required?: string[] }).required ?? [];
 
-/** Columns of the list at a path; empty where there is no such list. */
+/** Columns of the list at a path; empty if there is no such list. */
 export function listColumns(root: Schema, path: string): GridColumn[] {
   const item = itemSchema(root, path);
   if (!item) return [];
@@ -73,7 +73,7 @@ export function listColumns(root: Schema, path: string): GridColumn[] {
 
 const mostShown = 8;
 
-/** Columns shown at first: all of few that stand alone, else those that are needed, given somewhere, or asked for. */
+/** Initial columns: all if there are few, otherwise those that are required, given in some row, or requested. */
 export function shownColumns(columns: GridColumn[], isGiven: (key: string) => boolean, asked: string[], hasResults: boolean): GridColumn[] {
   const kept = (c: GridColumn): boolean => c.required || c.key === 'name' || asked.includes(c.key) || isGiven(c.key);
   return columns.filter((c) => (!hasResults && columns.length <= mostShown && c.kind !== 'nested') || kept(c));

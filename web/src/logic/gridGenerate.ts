@@ -1,9 +1,9 @@
-// Boxes as a row on an arc, as the program places them (model/vessel/box_row.cpp): numbers to look at before they are
+// Boxes in a row on an arc, placed as in the program (model/vessel): a preview before they are
 // written, and the changes that write them as a row or as a list.
 import type { Change, Field } from '../api/types';
 import { parseQuantity, tidy, toSi, fromSi, sameFamily } from './units';
 
-/** Lengths in m, `incline` in rad, positive where it dips astern. */
+/** Lengths in m, `incline` in rad, positive downwards astern. */
 export interface ArcPlace { x: number; z: number; incline: number }
 
 export function alongArc(from: ArcPlace, radius: number, distance: number): ArcPlace {
@@ -19,7 +19,7 @@ export const arcBoxes = (first: ArcPlace, radius: number, spacing: number, count
 type Point = { x: number; z: number };
 const dip = (a: Point, b: Point): number => Math.atan2(a.z - b.z, b.x - a.x);
 
-/** Direction at the last of some boxes: that of the circle through the last three. */
+/** Direction at the last box: tangent of the circle through the last three. */
 export function lastIncline(boxes: Point[], fallback: number): number {
   const [a, b, c] = boxes.slice(-3);
   if (!b) return fallback;
@@ -27,8 +27,8 @@ export function lastIncline(boxes: Point[], fallback: number): number {
   return dip(b, c) + (dip(a!, c) - dip(a!, b));
 }
 
-export interface ArcWish { radius: string; count: string; spacing: string; length: string; x: string; z: string; incline: string }
-export interface ArcFault { key: keyof ArcWish; text: string }
+export interface ArcRequest { radius: string; count: string; spacing: string; length: string; x: string; z: string; incline: string }
+export interface ArcError { key: keyof ArcRequest; text: string }
 
 const lengthIn = (text: string): number | null => {
   const q = parseQuantity(text);
@@ -40,7 +40,7 @@ function angleIn(text: string): number | null {
   return q && sameFamily(q.unit, 'rad') ? toSi(q.number, q.unit) : null;
 }
 
-/** End of the ramp: its last box with the direction of its curve there; null without listed boxes. */
+/** End of the ramp: its last box with the direction of its curve; null without listed boxes. */
 export function rampEnd(byPath: Map<string, Field>): ArcPlace | null {
   const si = (path: string): number | null => byPath.get(path)?.si ?? null;
   const fallback = si('tensioner.incline') ?? 0;
@@ -63,40 +63,40 @@ function rowEnd(si: (path: string) => number | null, fallback: number): ArcPlace
   return alongArc({ x, z, incline: si(`${row}.first.incline`) ?? fallback }, radius, (count - 1) * spacing);
 }
 
-export function arcFaults(wish: ArcWish, end: ArcPlace | null): ArcFault[] {
-  const faults: ArcFault[] = [];
+export function findArcErrors(request: ArcRequest, end: ArcPlace | null): ArcError[] {
+  const errors: ArcError[] = [];
   const positive = (key: 'radius' | 'spacing'): void => {
-    const value = lengthIn(wish[key]);
-    if (value === null || value <= 0) faults.push({ key, text: 'A length above 0, like “120 m”.' });
+    const value = lengthIn(request[key]);
+    if (value === null || value <= 0) errors.push({ key, text: 'Enter a length above 0, for example 120 m.' });
   };
   positive('radius');
   positive('spacing');
-  if (!/^\d+$/.test(wish.count.trim()) || Number(wish.count) < 1 || Number(wish.count) > 1000) faults.push({ key: 'count', text: 'A whole number from 1 to 1000.' });
-  if (wish.length.trim() && lengthIn(wish.length) === null) faults.push({ key: 'length', text: 'A length, like “4 m”.' });
-  const placed = [wish.x, wish.z].filter((text) => text.trim()).length;
+  if (!/^\d+$/.test(request.count.trim()) || Number(request.count) < 1 || Number(request.count) > 1000) errors.push({ key: 'count', text: 'Enter a whole number from 1 to 1000.' });
+  if (request.length.trim() && lengthIn(request.length) === null) errors.push({ key: 'length', text: 'Enter a length, for example 4 m.' });
+  const placed = [request.x, request.z].filter((text) => text.trim()).length;
   for (const key of ['x', 'z'] as const) {
-    if (wish[key].trim() ? lengthIn(wish[key]) === null : placed === 1 || !end) faults.push({ key, text: 'A length, like “5 m”.' });
+    if (request[key].trim() ? lengthIn(request[key]) === null : placed === 1 || !end) errors.push({ key, text: 'Enter a length, for example 5 m.' });
   }
-  if (wish.incline.trim() && angleIn(wish.incline) === null) faults.push({ key: 'incline', text: 'An angle, like “15 deg”.' });
-  return faults;
+  if (request.incline.trim() && angleIn(request.incline) === null) errors.push({ key: 'incline', text: 'Enter an angle, for example 15 deg.' });
+  return errors;
 }
 
 /** First box of the row: given, or one spacing behind the end of the ramp. */
-function firstPlace(wish: ArcWish, end: ArcPlace | null): ArcPlace | null {
-  const radius = lengthIn(wish.radius), spacing = lengthIn(wish.spacing), x = lengthIn(wish.x), z = lengthIn(wish.z), incline = angleIn(wish.incline);
+function firstPlace(request: ArcRequest, end: ArcPlace | null): ArcPlace | null {
+  const radius = lengthIn(request.radius), spacing = lengthIn(request.spacing), x = lengthIn(request.x), z = lengthIn(request.z), incline = angleIn(request.incline);
   if (x !== null && z !== null) return { x, z, incline: incline ?? end?.incline ?? 0 };
   return end && radius && spacing ? alongArc(end, radius, spacing) : null;
 }
 
-/** The boxes of a wish without faults. */
-export function wishedBoxes(wish: ArcWish, end: ArcPlace | null): ArcPlace[] {
-  const first = firstPlace(wish, end), radius = lengthIn(wish.radius), spacing = lengthIn(wish.spacing);
-  return first && radius && spacing ? arcBoxes(first, radius, spacing, Number(wish.count)) : [];
+/** Boxes of a request without errors. */
+export function generatedBoxes(request: ArcRequest, end: ArcPlace | null): ArcPlace[] {
+  const first = firstPlace(request, end), radius = lengthIn(request.radius), spacing = lengthIn(request.spacing);
+  return first && radius && spacing ? arcBoxes(first, radius, spacing, Number(request.count)) : [];
 }
 
-/** What the model says of a row, or a beginning for one that is not there. */
-export function wishFrom(byPath: Map<string, Field>, structure: string): ArcWish {
-  const text = (path: string, other = ''): string => String(byPath.get(`${structure}.${path}`)?.value ?? other);
+/** Row of the model, or default values if there is none. */
+export function readArcRequest(byPath: Map<string, Field>, structure: string): ArcRequest {
+  const text = (path: string, fallback = ''): string => String(byPath.get(`${structure}.${path}`)?.value ?? fallback);
   const count = byPath.get(`${structure}.boxes`)?.count;
   return {
     radius: text('radius', '120 m'), count: text('boxes.count', String(count || 8)), spacing: text('boxes.spacing', '4 m'),
@@ -104,21 +104,21 @@ export function wishFrom(byPath: Map<string, Field>, structure: string): ArcWish
   };
 }
 
-/** The boxes as a row: the radius stays a key that can be varied. */
-export function rowChanges(structure: string, wish: ArcWish): Change[] {
-  const first = wish.x.trim() ? { first: { x: wish.x, z: wish.z, ...(wish.incline.trim() ? { incline: wish.incline } : {}) } } : {};
-  const length = wish.length.trim() ? { length: wish.length } : {};
+/** The boxes as a row: the radius remains a key that can be varied. */
+export function rowChanges(structure: string, request: ArcRequest): Change[] {
+  const first = request.x.trim() ? { first: { x: request.x, z: request.z, ...(request.incline.trim() ? { incline: request.incline } : {}) } } : {};
+  const length = request.length.trim() ? { length: request.length } : {};
   return [
-    { path: `${structure}.boxes`, value: { count: Number(wish.count), spacing: wish.spacing, ...length, ...first } },
-    { path: `${structure}.radius`, value: wish.radius },
+    { path: `${structure}.boxes`, value: { count: Number(request.count), spacing: request.spacing, ...length, ...first } },
+    { path: `${structure}.radius`, value: request.radius },
   ];
 }
 
-/** The same written out: every box with its place, in the unit of the radius. */
-export function writtenOut(structure: string, wish: ArcWish, boxes: ArcPlace[], hasRadius: boolean): Change[] {
-  const unit = parseQuantity(wish.radius)!.unit;
+/** The boxes as a list: each with its position, in the unit of the radius. */
+export function writtenOut(structure: string, request: ArcRequest, boxes: ArcPlace[], hasRadius: boolean): Change[] {
+  const unit = parseQuantity(request.radius)!.unit;
   const text = (metres: number): string => `${tidy(Number(fromSi(metres, unit).toFixed(4)), 9)} ${unit}`;
-  const length = wish.length.trim() ? { length: wish.length } : {};
+  const length = request.length.trim() ? { length: request.length } : {};
   const items = boxes.map((box) => ({ x: text(box.x), z: text(box.z), ...length }));
   return [
     { path: `${structure}.boxes`, value: null },

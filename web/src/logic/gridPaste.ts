@@ -1,15 +1,15 @@
-// A pasted table as cells of a grid: by its heads where it has them, else from a column on.
+// A pasted table as cells of a grid: by its heads if it has them, otherwise from a given column on.
 import { readCell, shownValue, type ReadCell } from './gridCells';
 import { parseTable, readHead } from './gridClipboard';
 import { decimalMark, readNumber, type DecimalMark } from './gridNumbers';
 import { listColumn, type ViewColumn } from './gridView';
 
 export interface PastedCell { column: ViewColumn; text: string; read: ReadCell }
-/** `list`: title of the list that the row says it belongs to. */
+/** `list`: title of the list given in the row. */
 export interface PastedRow { cells: PastedCell[]; list: string }
 export interface Pasted { rows: PastedRow[]; ignored: string[]; hasHead: boolean; columns: ViewColumn[] }
 
-/** Rows that nobody pastes on purpose. */
+/** Implausibly large number of rows. */
 const mostRows = 1000;
 
 function readPasted(text: string, column: ViewColumn, unit: string, decimal: DecimalMark): PastedCell {
@@ -26,7 +26,7 @@ function largest(cells: string[], column: ViewColumn, unit: string, decimal: Dec
 
 const far = 30;
 
-/** Where all numbers have three digits behind a comma: the reading that is of the size of what is there already. */
+/** If all numbers have three digits after a comma: the interpretation closest in magnitude to the present values. */
 function markBySize(columns: { cells: string[]; column: ViewColumn; unit: string }[], sizes: Map<string, number>): DecimalMark {
   const votes = columns.map(({ cells, column, unit }) => {
     const usual = sizes.get(column.id) ?? 0, asPoint = largest(cells, column, unit, '.'), asComma = largest(cells, column, unit, ',');
@@ -37,13 +37,13 @@ function markBySize(columns: { cells: string[]; column: ViewColumn; unit: string
   return sum === 0 ? null : sum > 0 ? ',' : '.';
 }
 
-/** Largest of the values in each column of a grid. */
+/** Largest value of each column of a grid. */
 export function columnSizes(columns: ViewColumn[], rows: { cells: { text: string }[] }[]): Map<string, number> {
   return new Map(columns.map((column, i) => [column.id, Math.max(0, ...rows.map((row) => Math.abs(Number(row.cells[i]!.text))).filter(Number.isFinite))]));
 }
 
-/** `from`: column of the first cell where the table has no heads; heads may name `hidden` columns too. `sizes`: of the values that
- * the columns have. */
+/** `from`: first column for a table without heads; heads may also name `hidden` columns. `sizes`: largest present value of
+ * each column. */
 export function readPaste(text: string, columns: ViewColumn[], from: number, hidden: ViewColumn[] = [], sizes = new Map<string, number>()): Pasted {
   const table = parseTable(text);
   const inputs = [...columns, ...hidden].filter((c) => c.column !== null || c.id === listColumn);

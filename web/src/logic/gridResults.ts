@@ -1,4 +1,4 @@
-// Results that follow the inputs in the table of a list: by the path of the list, from the static answer and from the run that is shown.
+// Results next to the inputs in the table of a list: by the path of the list, from statics and from the run shown.
 import type { Lay, OperationStage, RunSummary } from '../api/types';
 import type { Support, SupportSummary, MooringLine, LineAtRest } from '../api/results';
 import { pageUnits, shownUnit } from './show';
@@ -6,7 +6,7 @@ import { pageUnits, shownUnit } from './show';
 export interface ResultRow { name: string; index: number; list: string }
 export interface ResultCell { text: string; warning?: string }
 export interface ResultColumn {
-  id: string; title: string; unit: string; group: string; info: string; words?: boolean;
+  id: string; title: string; unit: string; group: string; info: string; isText?: boolean;
   cell: (row: ResultRow) => ResultCell;
 }
 export interface ResultSources { lay: Lay | null; run: RunSummary | null; stages: OperationStage[] }
@@ -14,7 +14,7 @@ export interface ResultSources { lay: Lay | null; run: RunSummary | null; stages
 type Read<T> = (item: T) => number | null | undefined;
 type Finder<T> = (row: ResultRow) => T | undefined;
 
-/** A column of numbers: `si` is the SI unit of the value, `digits` those after the point in metric units. */
+/** A column of numbers: `si` is the SI unit of the value, `digits` the decimals in metric units. */
 function numbers<T>(id: string, title: string, group: string, info: string, [si, digits]: [si: string, digits: number], find: Finder<T>, read: Read<T>): ResultColumn {
   return {
     id: `${group}:${id}`, title, group, info, unit: si ? shownUnit(si).unit.replace('–', '') : '',
@@ -63,13 +63,13 @@ function boxColumns({ lay, run }: ResultSources): ResultColumn[] {
   const group = 'static';
   const columns: ResultColumn[] = [
     numbers('reaction', 'reaction', group, 'Resultant of the rollers on the pipe', ['N', 1], find, (s) => s.reaction),
-    numbers('gap', 'gap', group, 'Smallest distance of the pipe from the bottom rollers; 0 where it rests on them', ['mm', 1], find, gap),
+    numbers('gap', 'gap', group, 'Minimum clearance of the pipe from the bottom rollers; 0 in contact', ['mm', 1], find, gap),
     {
-      id: `${group}:side`, title: 'side', group, unit: shownUnit('N').unit, info: 'Side rollers that the pipe leans on, with the largest force', words: true,
+      id: `${group}:side`, title: 'side', group, unit: shownUnit('N').unit, info: 'Side rollers in contact, with the maximum force', isText: true,
       cell: (row) => { const s = find(row), warning = offEnd.get(row.name); return { ...(s ? sideContact(s) : { text: '' }), ...(warning ? { warning } : {}) }; },
     },
     {
-      id: `${group}:carried`, title: 'carried', group, unit: '', info: 'Roller rows that carry load, of all', words: true,
+      id: `${group}:carried`, title: 'carried', group, unit: '', info: 'Number of loaded roller rows', isText: true,
       cell: (row) => { const s = find(row); if (!s) return { text: '' }; const rows = rollerRows(s.rollers); return { text: `${rows.filter((r) => r.some((roller) => roller.reaction > 0)).length} of ${rows.length}` }; },
     },
   ];
@@ -80,9 +80,9 @@ function stormBoxColumns(find: Finder<SupportSummary>): ResultColumn[] {
   const group = 'storm';
   return [
     numbers('reaction', 'largest', group, 'Largest reaction in the run', ['N', 1], find, (s) => s.reaction.max),
-    numbers('p99', '99 %', group, 'Reaction that is exceeded 1 % of the time', ['N', 1], find, (s) => s.reaction_percentiles.p99),
-    numbers('gap', 'largest gap', group, 'Largest separation of pipe and box', ['mm', 0], find, (s) => Math.max(0, s.separation.max)),
-    numbers('contact', 'contact [%]', group, 'Share of the time in contact', ['', 0], find, (s) => 100 * s.contact_share),
+    numbers('p99', '99 %', group, 'Reaction exceeded 1 % of the time', ['N', 1], find, (s) => s.reaction_percentiles.p99),
+    numbers('gap', 'largest gap', group, 'Maximum separation of pipe and box', ['mm', 0], find, (s) => Math.max(0, s.separation.max)),
+    numbers('contact', 'contact [%]', group, 'Fraction of time in contact', ['', 0], find, (s) => 100 * s.contact_share),
     numbers('impacts', 'impacts', group, 'Number of impacts', ['', 0], find, (s) => s.impacts),
   ];
 }
@@ -90,11 +90,11 @@ function stormBoxColumns(find: Finder<SupportSummary>): ResultColumn[] {
 function mooringColumns({ lay, run }: ResultSources): ResultColumn[] {
   const find = byName(lay?.moorings?.rest.moorings), group = 'static';
   const columns: ResultColumn[] = [
-    numbers<MooringLine>('length', 'length', group, 'Unstretched length as found', ['m', 1], find, (m) => m.length),
+    numbers<MooringLine>('length', 'length', group, 'Unstretched length', ['m', 1], find, (m) => m.length),
     numbers<MooringLine>('fairlead', 'at fairlead', group, 'Tension at the fairlead', ['N', 1], find, (m) => m.fairlead_tension),
     numbers<MooringLine>('anchor', 'at anchor', group, 'Tension at the anchor', ['N', 1], find, (m) => m.anchor_tension),
     numbers<MooringLine>('utilisation', 'utilisation', group, 'Fairlead tension over breaking load', ['', 3], find, (m) => m.utilisation),
-    numbers<MooringLine>('on_bed', 'on the bed', group, 'Length on the seabed', ['m', 0], find, (m) => m.on_bed),
+    numbers<MooringLine>('on_bed', 'on the seabed', group, 'Length on the seabed', ['m', 0], find, (m) => m.on_bed),
   ];
   const inTime = run?.dynamic?.moorings;
   if (!inTime) return columns;
@@ -109,9 +109,9 @@ function mooringColumns({ lay, run }: ResultSources): ResultColumn[] {
 function lineColumns({ lay }: ResultSources): ResultColumn[] {
   const find = byName(lay?.lines), group = 'static';
   return [
-    numbers<LineAtRest>('largest', 'largest tension', group, 'Largest tension along the line', ['N', 1], find, (l) => l.largest_tension),
-    numbers<LineAtRest>('least', 'least tension', group, 'Least tension along the line', ['N', 1], find, (l) => l.least_tension),
-    numbers<LineAtRest>('on_bed', 'on the bed', group, 'Length on the seabed', ['m', 1], find, (l) => l.on_bed),
+    numbers<LineAtRest>('largest', 'maximum tension', group, 'Maximum tension along the line', ['N', 1], find, (l) => l.largest_tension),
+    numbers<LineAtRest>('least', 'minimum tension', group, 'Minimum tension along the line', ['N', 1], find, (l) => l.least_tension),
+    numbers<LineAtRest>('on_bed', 'on the seabed', group, 'Length on the seabed', ['m', 1], find, (l) => l.on_bed),
     numbers<LineAtRest>('utilisation', 'utilisation', group, 'Tension over breaking load', ['', 3], find, (l) => l.utilisation),
   ];
 }
@@ -124,7 +124,7 @@ function stageColumns({ stages }: ResultSources): ResultColumn[] {
     numbers('cable', 'cable tension', group, 'Tension of the cable', ['N', 1], find, (s) => s.values?.cable_tension),
     numbers('lay_back', 'lay-back', group, 'From the stern to touchdown', ['m', 1], find, (s) => s.values?.lay_back),
     numbers('utilisation', 'utilisation', group, 'Largest of the governing checks and the cable', ['', 3], find, (s) => s.values?.utilisation),
-    { id: `${group}:failure`, title: 'state', group, unit: '', info: 'Whether the stage has an equilibrium', words: true, cell: (row) => { const s = find(row); return s?.failure ? { text: 'no equilibrium', warning: s.failure.why } : { text: s ? 'solved' : '' }; } },
+    { id: `${group}:failure`, title: 'state', group, unit: '', info: 'Equilibrium of the stage', isText: true, cell: (row) => { const s = find(row); return s?.failure ? { text: 'no equilibrium', warning: s.failure.why } : { text: s ? 'solved' : '' }; } },
   ];
 }
 
@@ -135,7 +135,7 @@ const makers: [pattern: RegExp, make: (sources: ResultSources) => ResultColumn[]
   [/^operation\.stages$/, stageColumns],
 ];
 
-/** Result columns of the list at a path; none for lists without results of their own. */
+/** Result columns of the list at a path; empty for lists without results. */
 export function resultColumns(path: string, sources: ResultSources): ResultColumn[] {
   return makers.find(([pattern]) => pattern.test(path))?.[1](sources) ?? [];
 }

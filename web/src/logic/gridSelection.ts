@@ -1,4 +1,4 @@
-// The selected range of a grid, and how keys move it.
+// The selected range of a grid, and its movement by keys.
 
 export interface Spot { row: number; column: number }
 export interface Range { anchor: Spot; focus: Spot }
@@ -17,7 +17,7 @@ export function contains(r: Rectangle, row: number, column: number): boolean {
   return row >= r.top && row <= r.bottom && column >= r.left && column <= r.right;
 }
 
-/** The range within a table that may have become smaller; null where it is empty. */
+/** The range within a table that may have become smaller; null if it is empty. */
 export function clamped(range: Range, rows: number, columns: number): Range | null {
   if (rows === 0 || columns === 0) return null;
   const within = (spot: Spot): Spot => ({ row: Math.max(0, Math.min(spot.row, rows - 1)), column: Math.max(0, Math.min(spot.column, columns - 1)) });
@@ -26,7 +26,7 @@ export function clamped(range: Range, rows: number, columns: number): Range | nu
 
 const page = 10;
 
-/** Where a key leads; null where it is no key of movement. */
+/** Target of a movement key; null for any other key. */
 function target(spot: Spot, key: string, control: boolean, rows: number, columns: number): Spot | null {
   const { row, column } = spot;
   switch (key) {
@@ -47,7 +47,7 @@ export function moved(range: Range, key: string, { control = false, shift = fals
   return next && clamped({ anchor: shift ? range.anchor : next, focus: next }, rows, columns);
 }
 
-/** The next cell of the reading order; null at the end of the table, where Tab leaves it. */
+/** The next cell in reading order; null at the end of the table, where Tab leaves it. */
 export function tabbed({ focus }: Range, back: boolean, rows: number, columns: number): Range | null {
   const i = focus.row * columns + focus.column + (back ? -1 : 1);
   return i < 0 || i >= rows * columns ? null : spotRange({ row: Math.floor(i / columns), column: i % columns });

@@ -1,17 +1,17 @@
-// Which lists of the model are tables, and of which lists the table of all roller boxes is made.
+// Lists of the model that have a table, and the lists in the table of all roller boxes.
 import type { Field } from '../api/types';
 import { itemSchema } from './gridColumns';
 import type { ViewList } from './gridView';
 import type { Schema } from './schema';
 
-/** Whether a path of the model is a list, given or not. */
+/** True if a path of the model is a list, given or not. */
 export function isList(path: string, byPath: Map<string, Field>, schema: Schema | null): boolean {
   const field = byPath.get(path);
   if (field && field.kind !== 'map') return field.kind === 'list';
   return schema !== null && itemSchema(schema, path) !== null;
 }
 
-/** Path of the list that an item or a value in it belongs to; empty outside of lists. */
+/** Path of the list that contains an item or value; empty outside lists. */
 export const listAround = (path: string): string => /^(.*)\[\d+\][^[]*$/.exec(path)?.[1] ?? '';
 
 const usual = ['offset', 'length', 'rows'];
@@ -34,8 +34,8 @@ export function boxLists(byPath: Map<string, Field>): ViewList[] {
   return lists;
 }
 
-/** The structure whose boxes a path names: "supports.stinger". */
+/** The structure of a box path: "supports.stinger". */
 export const structureAround = (path: string): string => /^supports\.(?:ramp|stinger)/.exec(path)?.[0] ?? '';
 
-/** The boxes of a structure as a row on an arc, instead of a list. */
+/** Boxes of a structure given as a row on an arc, instead of a list. */
 export const isRow = (byPath: Map<string, Field>, list: string): boolean => byPath.get(list)?.kind === 'map' && byPath.get(list)!.given;

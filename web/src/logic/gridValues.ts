@@ -1,4 +1,4 @@
-// The items of a list as the model has them, with everything nested in them, from the program's fields.
+// Items of a list of the model with all nested values, from the fields of the program.
 import type { Field } from '../api/types';
 import { parts } from './formTree';
 
@@ -12,16 +12,16 @@ function valueOf(field: Field): unknown {
 }
 
 function place(root: unknown, path: string[], value: unknown): void {
-  let here = root;
+  let group = root;
   path.forEach((part, i) => {
     const key = part.startsWith('[') ? Number(part.slice(1, -1)) : part;
-    const holder = here as Group;
+    const holder = group as Group;
     if (i === path.length - 1) holder[key] = value;
-    here = holder[key] ?? {};
+    group = holder[key] ?? {};
   });
 }
 
-/** Items of the list at a path; null where the program did not name all that is in them. */
+/** Items of the list at a path; null if the fields are incomplete. */
 export function listItems(fields: Field[], path: string): unknown[] | null {
   const items: unknown[] = [];
   const counts = new Map<string, number>();
@@ -33,13 +33,13 @@ export function listItems(fields: Field[], path: string): unknown[] | null {
     place(items, parts(field.path.slice(path.length)), valueOf(field));
   }
   const complete = [...counts].every(([list, count]) => {
-    const found = parts(list.slice(path.length)).reduce<unknown>((here, part) => (here as Group | undefined)?.[part.startsWith('[') ? part.slice(1, -1) : part], items);
+    const found = parts(list.slice(path.length)).reduce<unknown>((group, part) => (group as Group | undefined)?.[part.startsWith('[') ? part.slice(1, -1) : part], items);
     return Array.isArray(found) && found.length === count;
   });
   return complete ? items : null;
 }
 
-/** An item with one of its values set; null takes the value away. */
+/** An item with one value set; null removes the value. */
 export function withValue(item: unknown, key: string, value: unknown): unknown {
   if (key === '') return value;
   const [first, ...rest] = key.split('.');
@@ -51,5 +51,5 @@ export function withValue(item: unknown, key: string, value: unknown): unknown {
 }
 
 export function valueIn(item: unknown, key: string): unknown {
-  return key === '' ? item : key.split('.').reduce<unknown>((here, part) => (here as Group | undefined)?.[part], item);
+  return key === '' ? item : key.split('.').reduce<unknown>((group, part) => (group as Group | undefined)?.[part], item);
 }

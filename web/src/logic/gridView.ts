@@ -1,4 +1,4 @@
-// What a grid shows: rows of one list or several of a kind, each cell with its text and what is wrong with it.
+// Contents of a grid: rows of one or several lists of a kind, each cell with its text and its diagnostic.
 import type { Diagnostic, Field } from '../api/types';
 import { headUnit, shownValue, summary } from './gridCells';
 import type { GridColumn } from './gridColumns';
@@ -7,33 +7,33 @@ import { unitsLike } from './units';
 
 export interface ViewList {
   path: string;
-  /** Shown in a column of its own where there are several lists. */
+  /** Shown in a separate column if there are several lists. */
   title: string;
-  /** Names of items that give none. */
+  /** Names of items without a given name. */
   standardName?: (index: number) => string;
   /** Columns that are shown although no item has them. */
   usual?: string[];
-  /** Group with the values of items that give none: "supports.ramp". */
+  /** Group with the default values of the items: "supports.ramp". */
   above?: string;
-  /** Values of rows that the program places itself, by column; they are no list in the model. */
+  /** Values of rows that the program places itself, by column; they are not a list in the model. */
   placed?: Record<string, string>[];
 }
 
 export interface ViewColumn {
-  id: string; title: string; unit: string; group: string; info: string; editable: boolean; words: boolean;
-  /** Units that can be chosen for it. */
+  id: string; title: string; unit: string; group: string; info: string; editable: boolean; isText: boolean;
+  /** Units that can be selected. */
   units: string[];
   choices: string[];
   /** Null for results and the title of the list. */
   column: GridColumn | null;
 }
 
-/** "fixed": follows from other keys, and cannot be typed into. */
+/** "fixed": follows from other keys and cannot be edited. */
 export type CellState = '' | 'fixed' | 'standard' | 'bad' | 'pending' | 'result';
 export interface ViewCell { text: string; state: CellState; severity: '' | 'error' | 'warning'; message: string; link: string }
 export interface ViewRow { id: string; list: string; index: number; name: string; mark: string; cells: ViewCell[] }
 
-/** Text typed into a cell that the model does not have: on its way there, or not readable. */
+/** Text typed into a cell that the model does not have: pending, or unreadable. */
 export interface Draft { text: string; message: string; base: string }
 
 export interface ModelParts {
@@ -47,14 +47,14 @@ export const listColumn = '#list';
 export const cellPath = (row: { id: string }, key: string): string => (key ? `${row.id}.${key}` : row.id);
 export const writtenText = (field: Field | undefined): string => (field?.given && field.value !== null ? String(field.value) : '');
 
-/** The worst that is said about each key. */
+/** The most severe diagnostic of each key. */
 export function diagnosticsByKey(list: Diagnostic[]): Map<string, Diagnostic> {
   const byKey = new Map<string, Diagnostic>();
   for (const d of list) if (!byKey.has(d.key) || (d.severity === 'error' && byKey.get(d.key)!.severity !== 'error')) byKey.set(d.key, d);
   return byKey;
 }
 
-/** Number of items that the program named; a long list has more of them in the text. */
+/** Number of items with fields; a long list has more of them in the text. */
 export function itemCount({ byPath }: ModelParts, list: string): number {
   const field = byPath.get(list);
   if (field?.kind !== 'list' || !field.given) return 0;
@@ -69,13 +69,13 @@ export function inputColumns(columns: GridColumn[], lists: ViewList[], model: Mo
     const unit = column.kind === 'quantity' ? chosenUnits[column.key] ?? headUnit(written, column.unit) : '';
     return {
       id: column.key, title: column.title, unit, group: '', info: column.info, editable: column.kind !== 'nested', units: unit ? unitsLike(unit) : [],
-      words: column.kind === 'text' || column.kind === 'choice' || column.kind === 'nested', choices: column.choices, column,
+      isText: column.kind === 'text' || column.kind === 'choice' || column.kind === 'nested', choices: column.choices, column,
     };
   });
 }
 
-export const resultView = ({ id, title, unit, group, info, words }: ResultColumn): ViewColumn =>
-  ({ id, title, unit, group, info, editable: false, words: words ?? false, units: [], choices: [], column: null });
+export const resultView = ({ id, title, unit, group, info, isText }: ResultColumn): ViewColumn =>
+  ({ id, title, unit, group, info, editable: false, isText: isText ?? false, units: [], choices: [], column: null });
 
 function nestedCell(model: ModelParts, path: string): ViewCell {
   const field = model.byPath.get(path);
@@ -94,7 +94,7 @@ function inputCell(model: ModelParts, path: string, view: ViewColumn, standard: 
   return { ...cell, state: 'standard', text: usual !== null && usual !== '' ? shownValue(usual, view.unit) : standard };
 }
 
-/** What items have that give no value of their own: that of the group above them. */
+/** Values of the group for items that give none. */
 function aboveText(model: ModelParts, list: ViewList, view: ViewColumn): string {
   const field = list.above ? model.byPath.get(`${list.above}.${view.id}`) : undefined;
   const value = field && (field.value ?? field.default);
@@ -126,7 +126,7 @@ export function viewRows(lists: ViewList[], inputs: ViewColumn[], results: Resul
 
 const asNumber = (text: string): number => (text === '' ? Number.NaN : Number(text));
 
-/** Rows by the texts of a column: numbers before words, empty ones last. */
+/** Rows by the texts of a column: numbers before texts, empty ones last. */
 export function sortedRows(rows: ViewRow[], column: number, descending: boolean): ViewRow[] {
   const direction = descending ? -1 : 1;
   return [...rows].sort((a, b) => {

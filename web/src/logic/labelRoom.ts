@@ -1,6 +1,6 @@
-// Where a name that stands upright in a diagram covers none of the curves.
+// Free position for an upright name in a diagram, clear of the curves.
 
-/** In px downwards. `curves`: what they take up beside the name, null without any. Null where the name has no room. */
+/** In px downwards. `curves`: their extent next to the name, null if there are none. Null if the name does not fit. */
 export function upright(length: number, plot: { top: number; bottom: number }, curves: [number, number] | null): 'low' | 'high' | null {
   if (plot.bottom - plot.top < length) return null;
   if (!curves || curves[1] < plot.bottom - length) return 'low';

@@ -1,28 +1,28 @@
-// A lay table of water depths by tensions: what it asks for, and the tensions between which each depth keeps its limits.
+// A lay table of water depths by tensions: its request, and the permissible tensions of each depth.
 import type { Field, Matrix, MatrixCase } from '../api/types';
 import { cellsOver, foremost, kUtilisation, type Cell } from './studies';
-import { axisYaml, firstAxis, type AxisWish, type ModelKeys } from './studyFile';
+import { axisYaml, firstAxis, type AxisRequest, type ModelKeys } from './studyFile';
 
 export const kTension = 'tensioner.tension';
 export const kDepth = 'environment.water_depth';
 
-export interface GridWish { rows: AxisWish; columns: AxisWish }
+export interface GridRequest { rows: AxisRequest; columns: AxisRequest }
 
-export const usualGrid = (byPath: ReadonlyMap<string, Field>): GridWish => (
+export const usualGrid = (byPath: ReadonlyMap<string, Field>): GridRequest => (
   { rows: firstAxis(byPath.get(kDepth) ?? undefined, 0.8, 1.25, 5), columns: firstAxis(byPath.get(kTension) ?? undefined, 0.8, 1.5, 8) });
 
-const gridAxes = (wish: GridWish): AxisWish[] => [{ ...wish.rows, key: kDepth }, { ...wish.columns, key: kTension }];
+const gridAxes = (request: GridRequest): AxisRequest[] => [{ ...request.rows, key: kDepth }, { ...request.columns, key: kTension }];
 
-export function gridFault(wish: GridWish, model: ModelKeys): string | null {
-  const bad = gridAxes(wish).find((axis) => axisYaml(axis, model.unit(axis.key)) === null);
-  return bad ? `${bad.key === kDepth ? 'depths' : 'tensions'}: from and to with their units, and a number from 2` : null;
+export function findGridError(request: GridRequest, model: ModelKeys): string | null {
+  const bad = gridAxes(request).find((axis) => axisYaml(axis, model.unit(axis.key)) === null);
+  return bad ? `${bad.key === kDepth ? 'depths' : 'tensions'}: enter from and to with units, and a number of at least 2` : null;
 }
 
-export const gridYaml = (wish: GridWish, base: string, model: ModelKeys): string => [
+export const gridYaml = (request: GridRequest, base: string, model: ModelKeys): string => [
   'overbend_study: 1', `base: ${/^[\w.+-]+$/.test(base) ? base : JSON.stringify(base)}`, 'analysis: static', 'axes:',
-  ...gridAxes(wish).map((axis) => `  - ${axisYaml(axis, model.unit(axis.key)) ?? '{}'}`), ''].join('\n');
+  ...gridAxes(request).map((axis) => `  - ${axisYaml(axis, model.unit(axis.key)) ?? '{}'}`), ''].join('\n');
 
-/** What a case has to keep; `clearance` of the stinger tip, null: any. In the units of the study. */
+/** Limits of a case; `clearance` at the stinger tip, null: any. In the units of the study. */
 export interface LayLimits { utilisation: number; clearance: number | null; reserved: boolean }
 
 export const usualLimits: LayLimits = { utilisation: 1, clearance: null, reserved: false };
@@ -30,7 +30,7 @@ export const usualLimits: LayLimits = { utilisation: 1, clearance: null, reserve
 const clearanceOutput = (m: Matrix): number => m.outputs.findIndex(({ name }) => name.endsWith('stinger_tip_clearance'));
 const layBackOutput = (m: Matrix): number => m.outputs.findIndex(({ name }) => name.endsWith('.lay_back'));
 
-/** Why a case does not keep the limits; null where it does. */
+/** Reason why a case violates the limits; null if it does not. */
 export function limitBroken(m: Matrix, c: MatrixCase | null, limits: LayLimits): string | null {
   if (!c || c.state === 'open') return 'not computed yet';
   if (c.state === 'failed') return 'no solution';
@@ -40,25 +40,25 @@ export function limitBroken(m: Matrix, c: MatrixCase | null, limits: LayLimits):
   return c.verdict === 'reserved' && !limits.reserved ? c.obstacle || 'reservations' : null;
 }
 
-/** An end of the range: `open`: the table ends before the range does. */
+/** An end of the range; `open`: the table ends before the range does. */
 export interface LimitEnd { tension: number; open: boolean; because: string; layBack: number | null }
 
 export interface DepthLimits { word: string; least: LimitEnd | null; most: LimitEnd | null; gap: boolean }
 
-/** Where the utilisation between two tensions crosses its limit, else the tension that keeps it. */
+/** Tension at which the utilisation crosses its limit (interpolated), otherwise the last permissible tension. */
 function crossing(inside: MatrixCase, outside: MatrixCase, x: number, limits: LayLimits): number {
   const [a, b] = [inside.inputs[x]!, outside.inputs[x]!], [ua, ub] = [inside.utilisation, outside.utilisation];
   if (ua === null || ub === null || ub <= limits.utilisation || inside.governing !== outside.governing) return a;
   return a + (b - a) * (limits.utilisation - ua) / (ub - ua);
 }
 
-function endOf(m: Matrix, x: number, inside: MatrixCase, outside: MatrixCase | null, limits: LayLimits): LimitEnd {
+function rangeEnd(m: Matrix, x: number, inside: MatrixCase, outside: MatrixCase | null, limits: LayLimits): LimitEnd {
   const layBack = inside.values[layBackOutput(m)] ?? null;
   if (!outside) return { tension: inside.inputs[x]!, open: true, because: '', layBack };
   return { tension: crossing(inside, outside, x, limits), open: false, because: limitBroken(m, outside, limits) ?? '', layBack };
 }
 
-/** For every row the least and the most tension that keep the limits, as far as the table goes. */
+/** Minimum and maximum permissible tension of every row, within the table. */
 export function depthLimits(m: Matrix, x: number, y: number, fixed: Record<number, number>, limits: LayLimits): DepthLimits[] {
   const tension = (cell: Cell): number => foremost(cell)?.inputs[x] ?? Infinity;
   return cellsOver(m, [x, y], fixed, kUtilisation).map((cells, j) => {
@@ -68,7 +68,7 @@ export function depthLimits(m: Matrix, x: number, y: number, fixed: Record<numbe
     if (first < 0) return { word, least: null, most: null, gap: false };
     return {
       word, gap: kept.slice(first, last).includes(false),
-      least: endOf(m, x, row[first]!, row[first - 1] ?? null, limits), most: endOf(m, x, row[last]!, row[last + 1] ?? null, limits),
+      least: rangeEnd(m, x, row[first]!, row[first - 1] ?? null, limits), most: rangeEnd(m, x, row[last]!, row[last + 1] ?? null, limits),
     };
   });
 }

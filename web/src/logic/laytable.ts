@@ -1,23 +1,23 @@
-// What a lay table asks for and how its curves are drawn; the program makes the table.
+// Request of a lay table, and the layout of its curves; the program computes the table.
 import type { TableData } from '../components/document';
 import type { LayTable, LayTableVary } from '../api/types';
 
-export interface LayTableWish { vary: LayTableVary; from: string; to: string; steps: string }
+export interface LayTableRequest { vary: LayTableVary; from: string; to: string; steps: string }
 
 const number = (text: string): number | null => { const value = Number.parseFloat(text); return Number.isFinite(value) ? value : null; };
 
-/** "200 kN..400 kN/20", as the program takes it. */
-export const rangeText = (wish: LayTableWish): string => `${wish.from.trim()}..${wish.to.trim()}/${wish.steps.trim()}`;
+/** "200 kN..400 kN/20", in the notation of the program. */
+export const rangeText = (request: LayTableRequest): string => `${request.from.trim()}..${request.to.trim()}/${request.steps.trim()}`;
 
-export function layWishFault(wish: LayTableWish): string | null {
-  const steps = Number(wish.steps);
-  if (number(wish.from) === null || number(wish.to) === null) return 'from and to are numbers with their units';
-  if (!/[a-zA-Z]/.test(wish.to)) return 'the unit is missing: 400 kN, 120 m';
-  return Number.isInteger(steps) && steps >= 1 && steps <= 1000 ? null : 'steps are a whole number from 1 to 1000';
+export function findLayTableError(request: LayTableRequest): string | null {
+  const steps = Number(request.steps);
+  if (number(request.from) === null || number(request.to) === null) return 'enter from and to as numbers with units';
+  if (!/[a-zA-Z]/.test(request.to)) return 'enter the unit as well, for example 400 kN or 120 m';
+  return Number.isInteger(steps) && steps >= 1 && steps <= 1000 ? null : 'steps must be a whole number from 1 to 1000';
 }
 
-/** What a table over it usually covers, from the lay that is shown: SI values. */
-export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_back: number } | null, depth: number | null): LayTableWish {
+/** Default range about the lay shown: SI values. */
+export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_back: number } | null, depth: number | null): LayTableRequest {
   const span = (value: number | null | undefined, less: number, more: number, unit: string, factor: number): [string, string] =>
     (value ? [`${Number((less * value * factor).toPrecision(3))} ${unit}`, `${Number((more * value * factor).toPrecision(3))} ${unit}`] : ['', '']);
   const [from, to] = vary === 'tension' ? span(lay?.top_tension, 0.8, 1.6, 'kN', 1e-3) : vary === 'lay_back' ? span(lay?.lay_back, 0.9, 1.2, 'm', 1) : span(depth, 0.8, 1.2, 'm', 1);
@@ -30,11 +30,11 @@ function titleParts(heading: string): { title: string; unit?: string } {
   return { title, unit };
 }
 
-/** Steps by their number, limits by their name. */
+/** Steps by number, limits by name. */
 export const layRowName = ({ rows }: LayTable, i: number): string =>
   (rows[i]!.kind === 'step' ? String(rows.slice(0, i + 1).filter(({ kind }) => kind === 'step').length) : rows[i]!.kind);
 
-/** The rows, with those that are limits set apart. */
+/** The rows, with limits highlighted. */
 export function layRows(table: LayTable): TableData {
   const { columns, rows } = table;
   return {
@@ -47,11 +47,11 @@ export function layRows(table: LayTable): TableData {
   };
 }
 
-/** Tension and depth of a row as keys of the model; without one that has no lay. */
+/** Tension and depth of a row as keys of the model; empty if it has no lay. */
 export function layRowKeys({ columns, rows }: LayTable, i: number): { key: string; text: string }[] {
   const value = (title: string, key: string): { key: string; text: string }[] => {
-    const at = columns.findIndex(({ heading }) => titleParts(heading).title === title), cell = rows[i]?.cells[at];
-    return typeof cell === 'number' ? [{ key, text: `${Number(cell.toPrecision(6))} ${titleParts(columns[at]!.heading).unit ?? ''}`.trim() }] : [];
+    const column = columns.findIndex(({ heading }) => titleParts(heading).title === title), cell = rows[i]?.cells[column];
+    return typeof cell === 'number' ? [{ key, text: `${Number(cell.toPrecision(6))} ${titleParts(columns[column]!.heading).unit ?? ''}`.trim() }] : [];
   };
   return [...value('top tension', 'tensioner.tension'), ...value('depth', 'environment.water_depth')];
 }

@@ -1,14 +1,14 @@
-// Values tried out on top of the model, and the changes of keys that they are.
+// Trial values on top of the model, and the key changes that they represent.
 import { fittedRadius, withRadius, type Box } from './stinger';
 import { tidy } from './units';
 import { boxHeight, currentFactor, keyVariable, stingerRadius, variableText, type NumericField } from './variables';
 
-/** `name`: the one it has in results. */
+/** `name`: the one in the results. */
 export interface LiveBox { path: string; name: string; index: number; x: number; z: number; structure: string }
 
 export interface LiveBase {
   fields: ReadonlyMap<string, NumericField>;
-  radius: number | null; // m, fitted to the listed boxes of the stinger; null where it is a key of its own
+  radius: number | null; // m, fitted to the listed boxes of the stinger; null if it is a separate key
   current: number[]; // m/s by row
   boxes: LiveBox[];
 }
@@ -41,7 +41,7 @@ export function readBase(list: readonly NumericField[]): LiveBase {
 
 const metres = (v: number): string => `${tidy(Math.round(v * 1e4) / 1e4, 8)} m`;
 
-/** Places of the stinger's boxes with another radius of their circle, then raised. */
+/** Positions of the stinger boxes for another radius, then raised. */
 function boxChanges(base: LiveBase, values: LiveValues): [string, string][] {
   const stinger = base.boxes.filter((b) => b.structure === 'stinger');
   const radius = values[stingerRadius], raise = values[boxHeight] ?? 0;
@@ -55,7 +55,7 @@ function boxChanges(base: LiveBase, values: LiveValues): [string, string][] {
   return out;
 }
 
-/** A key's own value goes before what a variable of several keys makes of it. */
+/** The value of a key takes precedence over a variable that sets several keys. */
 export function liveChanges(base: LiveBase, values: LiveValues): { path: string; value: string | number }[] {
   const out = new Map<string, string | number>(boxChanges(base, values));
   const factor = values[currentFactor];

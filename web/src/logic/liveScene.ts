@@ -1,7 +1,7 @@
-// What stands still, moved along with the values that are tried out: seabed with the depth, vessel with its trim.
+// The fixed scene adjusted to trial values: seabed with the depth, vessel with its trim.
 import type { Scene } from '../api/types';
 
-/** `depth` [m] and `trim` [rad, bow up] where they are tried out; `trim0` is the model's own. */
+/** Trial values of `depth` [m] and `trim` [rad, bow up]; `trim0` is that of the model. */
 export function liveScene(scene: Scene, depth: number | undefined, trim: number | undefined, trim0: number): Scene {
   if (depth === undefined && trim === undefined) return scene;
   const out = { ...scene };
@@ -11,7 +11,7 @@ export function liveScene(scene: Scene, depth: number | undefined, trim: number 
     out.seabed = { normal: scene.seabed.normal, point: [x, y, z - (depth - scene.water_depth)] };
   }
   if (trim !== undefined && scene.vessel) {
-    // about the vessel's own transverse axis; bow up is a turn by the negative angle
+    // about the transverse axis of the vessel; bow up is a rotation by the negative angle
     const p = scene.vessel.pose, angle = trim0 - trim, c = Math.cos(angle), s = Math.sin(angle);
     const pose = [...p];
     for (let row = 0; row < 3; ++row) {

@@ -1,4 +1,4 @@
-// The model as a tree of objects: what can be selected, each with the value that says most of it.
+// The model as a tree of objects that can be selected, each with a summary value.
 import type { Field } from '../api/types';
 import { parts, type Node } from './formTree';
 
@@ -8,7 +8,7 @@ export type FieldNode = Node<Field>;
 export const isObject = (node: FieldNode): boolean => node.children.length > 0 || node.field?.kind === 'map' || node.field?.kind === 'list';
 export const isItem = (node: FieldNode): boolean => /\[\d+\]$/.test(node.path);
 
-/** Order in which an installation is described; other groups follow in that of the schema. */
+/** Order of description of an installation; other groups follow in the order of the schema. */
 const order = ['environment', 'pipe', 'vessel', 'tensioner', 'supports', 'rollers', 'moorings', 'station_keeping', 'bodies', 'lines', 'route', 'operation', 'checks', 'fatigue', 'analysis', 'report'];
 const titles: Record<string, string> = {
   environment: 'Site', 'environment.seabed': 'Seabed', 'environment.current': 'Current', 'environment.waves': 'Sea', checks: 'Criteria', report: 'Document',
@@ -22,13 +22,13 @@ export function objectTitle(node: FieldNode): string {
   return title.charAt(0).toUpperCase() + title.slice(1);
 }
 
-const place = (node: FieldNode): number => { const at = order.indexOf(node.path); return at < 0 ? order.length : at; };
+const place = (node: FieldNode): number => { const index = order.indexOf(node.path); return index < 0 ? order.length : index; };
 
 /** Objects of the first level that the model has, in the order of an installation. */
 export const topObjects = (sections: FieldNode[]): FieldNode[] => sections.filter((n) => isObject(n) && (n.given || n.path === 'report')).sort((a, b) => place(a) - place(b));
-/** What the model could have besides. */
+/** Objects that the model could have in addition. */
 export const absentObjects = (sections: FieldNode[]): FieldNode[] => sections.filter((n) => isObject(n) && !n.given && n.path !== 'report').sort((a, b) => place(a) - place(b));
-/** Objects within an object; of items that are single values there are none. */
+/** Objects within an object; items that are single values are not objects. */
 export const partsWithin = (node: FieldNode): FieldNode[] => node.children.filter((child) => child.given && isObject(child));
 
 export function findNode(sections: FieldNode[], path: string): FieldNode | null {
@@ -43,7 +43,7 @@ export function findNode(sections: FieldNode[], path: string): FieldNode | null 
   return null;
 }
 
-/** The object that shows a key: itself where it is one, else the nearest group above that is an object of the tree. */
+/** The object that shows a key: the key itself if it is one, otherwise its nearest parent in the tree. */
 export function objectOfKey(sections: FieldNode[], key: string): string {
   for (let path = key; path; path = path.replace(/(?:\.[^.[]*|\[\d+\]|^[^.[]*)$/, '')) {
     const node = findNode(sections, path);
@@ -52,7 +52,7 @@ export function objectOfKey(sections: FieldNode[], key: string): string {
   return sections.some((n) => n.path === key) ? 'report' : '';
 }
 
-/** What is selected where nothing is: the tensioner of a lay, else the first object after the site. */
+/** Default selection: the tensioner of a lay, otherwise the first object after the site. */
 export function firstObject(sections: FieldNode[]): string {
   const top = topObjects(sections);
   return (top.find((n) => n.path === 'tensioner') ?? top[1] ?? top[0])?.path ?? '';
@@ -67,14 +67,14 @@ export function pathsAbove(path: string): string[] {
 }
 
 type Values = ReadonlyMap<string, Field>;
-const counted = (n: number, one: string): string => `${n} ${one}${n === 1 ? '' : 's'}`;
+const counted = (n: number, singular: string): string => `${n} ${singular}${n === 1 ? '' : 's'}`;
 
 function boxes(values: Values, structure: string): number {
   const list = values.get(`supports.${structure}.boxes`)?.count;
   return list ?? Number(values.get(`supports.${structure}.boxes.count`)?.value ?? 0);
 }
 
-/** Inches where the outside diameter is a size of line pipe, as engineers name it. */
+/** Inches if the outside diameter is a size of line pipe. */
 function pipeSize(values: Values): string {
   const outside = values.get('pipe.steel.outside_diameter'), wall = values.get('pipe.steel.wall_thickness');
   if (!outside?.given) return '';
@@ -83,7 +83,7 @@ function pipeSize(values: Values): string {
   return wall?.given ? `${size} × ${String(wall.value)}` : size;
 }
 
-const own: Record<string, (values: Values) => string> = {
+const summaries: Record<string, (values: Values) => string> = {
   environment: (v) => text(v, 'environment.water_depth'),
   'environment.seabed': (v) => text(v, 'environment.seabed.stiffness'),
   'environment.current': (v) => counted(v.get('environment.current')?.count ?? 0, 'row'),
@@ -106,9 +106,9 @@ function text(values: Values, path: string): string {
   return field?.given && field.value !== null && field.value !== undefined ? String(field.value) : '';
 }
 
-/** The value that says most of an object, as it is written in the model. */
-export function tellingValue(node: FieldNode, values: Values): string {
-  const known = own[node.path];
+/** Summary value of an object, as written in the model. */
+export function summaryValue(node: FieldNode, values: Values): string {
+  const known = summaries[node.path];
   if (known) return known(values);
   if (node.field?.kind === 'list') return node.field.count ? String(node.field.count) : '';
   const first = node.children.find((child) => child.given && !isObject(child) && !child.path.endsWith('.name'));

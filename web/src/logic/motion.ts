@@ -1,28 +1,28 @@
-// The vessel's motion as the form offers it.
+// Choices of the vessel motion in the form.
 
 export type MotionKind = 'fixed' | 'raos' | 'harmonic' | 'history' | 'coupled';
 
-export const motionWords: Record<MotionKind, string> = {
+export const motionLabels: Record<MotionKind, string> = {
   fixed: 'fixed', raos: 'RAO file', harmonic: 'harmonic', history: 'motion history (file)', coupled: 'coupled (floating hull)',
 };
 
 export type FileKind = 'raos' | 'history' | 'coupled';
 
-/** Endings of the files that a kind reads; of a floating hull the one that stands for WAMIT's four. */
+/** File extensions of each kind; for a floating hull the one that represents WAMIT's four. */
 export const fileKinds: Record<FileKind, string[]> = { raos: ['.csv', '.4', '.yml'], history: ['.csv'], coupled: ['.hst', '.nc'] };
-/** What may be sent for it. */
+/** Extensions accepted for upload. */
 export const sentKinds: Record<FileKind, string[]> = { ...fileKinds, coupled: ['.1', '.3', '.8', '.hst'] };
 
-/** The name that the model gives to hydrodynamic files: WAMIT's common stem, or the file. */
+/** Name of hydrodynamic files in the model: WAMIT's common stem, or the file. */
 export const hydrodynamics = (file: string): string => file.replace(/\.hst$/, '');
 
 interface Known { given: boolean; value?: unknown; si?: number | null }
 
 const sea = 1025; // kg/m^3
 
-/** A floating hull as a loaded box: first values of what the files do not say. */
+/** A floating hull as a loaded box: default values for data that the files do not contain. */
 function coupledValue(file: string, fields: ReadonlyMap<string, Known>): unknown {
-  const si = (key: string, other: number): number => fields.get(`vessel.${key}`)?.si ?? other;
+  const si = (key: string, fallback: number): number => fields.get(`vessel.${key}`)?.si ?? fallback;
   const length = si('length', 120), beam = si('beam', 30), draught = si('draught', 5), depth = si('depth', 9);
   const metres = (v: number): string => `${Number(v.toPrecision(4))} m`;
   return {
@@ -33,14 +33,14 @@ function coupledValue(file: string, fields: ReadonlyMap<string, Known>): unknown
   };
 }
 
-/** Null where the model does not say. */
+/** Null if the model gives none. */
 export function motionKind(fields: ReadonlyMap<string, Known>): MotionKind | null {
   for (const kind of ['raos', 'history', 'harmonic', 'coupled'] as const) if (fields.get(`vessel.motion.${kind}`)?.given) return kind;
   const whole = fields.get('vessel.motion');
   return whole?.given && whole.value === 'fixed' ? 'fixed' : null;
 }
 
-/** What is written into the model for a choice. Another file of RAOs keeps what is said about its conventions. */
+/** Value written into the model for a choice. A new RAO file keeps the given conventions. */
 export function motionValue(kind: MotionKind, file: string, fields: ReadonlyMap<string, Known>): unknown {
   if (kind === 'fixed') return 'fixed';
   if (kind === 'coupled') return { coupled: coupledValue(file, fields) };
@@ -51,16 +51,16 @@ export function motionValue(kind: MotionKind, file: string, fields: ReadonlyMap<
     for (const [path, field] of fields) {
       if (!path.startsWith('vessel.motion.convention.') || !field.given || field.value === null || field.value === undefined) continue;
       const keys = path.slice('vessel.motion.convention.'.length).split('.');
-      let at = convention;
-      for (const key of keys.slice(0, -1)) at = (at[key] ??= {}) as Record<string, unknown>;
-      at[keys.at(-1)!] = field.value;
+      let group = convention;
+      for (const key of keys.slice(0, -1)) group = (group[key] ??= {}) as Record<string, unknown>;
+      group[keys.at(-1)!] = field.value;
     }
   }
   if (Object.keys(convention).length) out.convention = convention;
   return out;
 }
 
-/** Members of a sea that its type asks for: they are shown whether they are given or not. */
+/** Keys required by the type of sea: shown even if they are not given. */
 export function askedOfWaves(type: unknown): string[] {
   switch (type) {
     case 'jonswap': case 'pierson_moskowitz': return ['hs', 'tp'];

@@ -1,4 +1,4 @@
-// Keys of an operation on the line: what a type of operation has, its values in words, and the changes that design it.
+// Keys of an operation on the line: those of its type, summaries of their values, and the changes that design it.
 import type { Change, Field, OperationStage } from '../api/types';
 import type { FirstOperation } from './firstOperation';
 import { tidy } from './units';
@@ -8,21 +8,21 @@ export type Fields = ReadonlyMap<string, Pick<Field, 'value' | 'si' | 'given' | 
 export interface OperationType { id: FirstOperation; name: string; text: string; out: 'cable_out' | 'pipe_out' | 'passed' | 'ahead' | 'ballast' | '' }
 
 export const operationTypes: readonly OperationType[] = [
-  { id: 'abandonment', name: 'Abandonment', text: 'a head closes the pipe and goes down to the bed on a cable', out: 'cable_out' },
-  { id: 'recovery', name: 'Recovery', text: 'the pipe comes up again on the cable', out: 'cable_out' },
-  { id: 'lay_down', name: 'Lay-down', text: 'the end of the line goes down to the bed on a cable', out: 'cable_out' },
-  { id: 'start_up', name: 'Start-up', text: 'the pipe leaves the vessel, held by a cable from an anchor', out: 'pipe_out' },
-  { id: 'move', name: 'Move ahead', text: 'the vessel moves ahead by a joint', out: 'ahead' },
-  { id: 'shore_pull', name: 'Shore pull', text: 'a winch at a distance draws the pipe along the bed', out: 'pipe_out' },
-  { id: 'hold_back', name: 'Hold-back', text: 'the vessel draws the pipe back, the winch holds', out: 'pipe_out' },
-  { id: 'passage', name: 'Passage', text: 'a structure in the pipe goes over the stinger', out: 'passed' },
+  { id: 'abandonment', name: 'Abandonment', text: 'the pipe is sealed with a head and lowered to the seabed on a cable', out: 'cable_out' },
+  { id: 'recovery', name: 'Recovery', text: 'the pipe is recovered with the cable', out: 'cable_out' },
+  { id: 'lay_down', name: 'Lay-down', text: 'the end of the line is lowered to the seabed on a cable', out: 'cable_out' },
+  { id: 'start_up', name: 'Start-up', text: 'the pipe is pulled off the vessel by a cable to an anchor', out: 'pipe_out' },
+  { id: 'move', name: 'Move ahead', text: 'the vessel moves ahead by one joint', out: 'ahead' },
+  { id: 'shore_pull', name: 'Shore pull', text: 'a remote winch pulls the pipe along the seabed', out: 'pipe_out' },
+  { id: 'hold_back', name: 'Hold-back', text: 'the vessel pulls the pipe back against the winch', out: 'pipe_out' },
+  { id: 'passage', name: 'Passage', text: 'a structure in the pipe passes over the stinger', out: 'passed' },
   { id: 'ballast', name: 'Ballast', text: 'a tank of the stinger is flooded', out: 'ballast' },
   { id: 'lift', name: 'Davit lift', text: 'davits haul in and pay out, stage by stage', out: '' },
 ];
 
 export const operationType = (id: string): OperationType | undefined => operationTypes.find((type) => type.id === id);
 
-/** These have the same keys: one is made of the other by its type alone. */
+/** These types have the same keys: only the type has to be changed. */
 const alike: readonly (readonly string[])[] = [['abandonment', 'recovery', 'lay_down'], ['shore_pull', 'hold_back']];
 export const sameKeys = (a: string, b: string): boolean => a === b || alike.some((group) => group.includes(a) && group.includes(b));
 
@@ -34,16 +34,16 @@ export const cableText = (fields: Fields): string => leaves(fields, 'cable', ['d
 
 export const isStageList = (fields: Fields): boolean => fields.get('operation.stages')?.kind === 'list' && fields.get('operation.stages')?.given === true;
 
-/** Number of stages that the model asks for; 0 where it has none yet. */
+/** Number of stages in the model; 0 if there are none yet. */
 export function stageCount(fields: Fields): number {
   if (isStageList(fields)) return fields.get('operation.stages')?.count ?? 0;
   if (!fields.get('operation.stages.from')?.given) return 0;
   return (fields.get('operation.stages.steps')?.si ?? 10) + 1;
 }
 
-const outWords: Record<string, string> = { cable_out: 'cable out', pipe_out: 'pipe out', passed: 'passed', ahead: 'ahead', ballast: 'flooded' };
+const outLabels: Record<string, string> = { cable_out: 'cable out', pipe_out: 'pipe out', passed: 'passed', ahead: 'ahead', ballast: 'flooded' };
 
-/** The outer values of a key over the listed stages, as they are written. */
+/** First and last value of a key over the listed stages, as written. */
 function ends(fields: Fields, key: string): [string, string] {
   const count = stageCount(fields);
   return [leaf(fields, `operation.stages[0].${key}`), leaf(fields, `operation.stages[${count - 1}].${key}`)];
@@ -60,14 +60,14 @@ export function stagesText(fields: Fields): string {
   if (count === 0) return 'none yet';
   if (!type?.out) return `${count}, listed`;
   const [from, to] = isStageList(fields) ? ends(fields, type.out) : [leaf(fields, 'operation.stages.from'), leaf(fields, 'operation.stages.to')];
-  return `${count}, ${outWords[type.out]} ${spanText(from, to)}`;
+  return `${count}, ${outLabels[type.out]} ${spanText(from, to)}`;
 }
 
 const limitNames: [key: string, text: string][] = [
-  ['utilisation', 'utilisation below'], ['sagbend_strain', 'sagbend strain below'], ['sagbend_stress', 'sagbend below'], ['roller_load', 'rollers below'], ['tip_clearance', 'tip clear by'],
+  ['utilisation', 'utilisation below'], ['sagbend_strain', 'sagbend strain below'], ['sagbend_stress', 'sagbend below'], ['roller_load', 'rollers below'], ['tip_clearance', 'tip clearance above'],
 ];
 
-/** Limits that the sought tension keeps. */
+/** Limits on the sought tension. */
 export function limitsText(fields: Fields): string {
   const given = limitNames.filter(([key]) => fields.get(`operation.stages.limits.${key}`)?.given).map(([key, text]) => `${text} ${leaf(fields, `operation.stages.limits.${key}`)}`);
   return given.length ? given.join(', ') : 'utilisation below 1';
@@ -86,7 +86,7 @@ export function tensionMode(fields: Fields): TensionMode {
 export function tensionText(fields: Fields): string {
   const held = leaf(fields, 'tensioner.tension') || leaf(fields, 'tensioner.range[0]');
   switch (tensionMode(fields)) {
-    case 'hold': return held ? `held, ${held}` : 'held as in the lay';
+    case 'hold': return held ? `constant, ${held}` : 'as in the lay';
     case 'force': return leaf(fields, 'operation.stages.tension');
     case 'bottom': return `bottom ${leaf(fields, 'operation.stages.bottom_tension') || '…'}`;
     case 'seek': return `seek: ${limitsText(fields)}`;
@@ -101,13 +101,13 @@ export function tensionText(fields: Fields): string {
   }
 }
 
-/** Whether the program seeks tensions for this type. */
+/** True if the program can seek tensions for this type. */
 export const canSeek = (type: string): boolean => !['', 'lift', 'ballast'].includes(type);
 
-/** Utilisation that a procedure keeps where no limit is given. */
+/** Default utilisation limit of a procedure. */
 export const designUtilisation = 0.9;
 
-/** The least tension of every stage that keeps the limits; listed stages become as many at even steps. */
+/** Seeks the minimum permissible tension of every stage; listed stages become as many at even steps. */
 export function designChanges(fields: Fields): Change[] {
   const limited = limitNames.some(([key]) => fields.get(`operation.stages.limits.${key}`)?.given);
   if (!isStageList(fields)) {
@@ -121,7 +121,7 @@ export function designChanges(fields: Fields): Change[] {
   return [{ path: 'operation.stages', value: { from: metres(Math.min(...outs)), to: metres(Math.max(...outs)), steps: count - 1, tension: 'seek', limits: { utilisation: designUtilisation } } }];
 }
 
-/** Where the last stage of a sought abandonment can end: one stage behind the first with the head on the bed; null where it ends there. */
+/** End of a sought abandonment: one stage after the first with the head on the seabed; null if it already ends there. */
 export function shortenedEnd(type: string, stages: readonly OperationStage[]): number | null {
   if (operationType(type)?.out !== 'cable_out') return null;
   const down = type === 'recovery' ? [...stages].reverse() : stages;
@@ -129,13 +129,13 @@ export function shortenedEnd(type: string, stages: readonly OperationStage[]): n
   return first < 0 || first >= down.length - 2 ? null : down[first + 1]!.out;
 }
 
-/** Clearance of the head's underside from which on it is taken to lie on the bed [m]. */
+/** Clearance of the underside of the head below which it counts as on the seabed [m]. */
 const lying = 0.3;
 
-/** Index in the model's list of a stage that is done: a recovery is listed in reverse. */
+/** Index of a solved stage in the list of the model: a recovery is listed in reverse. */
 export const listIndex = (type: string, stage: number, count: number): number => (type === 'recovery' ? count - 1 - stage : stage);
 
-/** Solved stages at even steps as a list, each with the tension that was found. */
+/** Solved stages at even steps as a list, each with the tension found. */
 export function listChanges(type: string, stages: readonly OperationStage[]): Change[] {
   const out = operationType(type)?.out;
   if (!out) return [];

@@ -1,17 +1,17 @@
 // The range of one number in which every check passes: a coarse scan over the slider, then bisection of its ends.
 import type { VerdictKind } from '../api/types';
 
-/** What a state says: `failed` has no equilibrium, `open` is judged by no check. */
+/** Status of a state: `failed` has no equilibrium, `open` has no check. */
 export type Judgement = 'passed' | 'reserved' | 'exceeded' | 'failed' | 'open';
 export const judgement = (kind: VerdictKind): Judgement => (kind === 'not judged' ? 'open' : kind);
 
 export interface PassInterval {
   from: number;
   to: number;
-  /** Whether the interval goes on beyond what was searched. */
+  /** True if the interval continues beyond the search range. */
   fromOpen: boolean;
   toOpen: boolean;
-  /** How much of it passes with reservations only. */
+  /** Extent of the interval that passes with reservations only. */
   reserved: 'none' | 'partly' | 'all';
 }
 
@@ -25,24 +25,24 @@ function reservedPart(list: readonly Judgement[]): PassInterval['reserved'] {
   return count === 0 ? 'none' : count === list.length ? 'all' : 'partly';
 }
 
-/** Values from the middle outwards, so that each is near one that was judged before. */
-export function scanOrder(low: number, high: number, own: number): number[] {
+/** Values from the start outwards, so that each is near one already evaluated. */
+export function scanOrder(low: number, high: number, start: number): number[] {
   const grid = Array.from({ length: scanPoints }, (_v, i) => low + ((high - low) * i) / (scanPoints - 1));
   const near = 1e-6 * (high - low);
-  const all = own > low && own < high && grid.every((v) => Math.abs(v - own) > near) ? [...grid, own] : grid;
-  return all.sort((a, b) => Math.abs(a - own) - Math.abs(b - own));
+  const all = start > low && start < high && grid.every((v) => Math.abs(v - start) > near) ? [...grid, start] : grid;
+  return all.sort((a, b) => Math.abs(a - start) - Math.abs(b - start));
 }
 
-/** Points that fail one after another, seen from where it passes, after which a direction is given up. */
+/** Consecutive failing points after which a direction is abandoned. */
 const patience = 2;
 
-/** `judge` rejects when the search is to end. Null where no check judges the model. */
-export async function findPassIntervals(judge: (value: number) => Promise<Judgement>, low: number, high: number, own: number): Promise<PassInterval[] | null> {
+/** `judge` rejects to end the search. Null if the model has no check. */
+export async function findPassIntervals(judge: (value: number) => Promise<Judgement>, low: number, high: number, start: number): Promise<PassInterval[] | null> {
   const judged: { value: number; judgement: Judgement }[] = [];
   const failures = { below: 0, above: 0 };
   let anyPass = false;
-  for (const value of scanOrder(low, high, own)) {
-    const side = value < own ? 'below' : 'above';
+  for (const value of scanOrder(low, high, start)) {
+    const side = value < start ? 'below' : 'above';
     if (anyPass && failures[side] >= patience) continue;
     const found = await judge(value);
     judged.push({ value, judgement: found });
@@ -79,10 +79,10 @@ export async function findPassIntervals(judge: (value: number) => Promise<Judgem
 
 /** "every check passes from 180 kN to 340 kN" */
 export function passSentence(intervals: readonly PassInterval[], text: (value: number) => string): string {
-  if (intervals.length === 0) return 'in no part of this slider does every check pass';
+  if (intervals.length === 0) return 'no value of this slider passes every check';
   const part = (i: PassInterval): string => {
-    const ends = i.fromOpen && i.toOpen ? 'on the whole slider' : i.fromOpen ? `up to ${text(i.to)}` : i.toOpen ? `above ${text(i.from)}` : `from ${text(i.from)} to ${text(i.to)}`;
-    return i.reserved === 'none' ? ends : `${ends} (${i.reserved === 'partly' ? 'in part ' : ''}with reservations)`;
+    const ends = i.fromOpen && i.toOpen ? 'over the whole range' : i.fromOpen ? `up to ${text(i.to)}` : i.toOpen ? `above ${text(i.from)}` : `from ${text(i.from)} to ${text(i.to)}`;
+    return i.reserved === 'none' ? ends : `${ends} (${i.reserved === 'partly' ? 'partly ' : ''}with reservations)`;
   };
   return `every check passes ${intervals.map(part).join(', and ')}`;
 }

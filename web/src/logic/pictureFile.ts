@@ -1,9 +1,9 @@
-// The picture as one image: the 3-D view with its names, or a drawing, with the legend's scale and the caption.
+// The picture as one image: the 3-D view with its names, or a drawing, with the scale of the legend and the caption.
 import type { ShownName } from '../view/labels';
 
 const kept = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity', 'stroke-dasharray', 'stroke-linejoin', 'opacity', 'font-size', 'font-weight', 'font-family', 'paint-order', 'text-anchor', 'visibility', 'display'] as const;
 
-/** The drawing with the style that it has on the page written into it. */
+/** The drawing with its computed style embedded. */
 export function standalone(svg: SVGSVGElement): string {
   const copy = svg.cloneNode(true) as SVGSVGElement;
   const from = [svg, ...svg.querySelectorAll<SVGElement>('*')], to = [copy, ...copy.querySelectorAll<SVGElement>('*')];
@@ -18,11 +18,11 @@ export function standalone(svg: SVGSVGElement): string {
   return new XMLSerializer().serializeToString(copy);
 }
 
-export function imageOf(text: string): Promise<HTMLImageElement> {
+export function makeImage(text: string): Promise<HTMLImageElement> {
   return new Promise((done, fail) => {
     const image = new Image();
     image.onload = () => done(image);
-    image.onerror = () => fail(new Error('The drawing cannot be made into an image'));
+    image.onerror = () => fail(new Error('The drawing could not be converted to an image'));
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
   });
 }
@@ -34,7 +34,7 @@ export function pageColours(): Colours {
   return { ink: get('ink'), soft: get('soft'), paper: get('paper'), top: get('sky-top'), low: get('void'), family: getComputedStyle(document.body).fontFamily };
 }
 
-/** A sheet of paper in pixels of the page, drawn with those of the screen. */
+/** A canvas in CSS pixels, with the resolution of the screen. */
 export function sheet(width: number, height: number): { canvas: HTMLCanvasElement; pen: CanvasRenderingContext2D } {
   const canvas = document.createElement('canvas'), ratio = Math.max(1, Math.min(2, devicePixelRatio));
   [canvas.width, canvas.height] = [width * ratio, height * ratio];

@@ -1,9 +1,9 @@
-// The plan of a vessel on its moorings: north up, in metres; and what is drawn on it.
+// The plan of a vessel on its moorings: north up, in metres, with its objects.
 import type { Scene, Vector } from '../api/types';
 
 export interface Box { west: number; south: number; east: number; north: number }
 
-/** All points within, with a margin as a share of the larger side; never thinner than `least` of the larger side. */
+/** Bounding box of all points, with a margin as a fraction of the larger side; never thinner than `least` of the larger side. */
 export function around(points: readonly (readonly [number, number])[], margin = 0.09, least = 0.35): Box {
   let west = Infinity, south = Infinity, east = -Infinity, north = -Infinity;
   for (const [x, y] of points) { west = Math.min(west, x); east = Math.max(east, x); south = Math.min(south, y); north = Math.max(north, y); }
@@ -13,7 +13,7 @@ export function around(points: readonly (readonly [number, number])[], margin = 
   return { west: west - wide, east: east + wide, south: south - high, north: north + high };
 }
 
-/** Outline of the hull on the water line, bow pointed. */
+/** Outline of the hull at the water line, with a pointed bow. */
 export function outline(vessel: NonNullable<Scene['vessel']>): [number, number][] {
   const { pose: p, length, beam } = vessel;
   const corners: [number, number][] = [[-0.5, -0.5], [0.4, -0.5], [0.5, 0], [0.4, 0.5], [-0.5, 0.5]];
@@ -22,7 +22,7 @@ export function outline(vessel: NonNullable<Scene['vessel']>): [number, number][
 
 export const flat = (p: Vector): [number, number] => [p[0], p[1]];
 
-/** Place on a line of points, by the share of its length from above. */
+/** Point on a polyline, by the fraction of its length from the beginning. */
 export function alongLine(points: readonly Vector[], share: number): [number, number] {
   const steps = points.slice(1).map((p, i) => Math.hypot(p[0] - points[i]![0], p[1] - points[i]![1]));
   let left = share * steps.reduce((a, b) => a + b, 0);
@@ -42,10 +42,10 @@ export function scaleLength(width: number): number {
   return [5, 2, 1].map((m) => m * power).find((m) => m <= raw) ?? power;
 }
 
-/** Statistics of two quantities together. */
+/** Joint statistics of two quantities. */
 export interface Scatter { x: { mean: number; std: number }; y: { mean: number; std: number }; covariance: number }
 
-/** Axes of the ellipse of `times` standard deviations, and its turn anticlockwise from x in rad. */
+/** Axes of the ellipse of `times` standard deviations, and its rotation anticlockwise from x in rad. */
 export function ellipse(s: Scatter, times: number): { a: number; b: number; turn: number } {
   const xx = s.x.std ** 2, yy = s.y.std ** 2, xy = s.covariance;
   const middle = (xx + yy) / 2, reach = Math.hypot((xx - yy) / 2, xy);
@@ -62,7 +62,7 @@ export function scatter(x: readonly number[], y: readonly number[]): Scatter {
   return { x: { mean: mx, std: Math.sqrt(xx / n) }, y: { mean: my, std: Math.sqrt(yy / n) }, covariance: xy / n };
 }
 
-/** Middle of the foot of a name beside a mark, outwards of the spread; above or below it where there is no room at its side. */
+/** Middle of the foot of a name next to a mark, on the outer side of the mooring spread; above or below it if there is no room at the side. */
 export function labelAt(mark: readonly [number, number], away: readonly [number, number], wide: number, width: number): [number, number] {
   const [x, y] = mark, size = Math.hypot(...away) || 1, aside = away[0] / size;
   if (Math.abs(aside) > 0.3) {

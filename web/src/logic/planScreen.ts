@@ -1,11 +1,11 @@
-// From the plan, east and north in metres, to pixels and back.
+// Conversion between the plan (east and north in metres) and pixels.
 import { around } from './plan';
 
 export interface PlanScreen { width: number; height: number; scale: number; x: (east: number) => number; y: (north: number) => number; east: (x: number) => number; north: (y: number) => number }
 
 type Place = readonly [number, number];
 
-/** `left`: of the width, for what stands beside the drawing. */
+/** `left`: fraction of the width used by the table next to the drawing. */
 export function planScreen(points: readonly Place[], width: number, height: number, left: number): PlanScreen {
   const box = around(points);
   const scale = Math.min((width - left) / (box.east - box.west), height / (box.north - box.south));

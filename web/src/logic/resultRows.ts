@@ -1,16 +1,16 @@
-// The key results as rows: at rest, over a storm, and of something to compare with.
+// Key results as rows: static, over a storm, and for a comparison.
 import type { KeyResults, Region, RegionSummary, Spread } from '../api/results';
 import type { Lay, RunSummary } from '../api/types';
 
 export interface ResultRow {
   name: string;
-  /** SI unit; "%" of strains. */
+  /** SI unit; "%" for strains. */
   unit: string;
   static: number | null;
-  /** The unfavourable end over the storm: the least of clearances and of the tension at the bottom, the largest of everything else. */
+  /** Unfavourable extreme over the storm: minimum of clearances and bottom tension, maximum of everything else. */
   storm: number | null;
   compared: number | null;
-  /** Where a value can be sought: its path in summary.json. */
+  /** Path in summary.json of a value that goal seek supports. */
   result?: string;
   title?: string;
 }
@@ -34,22 +34,22 @@ function regionQuantities(name: string, region: (k: KeyResults) => Region | null
 const ofPipe: Quantity<KeyResults>[] = [
   { name: 'top tension', unit: 'N', of: (k) => k.top_tension, storm: (d) => most(d.top_tension), result: 'static.top_tension' },
   { name: 'bottom tension', unit: 'N', of: (k) => k.bottom_tension, storm: (d) => least(d.bottom_tension), result: 'static.bottom_tension',
-    title: 'Over a storm the least: a low tension bends the sagbend and may compress the pipe.' },
+    title: 'Minimum over the storm: a low tension increases sagbend bending and can compress the pipe.' },
   ...regionQuantities('overbend', (k) => k.overbend, (d) => d.overbend),
   ...regionQuantities('tower', (k) => k.tower, (d) => d.tower),
   ...regionQuantities('sagbend', (k) => k.sagbend, (d) => d.sagbend),
-  { name: 'largest reaction', unit: 'N', of: (k) => k.largest_reaction || null, result: 'static.largest_reaction.value', title: 'Of a single roller.',
+  { name: 'largest reaction', unit: 'N', of: (k) => k.largest_reaction || null, result: 'static.largest_reaction.value', title: 'Maximum of a single roller.',
     storm: (d) => rollerMaximum(d) },
   { name: 'tip clearance', unit: 'm', of: (k) => k.stinger_tip_clearance, storm: (d) => least(d.stinger_tip_clearance), result: 'static.stinger_tip_clearance',
-    title: 'Clearance of the pipe over the last stinger roller; over a storm the least.' },
+    title: 'Clearance of the pipe above the last stinger roller; minimum over the storm.' },
   { name: 'lay-back', unit: 'm', of: (k) => k.lay_back, storm: (d) => most(d.lay_back), result: 'static.lay_back', title: 'Horizontal distance from stern shoe to touchdown.' },
   { name: 'departure angle', unit: 'rad', of: (k) => k.departure_angle, storm: (d) => most(d.departure_angle), result: 'static.departure_angle' },
-  { name: 'stinger radius', unit: 'm', of: (k) => k.stinger_fitted_radius, title: "Of the circle fitted to the stinger's boxes, by least squares of their distances from it." },
+  { name: 'stinger radius', unit: 'm', of: (k) => k.stinger_fitted_radius, title: 'Radius of the least-squares circle through the stinger boxes.' },
 ];
 
 function rollerMaximum(d: InTime): number | null {
   let out: number | null = null;
-  // without a pipe there are none
+  // none without a pipe
   for (const box of d.supports ?? []) for (const row of box.rows) for (const roller of Object.values(row as Record<string, { reaction?: Spread }>)) {
     const value = roller.reaction?.max;
     if (value !== undefined && value !== null && (out === null || value > out)) out = value;
@@ -57,7 +57,7 @@ function rollerMaximum(d: InTime): number | null {
   return out;
 }
 
-/** Where the moorings hold the vessel, and the line that carries most of its breaking load. */
+/** Static offset of the moored vessel, and the line with the highest utilisation. */
 function ofMoorings({ moorings }: Known): Quantity[] {
   if (!moorings) return [];
   const tensions = (m: Lay['moorings']): number[] => m?.rest.moorings.filter((line) => !line.parted).map((line) => line.fairlead_tension) ?? [];
@@ -65,15 +65,15 @@ function ofMoorings({ moorings }: Known): Quantity[] {
   const inTime = (d: InTime): number[] => d.moorings?.map((line) => line.fairlead_tension.max) ?? [];
   const most = (list: number[]): number | null => (list.length ? Math.max(...list) : null);
   return [
-    { name: 'surge', unit: 'm', of: (l) => l.moorings?.rest.vessel.surge, title: 'Of the vessel at rest from where the model draws it, ahead.' },
-    { name: 'sway', unit: 'm', of: (l) => l.moorings?.rest.vessel.sway, title: 'Of the vessel at rest from where the model draws it, to port.' },
+    { name: 'surge', unit: 'm', of: (l) => l.moorings?.rest.vessel.surge, title: 'Static offset of the vessel from its nominal position, positive ahead.' },
+    { name: 'sway', unit: 'm', of: (l) => l.moorings?.rest.vessel.sway, title: 'Static offset of the vessel from its nominal position, positive to port.' },
     { name: 'yaw', unit: 'rad', of: (l) => l.moorings?.rest.vessel.yaw },
-    { name: 'largest line tension', unit: 'N', of: (l) => most(tensions(l.moorings)), storm: (d) => most(inTime(d)), title: 'At the fairlead, of all mooring lines.' },
-    { name: 'of breaking load', unit: '%', of: (l) => most(used(l.moorings)) || null, title: 'Largest of all mooring lines.' },
+    { name: 'largest line tension', unit: 'N', of: (l) => most(tensions(l.moorings)), storm: (d) => most(inTime(d)), title: 'Maximum fairlead tension of all mooring lines.' },
+    { name: 'of breaking load', unit: '%', of: (l) => most(used(l.moorings)) || null, title: 'Maximum of all mooring lines.' },
   ];
 }
 
-/** Lines by themselves: the largest tension of each. */
+/** Lines other than the pipe: the maximum tension of each. */
 const ofLines = ({ lines }: Known): Quantity[] => lines.map(({ name }) => ({
   name: `${name}, tension`, unit: 'N',
   of: (l) => l.lines.find((line) => line.name === name)?.largest_tension,
@@ -89,10 +89,10 @@ export function resultRows(lay: Known, storm: InTime | null, compared: Known | n
   })).filter((row) => row.static !== null);
 }
 
-/** "+4.1 %" of what is compared with; the difference itself where that is zero. */
-export function changeInWords(now: number, compared: number): string {
-  if (now === compared) return '=';
-  if (compared === 0) return now > 0 ? '> 0' : '< 0';
-  const percent = (100 * (now - compared)) / Math.abs(compared), digits = Math.abs(percent) < 10 ? 1 : 0;
+/** "+4.1 %" of the reference value; the difference itself if that is zero. */
+export function changeText(value: number, compared: number): string {
+  if (value === compared) return '=';
+  if (compared === 0) return value > 0 ? '> 0' : '< 0';
+  const percent = (100 * (value - compared)) / Math.abs(compared), digits = Math.abs(percent) < 10 ? 1 : 0;
   return `${percent > 0 ? '+' : '−'}${Math.abs(percent).toFixed(digits)} %`;
 }

@@ -2,14 +2,14 @@
 import type { Vector } from '../api/types';
 import { toShip, type ShipAxes } from './shipAxes';
 
-/** A clicked point in the world; in the plan its height is not known. */
+/** A clicked point in world axes; in the plan its height is unknown. */
 export interface RulerPoint { place: Vector; flat: boolean }
 
 export interface Measured {
   distance: number;
   /** Positive astern, to port and up [m]. */
   astern: number; port: number;
-  /** Null where one of the points has no height. */
+  /** Null if one of the points has no height. */
   up: number | null;
 }
 
@@ -20,5 +20,5 @@ export function measure(axes: ShipAxes, [a, b]: readonly [RulerPoint, RulerPoint
   return { distance: Math.hypot(astern, port, up ?? 0), astern, port, up };
 }
 
-/** The points after a click: a third click begins anew. */
+/** Points after a click: a third click starts again. */
 export const withPoint = (points: readonly RulerPoint[], next: RulerPoint): RulerPoint[] => (points.length >= 2 ? [next] : [...points, next]);

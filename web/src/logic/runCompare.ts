@@ -1,23 +1,23 @@
-// Runs next to each other: keys of their models that differ, results with differences, histories and envelopes in one diagram.
+// Comparison of runs: differing keys of their models, results with differences, histories and envelopes in one diagram.
 import type { ChartData, Line } from '../charts/data';
 import type { DynamicSummary, Envelopes, Field, RunSummary, Series, Spread } from '../api/types';
 import type { TableData } from '../components/document';
 import { display, quantity, unitName } from './show';
 
-/** Distinct with every kind of colour vision, on light and dark ground. */
+/** Distinct for all kinds of colour vision, on light and dark background. */
 export const runColours = ['#0b7bd0', '#d9730d', '#2a9d72', '#b565c9'] as const;
 export const maxCompared = runColours.length;
 
 export interface KeyDifference { path: string; values: (string | null)[] }
 type Keys = readonly Pick<Field, 'path' | 'kind' | 'value' | 'si' | 'given'>[];
 
-/** Two ways to write one quantity are no difference. */
+/** Two notations of one quantity are not a difference. */
 const same = (a: Keys[number] | undefined, b: Keys[number] | undefined): boolean => {
   if (!a || !b) return a === b;
   return a.si !== null && b.si !== null ? Math.abs(a.si - b.si) <= 1e-9 * Math.max(Math.abs(a.si), Math.abs(b.si)) : String(a.value) === String(b.value);
 };
 
-/** Keys with a value that not all models have alike, in the order of the first model; null where a model leaves it out. */
+/** Keys whose values differ between the models, in the order of the first model; null if a model omits the key. */
 export function modelDifferences(models: readonly Keys[]): KeyDifference[] {
   const given = models.map((fields) => new Map(fields.filter((f) => f.given && f.value !== null && f.value !== undefined && f.path !== 'title').map((f) => [f.path, f])));
   const paths = [...new Set(given.flatMap((fields) => [...fields.keys()]))];
@@ -59,7 +59,7 @@ export function resultRows(summaries: readonly (ComparedSummary | null)[]): Resu
   return rows.filter((row) => row.values.some((value) => value !== null));
 }
 
-/** Relative to the first run; null where that says nothing. */
+/** Relative to the first run; null if that is not meaningful. */
 export function change(first: number | null, value: number | null): number | null {
   return first === null || value === null || Math.abs(first) < 1e-12 ? null : (100 * (value - first)) / Math.abs(first);
 }
@@ -79,7 +79,7 @@ export function resultTable(names: readonly string[], rows: readonly ResultRow[]
   };
 }
 
-/** Values at other places, linear between the known ones; null outside of them. */
+/** Values at other positions, interpolated linearly; null outside the range. */
 function valuesAt(places: readonly number[], x: readonly number[], y: readonly number[]): (number | null)[] {
   let k = 0;
   return places.map((place) => {
@@ -94,11 +94,11 @@ const union = (lists: readonly (readonly number[])[]): number[] => [...new Set(l
 
 export interface Compared<T> { name: string; colour: string; data: T | null }
 
-/** Largest and least in one line each: where they are the same they are one. */
+/** Maximum and minimum as one line each, or as a single line if they coincide. */
 function pair(name: string, colour: string, x: readonly number[], from: readonly number[], low: readonly number[], high: readonly number[], factor: number): Line[] {
   const scaled = (values: readonly number[]): (number | null)[] => valuesAt(x, from, values).map((v) => (v === null ? null : v * factor));
   const top: Line = { name, colour, values: scaled(high), width: 1.4 };
-  return low.every((v, i) => v === high[i]) ? [top] : [top, { name: `${name}, least`, colour, values: scaled(low), width: 1.4, dash: true }];
+  return low.every((v, i) => v === high[i]) ? [top] : [top, { name: `${name}, min`, colour, values: scaled(low), width: 1.4, dash: true }];
 }
 
 export function historyChart(title: string, unit: string, runs: readonly Compared<Series>[]): ChartData {
@@ -110,7 +110,7 @@ export function historyChart(title: string, unit: string, runs: readonly Compare
 export type EnvelopeKey = 'effective_tension' | 'bending_moment' | 'bending_stress' | 'von_mises' | 'strain';
 export const envelopeKeys: readonly EnvelopeKey[] = ['von_mises', 'bending_stress', 'effective_tension', 'strain', 'bending_moment'];
 
-/** Of a dynamic run largest and least over time, of a static run its state. */
+/** Maximum and minimum over time for a dynamic run, the state for a static run. */
 export function envelopeChart(key: EnvelopeKey, runs: readonly Compared<Envelopes>[]): ChartData {
   const q = quantity(key)!, [metre, m] = display('m'), known = runs.filter((run) => run.data?.s.length), x = union(known.map((run) => run.data!.s));
   const lines = known.flatMap(({ name, colour, data }) => { const band = data![key]; return pair(name, colour, x, data!.s, band.min ?? band.static, band.max ?? band.static, q.factor); });

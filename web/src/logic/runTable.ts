@@ -1,4 +1,4 @@
-// The list of runs as a table: filter, order, words.
+// The list of runs as a table: filter, order, texts.
 import type { Cell, TableData } from '../components/document';
 import type { Run } from '../api/types';
 import { duration } from './show';
@@ -11,7 +11,7 @@ export const stateNames: Record<Run['state'], string> = { queued: 'waiting', run
 
 export const kindText = (run: Run): string => (run.kind === 'comparison' ? `comparison, ${run.of ?? ''}` : kindNames[run.kind]);
 
-/** The mark says the same as its colour. */
+/** The mark repeats the meaning of the colour. */
 export const stateMarks: Record<Run['state'], string> = { queued: '◌', running: '▶', done: '●', failed: '✕', cancelled: '■' };
 
 export const verdictMarks: Record<string, { mark: string; level: string }> = {
@@ -23,8 +23,8 @@ type Named = (run: Run) => string;
 export function matches(run: Run, name: string, filter: RunFilter): boolean {
   if (filter.kind && run.kind !== filter.kind) return false;
   if (filter.state && run.state !== filter.state) return false;
-  const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean), all = `${name} ${run.note} ${run.changed} ${run.id} ${run.verdict?.words ?? ''}`.toLowerCase();
-  return words.every((word) => all.includes(word));
+  const terms = filter.text.toLowerCase().split(/\s+/).filter(Boolean), all = `${name} ${run.note} ${run.changed} ${run.id} ${run.verdict?.words ?? ''}`.toLowerCase();
+  return terms.every((word) => all.includes(word));
 }
 
 export const runColumns = ['name', 'kind', 'state', 'started', 'verdict', 'duration', 'utilisation'] as const;
@@ -56,7 +56,7 @@ export function orderedRuns(runs: readonly Run[], { column, descending }: RunOrd
   });
 }
 
-/** Largest and latest first, words from A first; a second choice turns it round. */
+/** Largest and latest first, texts from A first; a second click reverses the order. */
 export function nextRunOrder(order: RunOrder, column: RunColumn): RunOrder {
   if (order.column === column) return { column, descending: !order.descending };
   return { column, descending: ['started', 'duration', 'utilisation'].includes(column) };

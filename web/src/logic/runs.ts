@@ -1,11 +1,11 @@
-// The list of runs, told in two ways that may overtake each other.
+// The list of runs, updated by requests and by events, which may overtake each other.
 import type { Run } from '../api/types';
 
 const ended = (run: Run): boolean => run.state !== 'queued' && run.state !== 'running';
 
 /**
- * A list that was asked for, on top of what events have told meanwhile: a run that has ended does not run again, and its
- * end may have been heard of before an older list arrives.
+ * Merges a requested list with later events: a run that has ended does not run again, and its end event may arrive
+ * before an older list.
  */
 export function newerList(known: Run[], list: Run[]): Run[] {
   return list.map((run) => {
@@ -16,7 +16,7 @@ export function newerList(known: Run[], list: Run[]): Run[] {
 
 const ownName = (run: Run): string => run.name || run.title || run.id;
 
-/** Names under which runs are listed: those that would be called alike are numbered in the order of their start, with what was changed for them. */
+/** Display names of runs: equal names are numbered in the order of their start, with the changed keys. */
 export function listedNames(runs: readonly Run[]): Map<string, string> {
   const alike = new Map<string, Run[]>();
   for (const run of runs) if (!run.parent) alike.set(ownName(run), [...(alike.get(ownName(run)) ?? []), run]);
@@ -31,7 +31,7 @@ export function listedNames(runs: readonly Run[]): Map<string, string> {
 
 export const isStudy = (run: Run): boolean => run.kind === 'seeds' || run.kind === 'comparison';
 
-/** "1-5, 9" or "1 to 5, 9" as the seeds that are meant; null where it says nothing of the kind, or a seed twice. */
+/** Seeds from "1-5, 9" or "1 to 5, 9"; null if the text is invalid, or a seed is repeated. */
 export function parseSeeds(text: string): number[] | null {
   const seeds: number[] = [];
   for (const part of text.split(',')) {

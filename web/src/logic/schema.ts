@@ -1,4 +1,4 @@
-// What may stand at a place of the model, from the JSON Schema that the program prints.
+// Permitted keys at a position of the model, from the JSON Schema of the program.
 
 export interface Schema {
   type?: string | string[];
@@ -24,9 +24,9 @@ function step(schema: Schema, key: string): Schema[] {
 }
 
 export function schemasAt(root: Schema, path: string[]): Schema[] {
-  let here = [root];
-  for (const key of path) here = here.flatMap((s) => step(s, key));
-  return here.flatMap((s) => [s, ...(s.anyOf ?? [])]);
+  let schemas = [root];
+  for (const key of path) schemas = schemas.flatMap((s) => step(s, key));
+  return schemas.flatMap((s) => [s, ...(s.anyOf ?? [])]);
 }
 
 export interface Offer { label: string; detail: string; info: string; group: boolean }

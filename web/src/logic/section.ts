@@ -1,6 +1,6 @@
-// Cross-sections of the picture: rollers of a box around the pipe, row by row, or the pipe alone. Seen from astern, port at the left.
+// Cross-sections of the picture: rollers of a box around the pipe, row by row, or the pipe alone. View from astern, port on the left.
 import type { Lay, Roller, Scene, Support, Vector } from '../api/types';
-import { rowsOf } from './elevation';
+import { rollerRows } from './elevation';
 import { nearest } from './series';
 import { shipAxes } from './shipAxes';
 
@@ -8,7 +8,7 @@ import { shipAxes } from './shipAxes';
 export interface PipeLayer { name: string; radius: number; colour: string }
 
 export interface SectionRoller { x: number; y: number; turn: number; radius: number; face: number; position: Roller['position']; reaction: number; separation: number }
-/** `pipe`: its axis in the plane of the section [m], from the middle of the bottom roller. */
+/** `pipe`: its axis in the plane of the section [m], from the centre of the bottom roller. */
 export interface SectionRow { rollers: SectionRoller[]; pipe: readonly [number, number]; s: number }
 
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -18,14 +18,14 @@ function unit(v: Vector): Vector { const size = Math.hypot(...v) || 1; return [v
 
 const station = ({ pipe }: Lay, i: number): Vector => [pipe.x[i]!, pipe.y[i]!, pipe.z[i]!];
 
-/** Axes of the plane across a direction: to starboard, and upwards as far as it can be. */
+/** Axes of the plane normal to a direction: to starboard, and upwards as far as possible. */
 function planeAcross(along: Vector, port: Vector): { right: Vector; up: Vector } {
   const right = unit(minus(port.map((v) => -v) as Vector, along.map((v) => v * -dot(port, along)) as Vector));
   const up = unit(cross(right, along));
   return { right, up: up[2] < 0 ? [-up[0], -up[1], -up[2]] : up };
 }
 
-/** Where the pipe passes the plane through a point, and its direction and arc length there. */
+/** Intersection of the pipe with the plane through a point, with direction and arc length there. */
 function pipeNear(lay: Lay, point: Vector, s: number): { place: Vector; along: Vector; s: number } {
   const { pipe } = lay;
   const from = Math.max(0, nearest(pipe.s, s) - 12), to = Math.min(pipe.s.length - 2, nearest(pipe.s, s) + 12);
@@ -41,22 +41,22 @@ function pipeNear(lay: Lay, point: Vector, s: number): { place: Vector; along: V
 
 export function boxSection(lay: Lay, scene: Scene, box: Support): SectionRow[] {
   const axes = shipAxes(scene, lay), port: Vector = [axes.port[0], axes.port[1], 0];
-  return rowsOf(box).map((row) => {
-    const middle = row[0]!.center, at = pipeNear(lay, middle, box.s);
-    const { right, up } = planeAcross(at.along, port);
+  return rollerRows(box).map((row) => {
+    const middle = row[0]!.center, crossing = pipeNear(lay, middle, box.s);
+    const { right, up } = planeAcross(crossing.along, port);
     const flat = (p: Vector): [number, number] => { const d = minus(p, middle); return [dot(d, right), dot(d, up)]; };
     const rollers = row.map((roller): SectionRoller => {
       const [x, y] = flat(roller.center);
       const turn = Math.atan2(dot(roller.axis, up), dot(roller.axis, right));
       return { x, y, turn, radius: roller.radius, face: roller.face, position: roller.position, reaction: roller.reaction, separation: roller.separation };
     });
-    return { rollers, pipe: flat(at.place), s: at.s };
+    return { rollers, pipe: flat(crossing.place), s: crossing.s };
   });
 }
 
 interface Field { si: number | null; value?: unknown }
 
-/** From the fields of the model, as far as they say what the pipe is made of. */
+/** From the fields of the model, as far as they describe the pipe. */
 export function pipeLayers(field: (path: string) => Field | undefined, outer: number): PipeLayer[] {
   const diameter = field('pipe.steel.outside_diameter')?.si ?? null, wall = field('pipe.steel.wall_thickness')?.si ?? null;
   if (diameter === null || wall === null || diameter / 2 > outer + 1e-6) return [{ name: 'pipe', radius: outer, colour: '#7b8794' }];
@@ -74,5 +74,5 @@ export function pipeLayers(field: (path: string) => Field | undefined, outer: nu
   return layers;
 }
 
-/** The box with the largest reaction: what is shown before a box is selected. */
+/** Default box: the one with the largest reaction. */
 export const heaviestBox = (lay: Lay): Support | null => lay.supports.reduce<Support | null>((a, b) => (!a || b.reaction > a.reaction ? b : a), null);

@@ -1,14 +1,14 @@
-// Goal seek from the page: which keys can vary, what is asked, what the answer says.
+// Goal seek on the page: keys that can vary, the request, and the answer as text.
 import type { Field, Lay, Region } from '../api/types';
 import { unitName } from './show';
 import { complete, fromSi, parseQuantity, tidy, write } from './units';
 
-/** A result of the page that is to be something else. */
+/** A result that goal seek can set. */
 export interface SeekTarget { name: string; result: string; unit: string; si: number }
 
 export const quantityText = (si: number, unit: string, digits = 5): string => (unit ? write(si, unit, digits) : tidy(si, digits));
 
-/** Largest utilisation of a governing check; null where none is judged. */
+/** Maximum utilisation of the governing checks; null if there is none. */
 export function worstUtilisation(lay: Pick<Lay, 'checks'>): number | null {
   const list = lay.checks.filter((check) => check.governing && check.utilisation !== undefined).map((check) => check.utilisation!);
   return list.length ? Math.max(...list) : null;
@@ -22,7 +22,7 @@ function regionGoals(name: string, region: Region | null): SeekTarget[] {
   ];
 }
 
-/** Results of a lay that a key can be sought for, the utilisation first. */
+/** Results of a lay for goal seek, the utilisation first. */
 export function seekGoals(lay: Pick<Lay, 'checks' | 'key' | 'supports'>): SeekTarget[] {
   const worst = worstUtilisation(lay), k = lay.key;
   const out: SeekTarget[] = worst === null ? [] : [{ name: 'largest utilisation', result: 'checks.worst.utilisation', unit: '', si: worst }];
@@ -40,7 +40,7 @@ export function seekGoals(lay: Pick<Lay, 'checks' | 'key' | 'supports'>): SeekTa
 export type Relation = 'equals' | 'at_most' | 'at_least';
 export const relations: [Relation, string][] = [['equals', 'equal to'], ['at_most', 'at most'], ['at_least', 'at least']];
 
-export interface SeekWish { relation: Relation; value: string; key: string; from: string; to: string }
+export interface SeekRequest { relation: Relation; value: string; key: string; from: string; to: string }
 
 export interface SeekFound {
   found: boolean; why: string | null; answer: number | null; unit: string; evaluations: number; slope: number | null;
@@ -58,7 +58,7 @@ export interface SeekAnswer {
 
 const usual = ['tensioner.tension', 'environment.water_depth'];
 
-/** Keys with a quantity or a number, the usual ones first, then as the form lists them; `wanted` also where it is left out. */
+/** Numeric keys, the usual ones first, then in the order of the form; `wanted` is included even if it is omitted in the model. */
 export function variableKeys(fields: Field[], wanted = ''): Field[] {
   const numbers = fields.filter((f) => (f.kind === 'quantity' || f.kind === 'number') && f.si !== null && !/^(analysis|checks|seek|report)\b/.test(f.path));
   const foremost = [wanted, ...usual];
@@ -69,34 +69,34 @@ export function variableKeys(fields: Field[], wanted = ''): Field[] {
   ];
 }
 
-/** Half of the present value up to half as much again; 1 m either way of what is measured from an origin. */
+/** From half to one and a half times the present value; 1 m either way for coordinates. */
 export function usualBounds(field: Field | undefined): { from: string; to: string } {
   const si = field?.si ?? null;
   if (!field || si === null) return { from: '', to: '' };
   const place = /\.(x|y|z|offset)$/.test(field.path);
   const [low, high] = place ? [si - 1, si + 1] : [Math.min(0.5 * si, 1.5 * si), Math.max(0.5 * si, 1.5 * si)];
-  const words = (si: number): string => quantityText(si, field.unit);
-  return { from: words(low), to: words(high) };
+  const format = (si: number): string => quantityText(si, field.unit);
+  return { from: format(low), to: format(high) };
 }
 
-export const startWish = (target: SeekTarget, key: Field | undefined): SeekWish => ({ relation: 'equals', value: quantityText(target.si, target.unit, 4), key: key?.path ?? '', ...usualBounds(key) });
+export const initialSeek = (target: SeekTarget, key: Field | undefined): SeekRequest => ({ relation: 'equals', value: quantityText(target.si, target.unit, 4), key: key?.path ?? '', ...usualBounds(key) });
 
-export function seekFaults(wish: SeekWish): { key: string; text: string }[] {
-  return (['value', 'from', 'to'] as const).filter((key) => !parseQuantity(wish[key])).map((key) => ({ key, text: 'a number with its unit' }));
+export function findSeekErrors(request: SeekRequest): { key: string; text: string }[] {
+  return (['value', 'from', 'to'] as const).filter((key) => !parseQuantity(request[key])).map((key) => ({ key, text: 'enter a number with its unit' }));
 }
 
 /** The key `seek` of a model. */
-export function seekRequest(wish: SeekWish, target: SeekTarget, unit: string): unknown {
-  return { vary: { key: wish.key, from: complete(wish.from, unit), to: complete(wish.to, unit) }, until: { result: target.result, [wish.relation]: complete(wish.value, target.unit) } };
+export function seekRequest(request: SeekRequest, target: SeekTarget, unit: string): unknown {
+  return { vary: { key: request.key, from: complete(request.from, unit), to: complete(request.to, unit) }, until: { result: target.result, [request.relation]: complete(request.value, target.unit) } };
 }
 
-/** What there is to say besides the answer itself. */
+/** Remarks in addition to the answer. */
 export function seekRemarks(found: SeekFound, target: SeekTarget, unit: string): string[] {
   const key = (si: number): string => quantityText(si, unit);
   const result = (si: number): string => quantityText(si, target.unit, 4);
   return [
-    ...found.others.map((other) => `another answer: ${key(other)}`),
-    ...found.jumps.map((jump) => `a jump at ${key(jump.at)}: from ${target.unit ? tidy(fromSi(jump.below, target.unit), 4) : result(jump.below)} to ${result(jump.above)}${jump.why ? `; ${jump.why}` : ''}`),
+    ...found.others.map((si) => `another solution: ${key(si)}`),
+    ...found.jumps.map((jump) => `discontinuity at ${key(jump.at)}: from ${target.unit ? tidy(fromSi(jump.below, target.unit), 4) : result(jump.below)} to ${result(jump.above)}${jump.why ? `; ${jump.why}` : ''}`),
     ...found.remarks,
   ];
 }

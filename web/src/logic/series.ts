@@ -1,4 +1,4 @@
-// Places in ascending lists, and values in between.
+// Positions in ascending lists, and interpolation.
 import { interpolate, lowerBound } from '../components/chart/scale';
 
 /** Index of the last entry of an ascending list that is not above `x`; 0 before the first. */
@@ -12,7 +12,7 @@ export function nearest(list: ArrayLike<number>, x: number): number {
   return i + 1 < list.length && list[i + 1]! - x < x - list[i]! ? i + 1 : i;
 }
 
-/** Linear interpolation of y(x) at ascending places; null outside, so that a diagram shows a gap and no guess. */
-export function resample(x: readonly number[], y: readonly number[], at: readonly number[]): (number | null)[] {
-  return at.map((place) => (x.length < 2 || place < x[0]! || place > x[x.length - 1]! ? null : interpolate(x, y, place)));
+/** Linear interpolation of y(x) at ascending places; null outside, so that a diagram shows a gap. */
+export function resample(x: readonly number[], y: readonly number[], places: readonly number[]): (number | null)[] {
+  return places.map((place) => (x.length < 2 || place < x[0]! || place > x[x.length - 1]! ? null : interpolate(x, y, place)));
 }

@@ -1,9 +1,9 @@
-// Results of the stages over what has gone out, as diagrams.
+// Diagrams of the stage results over the length paid out.
 import type { ChartData, Line } from '../charts/data';
 import type { Operation, OperationStage, StageValues } from '../api/types';
 import { display, unitName } from './show';
 
-/** Distinct with every kind of colour vision, on light and dark ground. */
+/** Distinct for all kinds of colour vision, on light and dark background. */
 const palette = ['#0b7bd0', '#d9730d', '#2a9d72', '#b565c9'];
 
 interface CurveSpec { name: string; value: (stage: OperationStage) => number | null }
@@ -27,7 +27,7 @@ const specs = (operation: Operation): Spec[] => [
   { title: 'Vessel ahead', unit: 'm', curves: [{ name: 'vessel', value: (stage) => (stage.values && operation.stages.some((s) => Math.abs(s.barge_ahead) > 5e-3) ? stage.barge_ahead : null) }] },
 ];
 
-/** Lines of the curves that say something; the cable's is left out where it is that at the top. */
+/** Curves that carry information; the cable tension is left out if it is the top tension. */
 function lines({ curves, unit }: Spec, stages: OperationStage[]): Line[] {
   const factor = unit === '%' ? 100 : unit === '' ? 1 : display(unit)[1];
   const shown = curves.filter((curve) => stages.some((stage) => curve.value(stage) !== null))
@@ -37,9 +37,9 @@ function lines({ curves, unit }: Spec, stages: OperationStage[]): Line[] {
 
 export interface StageCharts {
   charts: ChartData[];
-  /** Number of the stage of every x. */
+  /** Index of the stage of every x. */
   stages: number[];
-  /** The x of every stage. */
+  /** x of every stage. */
   x: number[];
 }
 

@@ -1,11 +1,11 @@
 // The stages of an operation as a table with numbers, for files.
 import type { Operation } from '../api/types';
 import type { TableData } from '../components/document';
-import { columnsOf, columnUnit, stageName, whyNot } from './operation';
+import { stageColumns, columnUnit, stageName, whyNot } from './operation';
 import { shownUnit } from './show';
 
 export function stagesTable(of: Operation): TableData {
-  const columns = columnsOf(of);
+  const columns = stageColumns(of);
   const factor = (unit: string): number => (unit === '%' ? 100 : unit === '' ? 1 : shownUnit(unit).factor);
   return {
     title: 'Stages', look: 'plain',

@@ -1,11 +1,11 @@
-// A stinger set to another radius: each box keeps its distance along the curve from the first box, the first box stays
-// where it is with the slope it has, and what a box stood off the old circle it stands off the new one.
+// A stinger set to another radius: each box keeps its arc distance from the first box, the first box keeps its position
+// and slope, and each box keeps its offset from the circle.
 
 export interface Box { x: number; z: number }
 
 interface Circle { radius: number; slope: number }
 
-/** Circle through the first box: radius and slope at that box (positive where it dips astern), by least squares. */
+/** Circle through the first box: radius and slope at that box (positive downwards astern), by least squares. */
 export function fitCircle(boxes: Box[]): Circle | null {
   if (boxes.length < 3) return null;
   // A circle through the first box: x^2 + z^2 = a x + b z, with the first box as origin.
@@ -19,7 +19,7 @@ export function fitCircle(boxes: Box[]): Circle | null {
   const a = (sxr * szz - szr * sxz) / det;
   const b = (szr * sxx - sxr * sxz) / det;
   const radius = Math.hypot(a, b) / 2;
-  // The centre lies below a stinger: anything else is not a curve that pipe can be laid over.
+  // The centre lies below a stinger: otherwise it is not a curve that supports a pipe.
   if (!(b < 0) || radius > 1e5) return null;
   return { radius, slope: Math.atan2(-a, -b) };
 }
@@ -27,7 +27,7 @@ export function fitCircle(boxes: Box[]): Circle | null {
 /** Centre x, z and radius. */
 type Round = [number, number, number];
 
-/** Solves three equations; null where they hang together. */
+/** Solves three equations; null if they are singular. */
 function solve3(rows: number[][]): Round | null {
   const m = rows.map((r) => [...r]);
   for (let i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ function solve3(rows: number[][]): Round | null {
 const leastSquares = (rows: number[][]): Round | null =>
   solve3([0, 1, 2].map((i) => [0, 1, 2, 3].map((k) => rows.reduce((sum, r) => sum + r[i]! * r[k]!, 0))));
 
-/** Radius of the circle with the least sum of squared distances to the boxes, as the program's fitted_radius. */
+/** Radius of the circle with the minimum sum of squared distances to the boxes, as the program's fitted_radius. */
 export function fittedRadius(boxes: Box[]): number | null {
   if (boxes.length < 3) return null;
   const a = boxes[0]!, b = boxes.at(-1)!, length = Math.hypot(b.x - a.x, b.z - a.z);
@@ -69,7 +69,7 @@ function onCircle(start: Box, circle: Circle, arc: number, off: number): Box {
   };
 }
 
-/** `scale`: new radius over old. Null where the boxes lie on no circle. */
+/** `scale`: new radius over old. Null if the boxes lie on no circle. */
 export function withRadius(boxes: Box[], scale: number): Box[] | null {
   const old = fitCircle(boxes);
   if (!old || !(scale > 0)) return null;

@@ -1,6 +1,6 @@
-// The storm in words, the values with which one begins, and the time that it takes to compute.
+// Summary of the storm settings, their default values, and the expected computing time.
 import type { Change } from '../api/types';
-import { motionKind, motionWords } from './motion';
+import { motionKind, motionLabels } from './motion';
 import { parseSeeds } from './runs';
 import { parseQuantity, tidy, toSi } from './units';
 
@@ -17,7 +17,7 @@ const seaNames: Record<string, string> = {
   none: 'no waves', airy: 'Airy wave', stokes5: 'Stokes wave', jonswap: 'JONSWAP', pierson_moskowitz: 'Pierson-Moskowitz', user: 'spectrum file',
 };
 
-/** "JONSWAP, Hs 4 m, Tp 12.9 s"; empty where the model gives no waves. */
+/** "JONSWAP, Hs 4 m, Tp 12.9 s"; empty if the model has no waves. */
 export function seaText(fields: Fields): string {
   const type = written(fields, 'environment.waves.type');
   if (!type) return '';
@@ -29,7 +29,7 @@ export function seaText(fields: Fields): string {
   return [seaNames[type] ?? type, ...values.map(([name, value]) => `${name} ${value}`.trim())].join(', ');
 }
 
-/** Side from which waves come, relative to the bow: azimuths in rad, clockwise from north. */
+/** Direction the waves come from, relative to the bow: azimuths in rad, clockwise from north. */
 export function waveSide(from: number, heading: number): string {
   const off = (((from - heading) * degrees) % 360 + 360) % 360;
   const away = Math.min(off, 360 - off);
@@ -40,7 +40,7 @@ export function waveSide(from: number, heading: number): string {
   return `${side} ${away < 90 ? 'bow' : 'quarter'}`;
 }
 
-/** "180 deg, port beam"; empty without waves. */
+/** "180 deg, port beam"; empty if there are no waves. */
 export function directionText(fields: Fields): string {
   const type = written(fields, 'environment.waves.type');
   if (!type || type === 'none') return '';
@@ -48,13 +48,13 @@ export function directionText(fields: Fields): string {
   return `${from}, ${waveSide(fields.get('environment.waves.from')?.si ?? 0, fields.get('vessel.heading')?.si ?? 0)}`;
 }
 
-/** Dimensions [m] in the name of a file with the scaled RAOs of the library hull. */
+/** Dimensions [m] in the file name of the scaled RAOs of the library hull. */
 export function libraryHull(file: string): { length: number; beam: number } | null {
   const match = /(?:^|\/)box-hull-([\d.]+)x([\d.]+)m\.csv$/.exec(file);
   return match ? { length: Number(match[1]), beam: Number(match[2]) } : null;
 }
 
-/** Whether the library hull of the model was scaled to other dimensions than those of the vessel. */
+/** True if the library hull was scaled to dimensions other than those of the vessel. */
 export function hullDiffers(fields: Fields): boolean {
   const hull = libraryHull(written(fields, 'vessel.motion.raos'));
   const length = fields.get('vessel.length')?.si, beam = fields.get('vessel.beam')?.si;
@@ -64,7 +64,7 @@ export function hullDiffers(fields: Fields): boolean {
 
 export interface ItemText { text: string; note?: string }
 
-/** The vessel's motion: what it follows from, and a reservation. */
+/** Source of the vessel motion, and a reservation. */
 export function motionText(fields: Fields): ItemText {
   const kind = motionKind(fields);
   if (kind === null) return { text: '' };
@@ -72,10 +72,10 @@ export function motionText(fields: Fields): ItemText {
   const hull = kind === 'raos' ? libraryHull(file) : null;
   if (hull) {
     const size = `${tidy(hull.length)} × ${tidy(hull.beam)} m`;
-    const note = hullDiffers(fields) ? `Library hull of ${size}: the vessel has other dimensions.` : `Motion of a box hull of ${size} scaled from BGL-1: an assumption.`;
+    const note = hullDiffers(fields) ? `Library hull of ${size}: the vessel has other dimensions.` : `RAOs of a box hull of ${size} scaled from BGL-1: an assumption.`;
     return { text: 'library hull', note };
   }
-  return { text: file ? `${motionWords[kind].replace(/ \(.*/, '')}, ${file.replace(/^.*\//, '')}` : motionWords[kind] };
+  return { text: file ? `${motionLabels[kind].replace(/ \(.*/, '')}, ${file.replace(/^.*\//, '')}` : motionLabels[kind] };
 }
 
 /** "200 kN … 300 kN, controlled"; empty without a tensioner. */
@@ -85,17 +85,17 @@ export function tensionerText(fields: Fields): ItemText {
   if (mode === 'locked') return { text: tension ? `${tension}, locked` : 'locked' };
   if (mode !== 'constant' && low && high) return { text: rangeText(low, high) };
   if (!tension && !mode) return { text: '' };
-  const note = mode ? undefined : 'Without a range the tensioner keeps its tension constant: an ideal machine.';
+  const note = mode ? undefined : 'Without a range the tensioner is ideal: its tension is constant.';
   return { text: [tension, 'constant'].filter(Boolean).join(', '), note };
 }
 
-/** Two values with the unit once where it is the same. */
+/** Two values, with a single unit if it is the same. */
 export function rangeText(low: string, high: string): string {
   const a = parseQuantity(low), b = parseQuantity(high);
   return a && b && a.unit === b.unit ? `${tidy(a.number)} … ${high}` : `${low} … ${high}`;
 }
 
-/** A first range: a fifth of the tension to either side, in its unit; null without a tension. */
+/** Default range: tension ± one fifth, in its unit; null if there is no tension. */
 export function firstRange(fields: Fields): Change[] | null {
   const q = parseQuantity(written(fields, 'tensioner.tension'));
   if (!q) return null;
@@ -107,7 +107,7 @@ export function firstRange(fields: Fields): Change[] | null {
   ];
 }
 
-/** Seeds of the model, in order: those listed, or 1 to a number; one where it gives none. */
+/** Seeds of the model, in order: those listed, or 1 to a number; a single one by default. */
 export function modelSeeds(fields: Fields): number[] {
   const whole = fields.get('analysis.dynamic.seeds');
   const count = Number(whole?.value);
@@ -117,19 +117,19 @@ export function modelSeeds(fields: Fields): number[] {
   return list.length ? list : [Number(fields.get('environment.waves.seed')?.value ?? 1) || 1];
 }
 
-/** "10" as seeds 1 to 10, "3, 7-9" as a list: what the model says of it; null where it says nothing of the kind. */
+/** "10" as seeds 1 to 10, "3, 7-9" as a list, in the notation of the model; null if the text is invalid. */
 export function seedsValue(typed: string): number | number[] | null {
   const count = /^\s*(\d{1,5})\s*$/.exec(typed);
   if (count) return Number(count[1]) >= 1 && Number(count[1]) <= 10000 ? Number(count[1]) : null;
   return parseSeeds(typed);
 }
 
-/** As they are typed: the number of seeds where they count from 1, else the list. */
+/** As typed: the number of seeds if they count from 1, otherwise the list. */
 export function seedsTyped(seeds: readonly number[]): string {
   return seeds.every((seed, i) => seed === i + 1) ? String(seeds.length) : seeds.join(', ');
 }
 
-/** Seconds of "3 h"; NaN where it is no time. */
+/** Seconds of "3 h"; NaN if it is not a time. */
 export function seconds(typed: string): number {
   const q = parseQuantity(typed);
   return q ? (q.unit ? toSi(q.number, q.unit) : q.number) : Number.NaN;
@@ -139,29 +139,29 @@ const isGiven = (fields: Fields, path: string): boolean => fields.get(path)?.giv
 const noWaves = (fields: Fields): boolean => ['', 'none'].includes(written(fields, 'environment.waves.type'));
 const noMotion = (fields: Fields): boolean => [null, 'fixed'].includes(motionKind(fields));
 
-/** What a model lacks for a run in a storm, in words; empty where nothing. */
+/** Missing input for a storm run; empty if there is none. */
 export function missingInStorm(fields: Fields): string[] {
   const missing: string[] = [];
   if (noWaves(fields)) missing.push('waves');
-  if (noMotion(fields) && isGiven(fields, 'vessel') && (noWaves(fields) || !isGiven(fields, 'analysis.dynamic'))) missing.push('motion of the vessel');
+  if (noMotion(fields) && isGiven(fields, 'vessel') && (noWaves(fields) || !isGiven(fields, 'analysis.dynamic'))) missing.push('vessel motion');
   if (!isGiven(fields, 'analysis.dynamic')) missing.push('duration');
   return missing;
 }
 
-/** First values of what is missing: a moderate sea on the bow, the library hull in `hullFile`, three hours. */
+/** Default values of missing input: a moderate sea on the bow, the library hull in `hullFile`, three hours. */
 export function firstStorm(fields: Fields, hullFile: string | null): Change[] {
   const missing = missingInStorm(fields), changes: Change[] = [];
   const bow = tidy(((fields.get('vessel.heading')?.si ?? 0) * degrees + 360) % 360, 4);
   if (missing.includes('waves')) changes.push({ path: 'environment.waves', value: { type: 'jonswap', hs: '2 m', tp: '8 s', from: `${bow} deg` } });
-  if (missing.includes('motion of the vessel') && hullFile) changes.push({ path: 'vessel.motion', value: { raos: hullFile } });
+  if (missing.includes('vessel motion') && hullFile) changes.push({ path: 'vessel.motion', value: { raos: hullFile } });
   if (missing.includes('duration')) changes.push({ path: 'analysis.dynamic', value: { duration: '3 h' } });
   return changes;
 }
 
-/** How long earlier runs took: seconds of computing per second of sea, and the seed runs that go side by side. */
+/** Speed of earlier runs: seconds of computing per second of sea, and the number of parallel seeds. */
 export interface Pace { ratio: number; sideBySide: number }
 
-/** Seconds that a storm will take; null without a pace. */
+/** Expected computing time in seconds; null without a known speed. */
 export function expectedSeconds(pace: Pace | null, sea: number, runs: number): number | null {
   return pace && Number.isFinite(sea) ? pace.ratio * sea * Math.ceil(runs / Math.max(1, Math.min(pace.sideBySide, runs))) : null;
 }

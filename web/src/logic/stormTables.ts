@@ -6,12 +6,12 @@ import { tidy } from './units';
 
 const numbers = (title: string, digits: number, unit = '', description = ''): Column =>
   ({ title, digits, ...(unit ? { unit } : {}), ...(description ? { description } : {}) });
-const words = (title: string): Column => ({ title, words: true });
+const textColumn = (title: string): Column => ({ title, words: true });
 
 const isValue = (value: number | null | undefined): value is number => value !== null && value !== undefined && Number.isFinite(value);
 const unitText = (si: string): string => (si === '%' ? '%' : shownUnit(si).unit);
 
-/** A value as the text of a table in which each row has a unit of its own. */
+/** A value as text, for a table in which each row has a different unit. */
 function cell(value: number | null | undefined, si: string): Cell {
   if (!isValue(value)) return null;
   if (si === '%') return (100 * value).toFixed(3);
@@ -30,13 +30,13 @@ function regionRows(name: string, before: Region | null | undefined, over: Regio
   ];
 }
 
-/** Statistics of one run next to its static values. */
+/** Statistics of one run with its static values. */
 export function statisticsTable(d: DynamicSummary, lay: Lay | null): TableData {
   const k = lay?.key;
   const t = d.tensioner;
   const rows: Row[] = [
     ['top tension', 'N', k?.top_tension, d.top_tension], ['bottom tension', 'N', k?.bottom_tension, d.bottom_tension],
-    ['smallest tension along the line', 'N', null, d.smallest_tension],
+    ['minimum tension along the line', 'N', null, d.smallest_tension],
     ...(t ? [['tensioner travel', 'm', 0, { min: t.travel_min, max: t.travel_max, mean: t.travel_mean, std: t.travel_std }] as Row] : []),
     ...regionRows('overbend', k?.overbend, d.overbend), ...regionRows('tower', k?.tower, d.tower), ...regionRows('sagbend', k?.sagbend, d.sagbend),
     ['lay-back', 'm', k?.lay_back, d.lay_back],
@@ -45,35 +45,35 @@ export function statisticsTable(d: DynamicSummary, lay: Lay | null): TableData {
   ];
   return {
     title: '', look: 'dense',
-    columns: [words('quantity'), words('unit'), ...['static', 'min', 'mean', 'max', 'std'].map((title) => numbers(title, 1))],
+    columns: [textColumn('quantity'), textColumn('unit'), ...['static', 'min', 'mean', 'max', 'std'].map((title) => numbers(title, 1))],
     rows: rows.filter(([, , , over]) => over).map(([name, si, before, over]) =>
       [name, unitText(si), ...[before, over!.min, over!.mean, over!.max, over!.std].map((value) => cell(value, si))]),
   };
 }
 
-const shownOf = (q: StudyQuantity, value: number | null | undefined): Cell => (isValue(value) ? tidy(value * q.factor, 4) : null);
+const shownCell = (q: StudyQuantity, value: number | null | undefined): Cell => (isValue(value) ? tidy(value * q.factor, 4) : null);
 
-/** Quantities of seeds or variants, one row each: statistics over seeds, else the variants side by side. */
+/** Quantities of seeds or variants, one row each: statistics over seeds, or the variants in columns. */
 export function studyTable(study: Study): TableData {
   const seeds = study.kind === 'seeds';
-  const heads = seeds ? ['mean', 'std', 'min', 'max'] : study.cases.map((one) => one.words);
+  const heads = seeds ? ['mean', 'std', 'min', 'max'] : study.cases.map((variant) => variant.words);
   const values = (q: StudyQuantity): (number | null | undefined)[] => (seeds ? [q.mean, q.std, q.min, q.max] : q.values);
   return {
     title: '', look: 'dense',
-    columns: [words(seeds ? `over ${study.cases.length} seeds` : 'quantity'), words('unit'), ...heads.map((title) => numbers(title, 1))],
-    rows: study.quantities.map((q) => [q.text, q.unit === '-' ? '' : q.unit, ...values(q).map((value) => shownOf(q, value))]),
+    columns: [textColumn(seeds ? `over ${study.cases.length} seeds` : 'quantity'), textColumn('unit'), ...heads.map((title) => numbers(title, 1))],
+    rows: study.quantities.map((q) => [q.text, q.unit === '-' ? '' : q.unit, ...values(q).map((value) => shownCell(q, value))]),
   };
 }
 
-/** Most probable extremes of three hours from all seeds; null with too few. */
+/** Most probable three-hour extremes from all seeds; null if there are too few. */
 export function seedExtremes(study: Study): TableData | null {
   const known = study.quantities.filter((q) => q.gumbel ?? q.acer);
   if (known.length === 0) return null;
-  const three = (q: StudyQuantity, e: StudyQuantity['gumbel']): Cell[] => [e?.estimate, e?.low, e?.high].map((value) => shownOf(q, value));
+  const three = (q: StudyQuantity, e: StudyQuantity['gumbel']): Cell[] => [e?.estimate, e?.low, e?.high].map((value) => shownCell(q, value));
   const heads = ['3 h', '2.5 %', '97.5 %'];
   return {
     title: '', look: 'dense',
-    columns: [words('quantity'), words('unit'), ...[...heads, ...heads].map((title) => numbers(title, 1))],
+    columns: [textColumn('quantity'), textColumn('unit'), ...[...heads, ...heads].map((title) => numbers(title, 1))],
     groups: [['', 2], ['Gumbel', 3], ['ACER', 3]],
     rows: known.map((q) => [q.text, q.unit === '-' ? '' : q.unit, ...three(q, q.gumbel), ...three(q, q.acer)]),
   };
@@ -87,8 +87,8 @@ export function extremesTable(d: DynamicSummary): TableData {
   return {
     title: '', look: 'dense',
     columns: [
-      words('quantity'), words('unit'), ...['seen', 'in 3 h', '2.5 %', '97.5 %'].map((title) => numbers(title, 1)),
-      numbers('peaks', 0), words('method'), words('quality'), words('remark'),
+      textColumn('quantity'), textColumn('unit'), ...['seen', 'in 3 h', '2.5 %', '97.5 %'].map((title) => numbers(title, 1)),
+      numbers('peaks', 0), textColumn('method'), textColumn('quality'), textColumn('remark'),
     ],
     rows: d.extremes.map((e) => {
       const si = /strain/.test(e.name) ? '%' : e.units;
@@ -105,17 +105,17 @@ const percent = (share: number): Cell => 100 * share;
 
 const forceColumns = (titles: string[]): Column[] => titles.map((title) => ({ title, ...kilo() }));
 const contactColumns = (): Column[] => [
-  numbers('in contact', 1, '%', 'Share of the time'), numbers('impacts', 0), { title: 'largest impact', ...kilo() },
-  numbers('dent', 2, shownUnit('mm').unit, 'Depth by DNV-RP-F107, of bare steel'),
+  numbers('in contact', 1, '%', 'Fraction of time'), numbers('impacts', 0), { title: 'largest impact', ...kilo() },
+  numbers('dent', 2, shownUnit('mm').unit, 'Dent depth of bare steel to DNV-RP-F107'),
 ];
 
-/** Roller boxes over time: reactions of a row output step, contact, impacts. */
+/** Roller boxes over time: reaction statistics, contact, impacts. */
 export function boxesTable(d: DynamicSummary, lay: Lay | null): TableData {
   const impacts = new Map(d.impacts.map((hit) => [hit.name, hit]));
   const atRest = new Map((lay?.supports ?? []).map((box) => [box.name, box.reaction]));
   return {
     title: '', look: 'dense',
-    columns: [words('box'), ...forceColumns(['static', 'min', 'mean', '99 %', 'max', 'std']), ...contactColumns()],
+    columns: [textColumn('box'), ...forceColumns(['static', 'min', 'mean', '99 %', 'max', 'std']), ...contactColumns()],
     rows: d.supports.map((box) => {
       const hits = impacts.get(box.name), r = box.reaction;
       const reactions = [atRest.get(box.name), r.min, r.mean, box.reaction_percentiles.p99, r.max, r.std];
@@ -127,7 +127,7 @@ export function boxesTable(d: DynamicSummary, lay: Lay | null): TableData {
 
 interface RollerOverTime { reaction: Spread; contact_share: number; impacts: number; largest_impact_force: number; dent_depth: number }
 
-/** The same roller by roller. */
+/** The same for each roller. */
 export function rollersTable(d: DynamicSummary): TableData {
   const rows: Cell[][] = [];
   for (const box of d.supports) {
@@ -140,18 +140,18 @@ export function rollersTable(d: DynamicSummary): TableData {
       }
     });
   }
-  const columns = [words('box'), numbers('row', 0), words('roller'), ...forceColumns(['min', 'mean', 'max', 'std']), ...contactColumns()];
+  const columns = [textColumn('box'), numbers('row', 0), textColumn('roller'), ...forceColumns(['min', 'mean', 'max', 'std']), ...contactColumns()];
   return { title: '', look: 'dense', columns, rows };
 }
 
-/** Histories that are shown first, by importance; those that the run has. */
+/** Default histories, by importance, as far as the run has them. */
 export function firstHistories(names: readonly string[]): string[] {
   const wanted = [/^top_tension$/, /^overbend_von_mises$/, /^heave$/, /^sagbend_von_mises$/, /^vessel\/heave$/, /^mooring\/.*tension$/, /tension$/];
   const found = wanted.map((pattern) => names.find((name) => pattern.test(name))).filter((name): name is string => name !== undefined);
   return [...new Set([...found, ...names])].slice(0, 4);
 }
 
-/** Frequencies [Hz] worth showing: a little beyond those with all but a thousandth of the variance. */
+/** Frequencies [Hz] to show: slightly beyond those that contain 99.9 % of the variance. */
 export function shownFrequencies(frequency: readonly number[], density: readonly number[]): number {
   const total = density.reduce((sum, d) => sum + d, 0);
   let sum = 0;

@@ -1,30 +1,30 @@
-// Results of a study: how its cases are laid out in tables and drawings.
+// Results of a study: layout of its cases in tables and drawings.
 import type { Matrix, MatrixCase, VerdictKind } from '../api/types';
 
-/** In the place of the number of a result: the utilisation of the governing check. */
+/** Index in place of a result: the utilisation of the governing check. */
 export const kUtilisation = -1;
 
 export const resultName = (m: Matrix, output: number): string => (output === kUtilisation ? 'utilisation' : m.outputs[output]?.name ?? '');
 export const resultUnit = (m: Matrix, output: number): string => (output === kUtilisation ? '' : m.outputs[output]?.unit ?? '');
 
-const plainWords = (name: string): string => name.replace(/^(static|dynamic|operation)\./, '').replace(/[._]/g, ' ').replace(/ value$/, '').replace(/\blay back\b/, 'lay-back').replace(/\bvon mises\b/, 'von Mises');
+const plainName = (name: string): string => name.replace(/^(static|dynamic|operation)\./, '').replace(/[._]/g, ' ').replace(/ value$/, '').replace(/\blay back\b/, 'lay-back').replace(/\bvon mises\b/, 'von Mises');
 
-/** "Lay back [m]"; of the utilisation in whole words. */
+/** "Lay back [m]"; the utilisation as text. */
 export function resultTitle(m: Matrix, output: number): string {
   if (output === kUtilisation) return 'Utilisation of the governing check';
-  const words = plainWords(resultName(m, output)), unit = resultUnit(m, output);
-  return words.charAt(0).toUpperCase() + words.slice(1) + (unit ? ` [${unit}]` : '');
+  const name = plainName(resultName(m, output)), unit = resultUnit(m, output);
+  return name.charAt(0).toUpperCase() + name.slice(1) + (unit ? ` [${unit}]` : '');
 }
 
 export const resultValue = (c: MatrixCase, output: number): number | null => (output === kUtilisation ? c.utilisation : c.values[output] ?? null);
 
-/** "water depth" of "environment.water_depth". */
-export const keyWords = (key: string): string => key.split('.').at(-1)!.replace(/_/g, ' ');
+/** "water depth" from "environment.water_depth". */
+export const keyLabel = (key: string): string => key.split('.').at(-1)!.replace(/_/g, ' ');
 
-/** Axes along which the cases spread: crossed, with more than one value. */
+/** Crossed axes with more than one value. */
 export const spreadAxes = (m: Matrix): number[] => m.inputs.flatMap((input, i) => (!input.sampled && !input.with && input.words.length > 1 ? [i] : []));
 
-/** Of the seeds of one combination the value that is farther out: the smallest of a minimum, else the largest. */
+/** The more extreme value over the seeds of one combination: the smallest of a minimum, otherwise the largest. */
 export function worstValue(cases: MatrixCase[], output: number, name: string): number | null {
   const values = cases.map((c) => resultValue(c, output)).filter((v): v is number => v !== null);
   if (values.length === 0) return null;
@@ -37,7 +37,7 @@ const severity: Record<VerdictKind, number> = { passed: 0, reserved: 1, 'not jud
 
 const worstVerdict = (cases: MatrixCase[]): VerdictKind => cases.map((c) => c.verdict).reduce((a, b) => (severity[a] >= severity[b] ? a : b));
 
-export function cellOf(cases: MatrixCase[], output: number, name: string): Cell {
+export function makeCell(cases: MatrixCase[], output: number, name: string): Cell {
   const state = cases.some((c) => c.state === 'failed') ? 'failed' : cases.length === 0 || cases.some((c) => c.state === 'open') ? 'open' : worstVerdict(cases);
   return { cases, value: worstValue(cases, output, name), state };
 }
@@ -52,10 +52,10 @@ export function cellsOver(m: Matrix, axes: number[], fixed: Record<number, numbe
     if (!rest.every((a) => c.at[a] === (fixed[a] ?? 0))) continue;
     cases[y === undefined ? 0 : c.at[y]!]?.[x === undefined ? 0 : c.at[x]!]?.push(c);
   }
-  return cases.map((row) => row.map((list) => cellOf(list, output, name)));
+  return cases.map((row) => row.map((list) => makeCell(list, output, name)));
 }
 
-/** The case of a cell that is shown: one without a solution, else that with the largest utilisation. */
+/** The case shown for a cell: one without a solution, otherwise that with the largest utilisation. */
 export function foremost(cell: Cell): MatrixCase | null {
   const failed = cell.cases.find((c) => c.state === 'failed');
   if (failed) return failed;
@@ -64,24 +64,24 @@ export function foremost(cell: Cell): MatrixCase | null {
 
 const distance = (a: MatrixCase, b: MatrixCase): number => a.words.filter((word, i) => word !== b.words[i]).length;
 
-/** The case from which every other differs by one key at most; null where the keys are crossed. */
+/** The case from which every other differs by one key at most; null if the keys are crossed. */
 export function baseCase(m: Matrix): MatrixCase | null {
   if (m.inputs.length < 2 || m.cases.length < 3 || m.inputs.some((input) => input.sampled) || spreadAxes(m).length > 1) return null;
   const first = m.cases[0]!;
   return m.inputs.slice(1).every((input) => input.with !== '') && m.cases.every((c) => distance(c, first) <= 1) ? first : null;
 }
 
-/** `limits`: of operability; `each`: one key at a time; `list`: neither drawn over one key nor over two. */
+/** `limits`: of operability; `each`: one key at a time; `list`: more than two crossed keys or none. */
 export type Shape = 'limits' | 'each' | 'grid' | 'curve' | 'list';
 
-export function shapeOf(m: Matrix): Shape {
+export function findShape(m: Matrix): Shape {
   if (m.operability) return 'limits';
   if (baseCase(m)) return 'each';
   const axes = spreadAxes(m).length;
   return axes === 0 ? 'list' : axes === 1 ? 'curve' : 'grid';
 }
 
-/** The two keys with the most values, those of the tension along the columns. */
+/** The two keys with the most values, the tension along the columns. */
 export function gridAxes(m: Matrix): [number, number] {
   const order = spreadAxes(m).sort((a, b) => m.inputs[b]!.words.length - m.inputs[a]!.words.length).slice(0, 2);
   const [x, y] = order as [number, number];
@@ -90,7 +90,7 @@ export function gridAxes(m: Matrix): [number, number] {
 
 export interface Swing { key: string; low: number; high: number; lowWord: string; highWord: string }
 
-/** The range of a result as one key at a time takes its values, the widest first. */
+/** The range of a result for each key in turn, the widest first. */
 export function swings(m: Matrix, base: MatrixCase, output: number): Swing[] {
   const middle = resultValue(base, output);
   if (middle === null) return [];
@@ -107,18 +107,18 @@ export function swings(m: Matrix, base: MatrixCase, output: number): Swing[] {
   return all.sort((a, b) => (b.high - b.low) - (a.high - a.low));
 }
 
-const verdictWords: Record<VerdictKind, string> = { passed: 'pass', reserved: 'pass with reservations', exceeded: 'exceed a check', 'not judged': 'solved, not judged' };
+const verdictLabels: Record<VerdictKind, string> = { passed: 'pass', reserved: 'pass with reservations', exceeded: 'exceed a check', 'not judged': 'solved, not judged' };
 
-/** Counts in words. */
+/** Counts as text. */
 export function tally(m: Matrix): string {
   const n = (test: (c: MatrixCase) => boolean): number => m.cases.filter(test).length;
   const parts: [number, string][] = [
-    ...(['passed', 'reserved', 'exceeded', 'not judged'] as const).map((kind): [number, string] => [n((c) => c.state === 'done' && c.verdict === kind), verdictWords[kind]]),
-    [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
-  return `${m.cases.length} cases: ${parts.filter(([count]) => count).map(([count, words]) => `${count} ${words}`).join(', ')}`;
+    ...(['passed', 'reserved', 'exceeded', 'not judged'] as const).map((kind): [number, string] => [n((c) => c.state === 'done' && c.verdict === kind), verdictLabels[kind]]),
+    [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'pending']];
+  return `${m.cases.length} cases: ${parts.filter(([count]) => count).map(([count, label]) => `${count} ${label}`).join(', ')}`;
 }
 
-/** Checks that govern, the most frequent first, with a letter and their number of cases. */
+/** Governing checks, the most frequent first, with a letter and their number of cases. */
 export interface Governing { name: string; letter: string; count: number; most: number }
 
 export function governingChecks(m: Matrix): Governing[] {

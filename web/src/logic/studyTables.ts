@@ -1,12 +1,12 @@
-// Tables of a study as data: the result over two keys, what governs, the tensions of each depth, its cases, its limits.
+// Tables of a study: a result over two keys, governing checks, permissible tensions of each depth, cases, limits.
 import type { Cell as TableCell, Column, TableData } from '../components/document';
 import type { Matrix, MatrixCase, MatrixLimits } from '../api/types';
 import { withoutPaths } from './findings';
 import type { DepthLimits, LimitEnd } from './layGrid';
-import { cellsOver, foremost, governingChecks, keyWords, kUtilisation, resultTitle, type Cell } from './studies';
+import { cellsOver, foremost, governingChecks, keyLabel, kUtilisation, resultTitle, type Cell } from './studies';
 import { tidy } from './units';
 
-/** Decimals with which about four digits of every value are seen, and none that none of them has. */
+/** Decimals that show about four digits of every value, without common trailing zeros. */
 export function decimals(values: readonly (number | null)[]): number {
   const numbers = values.filter((v): v is number => v !== null && Number.isFinite(v));
   const largest = Math.max(...numbers.map(Math.abs), 0), wanted = largest > 0 ? Math.min(4, Math.max(0, 3 - Math.floor(Math.log10(largest)))) : 0;
@@ -15,7 +15,7 @@ export function decimals(values: readonly (number | null)[]): number {
 }
 
 const titled = (input: { key: string; unit: string; values: (number | null)[] }): Column => (
-  { title: keyWords(input.key), unit: input.unit || undefined, digits: decimals(input.values) });
+  { title: keyLabel(input.key), unit: input.unit || undefined, digits: decimals(input.values) });
 
 const inputValue = (input: { words: string[]; values: (number | null)[] }, i: number): TableCell => input.values[i] ?? input.words[i] ?? '';
 
@@ -24,47 +24,47 @@ const short = (value: TableCell): string => (typeof value === 'number' ? tidy(va
 const verdictMark = (c: MatrixCase): 'over' | 'reserved' | 'soft' | '' =>
   (c.state !== 'done' ? 'soft' : c.verdict === 'exceeded' ? 'over' : c.verdict === 'reserved' ? 'reserved' : '');
 
-/** Rows and columns are keys; `cell` says what stands where they meet. */
-function crossed(m: Matrix, [x, y]: readonly number[], cells: Cell[][], title: string, words: boolean, cell: (of: Cell) => TableCell): TableData {
+/** Rows and columns are keys; `cell` gives the content of their intersection. */
+function crossed(m: Matrix, [x, y]: readonly number[], cells: Cell[][], title: string, isText: boolean, cell: (of: Cell) => TableCell): TableData {
   const across = m.inputs[x!]!, down = m.inputs[y!]!, unit = across.unit ? ` ${across.unit}` : '';
   const rows = cells.map((row) => row.map(cell)), digits = decimals(rows.flat().filter((value) => typeof value === 'number'));
   return {
     title, look: 'plain',
-    columns: [{ ...titled(down), words: true }, ...across.words.map((_, i): Column => ({ title: `${short(inputValue(across, i))}${unit}`, digits, words }))],
+    columns: [{ ...titled(down), words: true }, ...across.words.map((_, i): Column => ({ title: `${short(inputValue(across, i))}${unit}`, digits, words: isText }))],
     rows: rows.map((row, j) => [short(inputValue(down, j)), ...row]),
   };
 }
 
-/** The result that is shown, over two keys. */
+/** The selected result over two keys. */
 export const resultTable = (m: Matrix, axes: readonly number[], cells: Cell[][], output: number): TableData =>
   crossed(m, axes, cells, resultTitle(m, output), false, (cell) => cell.value ?? (cell.state === 'failed' ? 'no solution' : null));
 
-/** The check that governs, over two keys. */
+/** The governing check over two keys. */
 export const governingTable = (m: Matrix, axes: readonly number[], cells: Cell[][]): TableData =>
   crossed(m, axes, cells, 'Governing check', true, (cell) => foremost(cell)?.governing || (cell.state === 'failed' ? 'no solution' : ''));
 
-/** How often each check governs. */
+/** Number of cases that each check governs. */
 export const governingCounts = (m: Matrix): TableData => ({
   title: 'Governing checks', look: 'plain',
   columns: [{ title: '', words: true }, { title: 'check', words: true }, { title: 'cases', digits: 0 }, { title: 'largest utilisation', digits: 3 }],
   rows: governingChecks(m).map(({ letter, name, count, most }) => [letter, name, count, most]),
 });
 
-const endWords = (end: LimitEnd | null, sign: string): string => (end ? `${end.open ? sign : ''}${tidy(end.tension, 4)}` : 'none');
+const endText = (end: LimitEnd | null, sign: string): string => (end ? `${end.open ? sign : ''}${tidy(end.tension, 4)}` : 'none');
 
-/** What to ask of the vessel: for every depth the tensions that keep the limits. */
+/** Permissible tensions for every depth. */
 export function tensionTable(m: Matrix, axes: readonly number[], list: DepthLimits[]): TableData {
   const [x, y] = axes.map((a) => m.inputs[a]!) as [Matrix['inputs'][number], Matrix['inputs'][number]];
   const length = m.outputs.find(({ name }) => name.endsWith('.lay_back'))?.unit;
   const back = (end: LimitEnd | null): TableCell => end?.layBack ?? null, open = m.cases.some((c) => c.state === 'open');
   return {
-    title: 'Tension to ask of the vessel', look: 'plain',
+    title: 'Permissible tensions', look: 'plain',
     columns: [
-      titled(y), { title: 'least tension', unit: x.unit }, { title: 'most', unit: x.unit }, { title: 'lay-back at the least', unit: length, digits: 1 },
-      { title: 'at the most', unit: length, digits: 1 }, { title: 'below the least', words: true }, { title: 'above the most', words: true },
+      titled(y), { title: 'minimum tension', unit: x.unit }, { title: 'maximum', unit: x.unit }, { title: 'lay-back at minimum', unit: length, digits: 1 },
+      { title: 'at maximum', unit: length, digits: 1 }, { title: 'limit below', words: true }, { title: 'limit above', words: true },
     ],
     rows: list.map(({ word, least, most, gap }, j) => [
-      inputValue(y, j) || word, endWords(least, '≤ '), `${endWords(most, '≥ ')}${gap ? ' *' : ''}`, back(least), back(most), least?.because ?? '', most?.because ?? '']),
+      inputValue(y, j) || word, endText(least, '≤ '), `${endText(most, '≥ ')}${gap ? ' *' : ''}`, back(least), back(most), least?.because ?? '', most?.because ?? '']),
     marks: list.map(({ least }) => (least || open ? '' : 'over')),
   };
 }
@@ -88,19 +88,19 @@ export function casesTable(m: Matrix, list: readonly MatrixCase[] = m.cases): Ta
   };
 }
 
-/** The limits of operability over one key or two; of more keys a row for every combination. */
+/** Limits of operability over one or two keys; for more keys a row for every combination. */
 export function limitsTable(of: MatrixLimits): TableData {
   const shown = (c: MatrixLimits['cells'][number]): string =>
     (!c.decided ? '?' : `${c.limit === null ? 'none' : `${c.beyond ? '≥ ' : ''}${tidy(c.limit, 4)}`}${c.reason ? ' *' : ''}`);
   return {
-    title: `Largest ${of.over} that passes`, look: 'plain',
-    columns: [...of.axes.map(titled), { title: `largest ${keyWords(of.over)}`, unit: of.unit || undefined }, { title: 'exceeded above it', words: true }, { title: 'remark', words: true }],
+    title: `Limiting ${of.over}`, look: 'plain',
+    columns: [...of.axes.map(titled), { title: `limiting ${keyLabel(of.over)}`, unit: of.unit || undefined }, { title: 'exceeded above the limit', words: true }, { title: 'remark', words: true }],
     rows: of.cells.map((c) => [...of.axes.map((axis, k) => inputValue(axis, c.at[k]!)), shown(c), c.decided ? c.governing : '', withoutPaths(c.reason)]),
     marks: of.cells.map((c) => (!c.decided || c.limit === null ? 'over' : '')),
   };
 }
 
-/** Sheets of a workbook: the two keys with what governs and the tensions where there are such, then all cases. */
+/** Sheets of a workbook: over two keys the result, governing checks and tensions, then all cases. */
 export function studySheets(m: Matrix, axes: readonly number[], fixed: Record<number, number>, tensions: DepthLimits[] | null): TableData[] {
   if (m.operability) return [limitsTable(m.operability)];
   const cases = casesTable(m);

@@ -1,5 +1,5 @@
 // Geometry of a tube along a line of points: rings of directions that do not twist (parallel transport).
-// Radius and least thickness on the screen are added by the graphics card, see view/pipe.ts.
+// Radius and minimum thickness on the screen are added by the graphics card, see view/pipe.ts.
 
 export interface Tube {
   centres: Float32Array;
@@ -24,7 +24,7 @@ export function tubeIndices(stations: number, sides: number): Uint32Array {
   return out;
 }
 
-/** `points`: x, y, z of each station in turn. `into` is used again as far as it is large enough; it may be longer. */
+/** `points`: x, y, z of each station in turn. `into` is reused if it is large enough; it may be longer. */
 export function tube(points: ArrayLike<number>, sides: number, into?: Tube): Tube {
   const stations = Math.floor(points.length / 3);
   const size = stations * sides * 3;
@@ -32,7 +32,7 @@ export function tube(points: ArrayLike<number>, sides: number, into?: Tube): Tub
     ? into
     : { centres: new Float32Array(size), normals: new Float32Array(size), stations, sides };
   out.stations = stations;
-  let ax = 0, ay = 0, az = 0; // the direction that is carried along
+  let ax = 0, ay = 0, az = 0; // direction that is transported along the line
   for (let i = 0; i < stations; ++i) {
     const p = Math.max(0, i - 1) * 3;
     const q = Math.min(stations - 1, i + 1) * 3;
@@ -40,7 +40,7 @@ export function tube(points: ArrayLike<number>, sides: number, into?: Tube): Tub
     const length = Math.hypot(tx, ty, tz) || 1;
     tx /= length; ty /= length; tz /= length;
     if (i === 0) {
-      // any direction across the first tangent will do
+      // any direction across the first tangent
       if (Math.abs(tz) < 0.9) { ax = -tz * tx; ay = -tz * ty; az = 1 - tz * tz; } else { ax = 1 - tx * tx; ay = -tx * ty; az = -tx * tz; }
     } else {
       const along = ax * tx + ay * ty + az * tz;

@@ -1,4 +1,4 @@
-// Undo and redo of the model's text. Keystrokes that follow each other closely become one step.
+// Undo and redo of the model text. Keystrokes in quick succession are one step.
 
 export interface Kept { past: string[]; present: string; future: string[] }
 
@@ -14,16 +14,16 @@ export class UndoStack {
   get canUndo(): boolean { return this.past.length > 0; }
   get canRedo(): boolean { return this.future.length > 0; }
 
-  /** Notes a new text. `origin` names who changed it ("yaml", "form"): only typing in the same place is merged. */
-  push(text: string, origin: string, now: number): void {
+  /** Records a new text. `origin` names its source ("yaml", "form"): only typing in the same place is merged. */
+  push(text: string, origin: string, time: number): void {
     if (text === this.present) return;
-    const merge = origin === 'yaml' && origin === this.lastOrigin && now - this.lastTime < this.pause && this.past.length > 0;
+    const merge = origin === 'yaml' && origin === this.lastOrigin && time - this.lastTime < this.pause && this.past.length > 0;
     if (!merge) this.past.push(this.present);
     if (this.past.length > this.limit) this.past.shift();
     this.present = text;
     this.future = [];
     this.lastOrigin = origin;
-    this.lastTime = now;
+    this.lastTime = time;
   }
 
   undo(): string | null {
@@ -40,7 +40,7 @@ export class UndoStack {
     return this.settle(text);
   }
 
-  /** To be kept over a reload: the steps nearest to now, of at most so many characters together. */
+  /** Steps kept over a reload: the most recent ones, limited in total characters. */
   keep(room: number): Kept {
     let left = room - this.present.length;
     const near = (list: string[]): string[] => {
@@ -52,7 +52,7 @@ export class UndoStack {
     return { past, present: this.present, future: near(this.future) };
   }
 
-  /** What was kept, and on top of it the text there is now, which may have become another meanwhile. */
+  /** Restores the kept steps, followed by the present text, which may have changed meanwhile. */
   static from(kept: Kept | null, text: string): UndoStack {
     const stack = new UndoStack(kept?.present ?? text);
     if (kept) { stack.past = [...kept.past]; stack.future = [...kept.future]; }

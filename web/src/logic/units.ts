@@ -1,5 +1,5 @@
-// Engineering units: reading what a user typed, and showing the same value in the other system.
-// The program itself reads far more units; this table only serves what the page shows beside a value.
+// Engineering units: reading typed values, and conversion to the other unit system.
+// The program reads far more units; this table only covers values displayed by the page.
 
 interface Unit { family: string; factor: number; twin?: string }
 
@@ -77,7 +77,7 @@ export function known(unit: string): boolean {
   return (alias[unit] ?? unit) in table;
 }
 
-/** Reads "16 in", "406.4 mm" or a bare number; null when there is no number at the front. */
+/** Reads "16 in", "406.4 mm" or a bare number; null if the text does not begin with a number. */
 export function parseQuantity(text: string): Quantity | null {
   const match = pattern.exec(text);
   if (!match) return null;
@@ -90,10 +90,10 @@ export function sameFamily(a: string, b: string): boolean {
   return first !== undefined && first.family === table[b]?.family;
 }
 
-/** Names of the units of one kind, that one first. */
+/** Names of the units of one kind, starting with this one. */
 export function unitsLike(unit: string): string[] {
-  const own = alias[unit] ?? unit;
-  return table[own] ? [own, ...Object.keys(table).filter((name) => name !== own && sameFamily(name, own))] : [unit];
+  const canonical = alias[unit] ?? unit;
+  return table[canonical] ? [canonical, ...Object.keys(table).filter((name) => name !== canonical && sameFamily(name, canonical))] : [unit];
 }
 
 export function toSi(number: number, unit: string): number {
@@ -106,7 +106,7 @@ export function fromSi(si: number, unit: string): number {
   return u ? si / u.factor : Number.NaN;
 }
 
-/** A number as an engineer writes it: about `digits` significant figures and no noise at the end. */
+/** A number with about `digits` significant figures, without round-off noise. */
 export function tidy(value: number, digits = 5): string {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
@@ -116,7 +116,7 @@ export function tidy(value: number, digits = 5): string {
   return String(Math.abs(rounded) < 1e-12 ? 0 : rounded);
 }
 
-/** A length [m] to a tenth of a millimetre: contact forces alone press a pipe in by more. */
+/** A length [m] to a tenth of a millimetre: contact forces alone indent a pipe by more. */
 export function tidyLength(value: number): string {
   return tidy(Number(value.toFixed(4)), 4);
 }
@@ -125,23 +125,23 @@ export function write(si: number, unit: string, digits = 5): string {
   return `${tidy(fromSi(si, unit), digits)} ${unit}`;
 }
 
-/** The value in the other system of units: "16 in" gives "406.4 mm". Empty where there is none. */
+/** The value in the other unit system: "16 in" gives "406.4 mm". Empty if there is none. */
 export function twin(text: string): string {
   const q = parseQuantity(text);
   if (!q || !q.unit) return '';
-  const other = table[q.unit]?.twin;
-  return other ? write(toSi(q.number, q.unit), other, 4) : '';
+  const twinUnit = table[q.unit]?.twin;
+  return twinUnit ? write(toSi(q.number, q.unit), twinUnit, 4) : '';
 }
 
-/** What to send for typed text: a bare number takes the unit that was there before. */
+/** Value to send for typed text: a bare number takes the previous unit. */
 export function complete(typed: string, unit: string): string {
   const q = parseQuantity(typed);
   if (!q || !unit) return typed.trim();
   return q.unit ? `${typed.trim().match(/^[-+]?[\d.]+(?:[eE][-+]?\d+)?/)![0]} ${q.unit}` : `${typed.trim()} ${unit}`;
 }
 
-/** The same value in the unit in which another is written, where both are of a kind. */
-export function inUnitOf(text: string, before: string): string {
+/** The value converted to the unit of another value, if both are of the same kind. */
+export function convertLike(text: string, before: string): string {
   const value = parseQuantity(text), old = parseQuantity(before);
   if (!value || !old || value.unit === old.unit || !sameFamily(value.unit, old.unit)) return text;
   return `${tidy(fromSi(toSi(value.number, value.unit), old.unit), 7)} ${old.unit}`;

@@ -1,4 +1,4 @@
-// Numbers of the model that can be varied: every numeric key, and a few that set several keys together.
+// Numbers of the model that can be varied: every numeric key, and a few variables that set several keys together.
 import type { Field } from '../api/types';
 import { label, parts } from './formTree';
 import type { LiveBase } from './live';
@@ -7,7 +7,7 @@ import { parseQuantity, tidy, toSi } from './units';
 /** The part of a form field that is needed here. */
 export type NumericField = Pick<Field, 'path' | 'si'> & Partial<Pick<Field, 'kind' | 'unit' | 'value' | 'default' | 'given' | 'range'>>;
 
-/** Variables that set several keys: no path has a blank. */
+/** Variables that set several keys: no path contains a blank. */
 export const stingerRadius = 'stinger radius';
 export const currentFactor = 'current factor';
 export const boxHeight = 'box height';
@@ -16,14 +16,14 @@ export interface Variable {
   /** Path of the key, or the name of a variable that sets several. */
   id: string;
   name: string;
-  /** Unit in which the model writes it; empty for plain numbers. */
+  /** Unit in the model; empty for plain numbers. */
   unit: string;
   /** SI value of one unit. */
   scale: number;
-  /** The model's own value, SI. */
+  /** Value of the model, SI. */
   si: number;
   integer: boolean;
-  /** Bounds of the key, SI; a bound that is not itself allowed is `open`. */
+  /** Bounds of the key, SI; an `open` bound is itself excluded. */
   min: number;
   max: number;
   openMin: boolean;
@@ -33,7 +33,7 @@ export interface Variable {
 type Bounds = Pick<Variable, 'min' | 'max' | 'openMin' | 'openMax'>;
 const unbounded: Bounds = { min: -Infinity, max: Infinity, openMin: false, openMax: false };
 
-/** Reads "above 0 m and at most 12000 m" or "from 0 to 10", the words of the program for a range. */
+/** Reads a range in the notation of the program: "above 0 m and at most 12000 m" or "from 0 to 10". */
 export function readBounds(range: string | undefined, scale: number): Bounds {
   const low = /(from|at least|above) (-?[\d.e+-]+)/.exec(range ?? ''), high = /(to|at most|below) (-?[\d.e+-]+)/.exec(range ?? '');
   return {
@@ -74,7 +74,7 @@ export function variableName(path: string, fields: ReadonlyMap<string, NumericFi
 
 const numeric = (field: NumericField): boolean => field.kind === 'quantity' || field.kind === 'number' || field.kind === 'integer';
 
-/** Null where the key has no number, neither given nor as its default. */
+/** Null if the key has no number, neither given nor as its default. */
 export function keyVariable(field: NumericField | undefined, fields: ReadonlyMap<string, NumericField>): Variable | null {
   if (!field || !numeric(field)) return null;
   const written = parseQuantity(String(field.value ?? field.default ?? ''));
@@ -84,7 +84,7 @@ export function keyVariable(field: NumericField | undefined, fields: ReadonlyMap
   const scale = Number.isFinite(listed) ? listed : field.si !== null && written.number !== 0 ? field.si / written.number : Number.NaN;
   if (!Number.isFinite(scale) || scale === 0) return null;
   const si = field.si ?? written.number * scale;
-  // bounds are in the key's usual unit, which need not be the one that the model writes
+  // bounds are in the usual unit of the key, which can differ from that in the model
   const usual = field.unit && field.unit !== unit ? toSi(1, field.unit) : scale;
   const bounds = Number.isFinite(usual) ? readBounds(field.range, usual) : unbounded;
   return { id: field.path, name: variableName(field.path, fields), unit, scale, si, integer: field.kind === 'integer', ...bounds };
@@ -103,7 +103,7 @@ export const variableText = (variable: Variable, si: number, digits = 5): string
 const smallest: Record<string, number> = { m: 0.01, mm: 0.1, deg: 0.05, kN: 1, '%': 1, ft: 0.02, in: 0.01 };
 const isPlace = (id: string): boolean => id === boxHeight || /\.(x|y|z|offset)$/.test(id);
 
-/** Step of one pixel or one arrow key, in the variable's unit: a hundredth of the leading decimal place. */
+/** Step of one pixel or one arrow key, in the unit of the variable: a hundredth of the leading decimal place. */
 export function variableStep(variable: Variable): number {
   if (variable.integer) return 1;
   const number = Math.abs(variable.si / variable.scale);
@@ -116,7 +116,7 @@ export type Pace = 'fine' | 'usual' | 'coarse';
 export const paceFactor: Record<Pace, number> = { fine: 0.1, usual: 1, coarse: 10 };
 export const pace = (event: Keys): Pace => (event.shiftKey ? 'coarse' : event.altKey ? 'fine' : 'usual');
 
-/** Values stay on whole steps, also where they are passed over coarsely. */
+/** Rounds values to whole steps, also for coarse movements. */
 export const gridStep = (variable: Variable, keys: Keys): number => variableStep(variable) * (pace(keys) === 'fine' ? paceFactor.fine : 1);
 
 /** The nearest SI value on whole steps, within the bounds of the key. */
@@ -128,7 +128,7 @@ export function onStep(variable: Variable, si: number, step: number): number {
   return Number(number.toPrecision(10)) * scale;
 }
 
-/** Ends of a slider about the model's value, SI. */
+/** Slider range about the value of the model, SI. */
 export function variableEnds(variable: Variable): [number, number] {
   const { id, si, scale, unit } = variable;
   if (id === currentFactor) return [0, 2];
@@ -151,10 +151,10 @@ export function roundEnds(value: number, low: number, high: number): [number, nu
   return value < 0 ? [-round(far), -round(near)] : [round(near), round(far)];
 }
 
-/** Keys with a number in the model, as a search lists them. */
+/** Numeric keys of the model, for the search. */
 export const variableFields = <F extends NumericField>(fields: readonly F[]): F[] => fields.filter((field) => numeric(field) && (field.given || field.default !== null));
 
-/** Sliders of a model that has none of its own yet: what is varied first with this kind of model. */
+/** Default sliders: the keys that are usually varied in this kind of model. */
 export function usualVariables(base: LiveBase): string[] {
   const given = (path: string): boolean => base.fields.get(path)?.si != null && base.fields.get(path)?.given !== false;
   const first = (...paths: string[]): string[] => paths.filter(given).slice(0, 1);

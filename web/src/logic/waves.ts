@@ -1,4 +1,4 @@
-// Elevation of the water: the wave components of the model, the very ones that the computation uses.
+// Elevation of the water surface from the wave components used in the analysis.
 
 export interface Wave { amplitude: number; number: number; frequency: number; phase: number; direction: number }
 
@@ -10,7 +10,7 @@ export function elevation(waves: Wave[], x: number, y: number, t: number): numbe
   return sum;
 }
 
-/** Elevations on a grid. A component is the product of a factor in x and one in y, which spares most of the cosines. */
+/** Elevations on a grid. A component is the product of a factor in x and one in y, which saves most of the cosines. */
 export function surface(waves: Wave[], xs: number[], ys: number[], t: number, out: Float32Array): Float32Array {
   out.fill(0);
   const nx = xs.length;

@@ -1,11 +1,11 @@
-// Where in a YAML text the cursor stands: the keys above it. Written for completion while the text is half typed,
-// when a real parser would only say that it is wrong; indentation is all that is looked at.
+// Keys above the cursor in a YAML text. Written for completion while the text is incomplete,
+// when a real parser would only report an error; only indentation is evaluated.
 
 export interface Place { path: string[]; typed: string; kind: 'key' | 'value'; from: number }
 
 const keyLine = /^(\s*)((?:-\s+)*)([\w .-]+?)\s*:(?:\s|$)/;
 
-/** Column in which the content of a line starts, list dashes skipped. */
+/** Column of the content of a line, after list dashes. */
 function contentColumn(line: string): number {
   return /^(\s*(?:-\s+)*)/.exec(line)![0].length;
 }
@@ -47,22 +47,22 @@ function keysAbove(text: string, column: number, current: string): string[] {
     if (!line.trim() || line.trim().startsWith('#')) continue;
     const dash = /^(\s*)-\s+/.exec(line);
     const match = keyLine.exec(line);
-    const at = contentColumn(line);
-    if (at < limit && match && /:\s*(#.*)?$/.test(line.trimEnd())) { path.unshift(match[3]!); limit = at; }
-    else if (at < limit && match && !dash && at === 0) break;
-    if (dash && dash[1]!.length < limit && at <= limit) { path.unshift('[]'); limit = dash[1]!.length + 1; }
+    const column = contentColumn(line);
+    if (column < limit && match && /:\s*(#.*)?$/.test(line.trimEnd())) { path.unshift(match[3]!); limit = column; }
+    else if (column < limit && match && !dash && column === 0) break;
+    if (dash && dash[1]!.length < limit && column <= limit) { path.unshift('[]'); limit = dash[1]!.length + 1; }
   }
   return path;
 }
 
-/** The line, counted from 1, on which a key of the model stands; that of the nearest group above where it has none of its own. */
+/** Line (from 1) of a key of the model; that of its nearest given parent if it has none. */
 export function lineOfKey(text: string, path: string): number {
   const lines = text.split('\n');
   let found = 0, from = 0, end = lines.length;
   const indent = (line: string): number => /^\s*/.exec(line)![0].length;
   const blockEnd = (start: number): number => {
-    const own = contentColumn(lines[start]!);
-    for (let i = start + 1; i < end; ++i) if (lines[i]!.trim() && !lines[i]!.trim().startsWith('#') && contentColumn(lines[i]!) <= own && indent(lines[i]!) < own + 1) return i;
+    const column = contentColumn(lines[start]!);
+    for (let i = start + 1; i < end; ++i) if (lines[i]!.trim() && !lines[i]!.trim().startsWith('#') && contentColumn(lines[i]!) <= column && indent(lines[i]!) < column + 1) return i;
     return end;
   };
   for (const part of path.replaceAll('[', '.[').split('.').filter(Boolean)) {
@@ -80,7 +80,7 @@ export function lineOfKey(text: string, path: string): number {
   return found;
 }
 
-/** Where the next item of the same list begins, else the end of the list. */
+/** Beginning of the next item of the same list, otherwise the end of the list. */
 function nextDash(lines: string[], start: number, end: number): number {
   const column = lines[start]!.indexOf('-');
   for (let i = start + 1; i < end; ++i) if (/^\s*-(?:\s|$)/.test(lines[i]!) && lines[i]!.indexOf('-') <= column) return i;

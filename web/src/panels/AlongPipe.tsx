@@ -1,4 +1,4 @@
-// Everything known along the pipe, a row for each station; a click on its place shows it in picture and diagrams.
+// Results along the pipe, a row for each station; a click on its position shows it in picture and diagrams.
 import { useMemo } from 'preact/hooks';
 import type { TableData } from '../components/document';
 import { Table } from '../components/Table';
@@ -30,7 +30,7 @@ export function AlongPipe() {
   const factor = shownUnit('m').factor;
   return (
     <div class={`padded${shownFailure.value ? ' old' : ''}`}>
-      <Table table={table} sortable copyable file="along-the-pipe" rowAction={(place) => ({ act: () => { cursor.value = Number(place) / factor; }, title: 'Show the place' })} />
+      <Table table={table} sortable copyable file="along-the-pipe" rowAction={(place) => ({ act: () => { cursor.value = Number(place) / factor; }, title: 'Show the location' })} />
     </div>
   );
 }

@@ -1,4 +1,4 @@
-// Play-back of a run under the picture: time, speed, events, extremes, and the state of the tensioner.
+// Playback of a run under the picture: time, speed, events, extremes, and the state of the tensioner.
 import { nextEvent, worstImpact, type RunEvent } from '../logic/events';
 import { tensionerState } from '../logic/tensioner';
 import { fixedIn, text, unitName } from '../logic/show';
@@ -8,7 +8,7 @@ import { events, extremes, goToExtreme, goToNext, goToWorstImpact } from '../sta
 import { impacts, select } from '../state/runs';
 import '../styles/playback.css';
 
-/** Where the tension lies in the operational range of the model, for runs without a history of the tensioner. */
+/** Position of the tension relative to the tension range of the model, for runs without a history of the tensioner. */
 function place(tension: number | null): [string, string] | null {
   const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
   if (tension === null || typeof low !== 'number' || typeof high !== 'number') return null;
@@ -24,16 +24,16 @@ function Readings() {
   const range = place(tension);
   return (
     <span class="readings">
-      {state ? <span class={`tag ${state.tone}`} title="What the tensioner does">tensioner {state.words}</span> : null}
+      {state ? <span class={`tag ${state.tone}`} title="State of the tensioner">tensioner {state.label}</span> : null}
       {tension !== null ? <span class={`reading${range?.[1] === 'bad' ? ' out' : ''}`} title={range ? `Tension, ${range[0]}` : 'Tension'}>{text(tension, 'N')}</span> : null}
       {travel !== null ? (
-        <span class="reading" title="Pipe paid out by the tensioner, hauled in negative"><small>travel</small> {fixedIn(travel, 'm', 2)} {unitName('m')}</span>
+        <span class="reading" title="Pipe paid out by the tensioner, negative if hauled in"><small>travel</small> {fixedIn(travel, 'm', 2)} {unitName('m')}</span>
       ) : null}
     </span>
   );
 }
 
-/** To the events around the time shown. */
+/** Buttons to the events around the time shown. */
 function EventButtons() {
   const all = events.value, t = time.value;
   const next = nextEvent(all, t, 1), before = nextEvent(all, t, -1), impact = nextEvent(all, t, 1, 'impact');
@@ -45,14 +45,14 @@ function EventButtons() {
           <button
             type="button"
             aria-label="Previous event"
-            title={before ? `Previous event: ${before.name}, at ${before.time.toFixed(1)} s` : 'No event before'}
+            title={before ? `Previous event: ${before.name}, at ${before.time.toFixed(1)} s` : 'No earlier event'}
             disabled={!before}
             onClick={() => goToNext(-1)}
           >
             ‹
           </button>
-          <button type="button" class="next" title={next ? `${next.name}, at ${next.time.toFixed(1)} s` : 'No event after'} disabled={!next} onClick={() => goToNext(1)}>
-            {next ? <>next event<span class="what">: {next.name}</span></> : 'no event after'}
+          <button type="button" class="next" title={next ? `${next.name}, at ${next.time.toFixed(1)} s` : 'No later event'} disabled={!next} onClick={() => goToNext(1)}>
+            {next ? <>next event<span class="what">: {next.name}</span></> : 'no later event'}
           </button>
         </>
       ) : null}
@@ -60,7 +60,7 @@ function EventButtons() {
         <>
           <button
             type="button"
-            title={impact ? `Next impact: ${impact.object}, at ${impact.time.toFixed(1)} s` : 'No impact after'}
+            title={impact ? `Next impact: ${impact.object}, at ${impact.time.toFixed(1)} s` : 'No later impact'}
             disabled={!impact}
             onClick={() => goToNext(1, 'impact')}
           >
@@ -73,20 +73,20 @@ function EventButtons() {
   );
 }
 
-/** To the largest, or smallest, value of any history. */
+/** Menu of the maximum or minimum of any history. */
 function Extremes() {
   const list = extremes.value;
   if (list.length === 0) return null;
   return (
     <select
-      aria-label="Go to the largest of"
-      title="Go to the largest value of a history"
+      aria-label="Go to extreme of"
+      title="Go to the maximum or minimum of a history"
       value=""
       onChange={(e) => { const chosen = list[Number(e.currentTarget.value)]; e.currentTarget.value = ''; if (chosen) void goToExtreme(chosen); }}
     >
-      <option value="">largest of …</option>
+      <option value="">max / min of …</option>
       {([1, -1] as const).map((sign) => (
-        <optgroup key={sign} label={sign > 0 ? 'Largest' : 'Smallest'}>
+        <optgroup key={sign} label={sign > 0 ? 'Maximum' : 'Minimum'}>
           {list.map((w, i) => (w.sign === sign ? <option key={i} value={String(i)} title={w.column.text}>{w.name}</option> : null))}
         </optgroup>
       ))}
@@ -96,7 +96,7 @@ function Extremes() {
 
 const mostMarks = 200;
 
-/** Events along the time, above the slider; impacts by their force. */
+/** Events along the time axis, above the slider; impacts by their force. */
 function Marks() {
   const [low, high] = [first.value, last.value];
   if (!(high > low)) return null;
@@ -128,7 +128,7 @@ function Slider() {
 const Clock = () => <output class="clock">{time.value.toFixed(1)} s <small>of {last.value.toFixed(0)} s</small></output>;
 const Loading = () => (shown.value ? null : <span class="brief">loading…</span>);
 
-/** Only those parts that show the time are drawn anew while it goes on. */
+/** Only the parts that show the time are drawn again during playback. */
 export function AnimationBar() {
   if (!active.value) return null;
   return (

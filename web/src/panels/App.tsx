@@ -1,4 +1,4 @@
-// The frame of the page: header, the model on the left, the workspace in the middle, the verdict on the right.
+// Frame of the page: header, model on the left, workspace in the middle, verdict on the right.
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
@@ -29,9 +29,9 @@ const clampWidth = (px: number): number => Math.round(Math.min(Math.max(px, 200)
 
 interface HandleProps { side: 'left' | 'right'; name: string; width: Signal<number> }
 
-/** Between a side column and the middle: dragged, or moved with the arrow keys; double click or Home puts it back. */
+/** Separator between a side column and the middle: dragged, or moved with the arrow keys; double click or Home resets it. */
 function Handle({ side, name, width }: HandleProps) {
-  const now = (): number => document.querySelector(`main > .${side}`)!.getBoundingClientRect().width;
+  const currentWidth = (): number => document.querySelector(`main > .${side}`)!.getBoundingClientRect().width;
   const wider = side === 'left' ? 'ArrowRight' : 'ArrowLeft';
   return (
     <div
@@ -44,13 +44,13 @@ function Handle({ side, name, width }: HandleProps) {
       aria-valuemin={200}
       aria-valuemax={Math.round(0.4 * innerWidth)}
       aria-valuenow={width.value || undefined}
-      title="Drag to change the width, double click to put it back"
+      title="Drag to change the width, double-click to reset"
       onPointerDown={(e) => { e.currentTarget.setPointerCapture(e.pointerId); e.preventDefault(); e.currentTarget.focus(); }}
       onPointerMove={(e) => { if (e.currentTarget.hasPointerCapture(e.pointerId)) width.value = clampWidth(side === 'left' ? e.clientX : innerWidth - e.clientX); }}
       onDblClick={() => { width.value = 0; }}
       onKeyDown={(e) => {
         const step = e.key === wider ? 16 : /^Arrow(Left|Right)$/.test(e.key) ? -16 : 0;
-        if (step) { e.preventDefault(); width.value = clampWidth(now() + step); } else if (e.key === 'Home') width.value = 0;
+        if (step) { e.preventDefault(); width.value = clampWidth(currentWidth() + step); } else if (e.key === 'Home') width.value = 0;
       }}
     />
   );
@@ -64,17 +64,17 @@ function Drawer({ side, children }: { side: 'model' | 'results'; children: Compo
   );
 }
 
-/** Picture and dock. The picture stays mounted in every workspace, so that nothing has to be drawn anew. */
+/** Picture and dock. The picture stays mounted in every workspace, so that nothing has to be drawn again. */
 function Middle({ parts }: { parts: WorkspaceParts }) {
   const { Strip, Middle: Own, Bar } = parts;
   const docked = hasModel.value && shownTabs(parts).length > 0, fill = Own ? 'both' : middle.value;
-  const beside = Own !== undefined && parts.picture?.value === true;
+  const sideBySide = Own !== undefined && parts.picture?.value === true;
   return (
     <div class={`middle ${docked ? fill : 'picture'}`} style={dockHeight.value ? { '--dock': `${dockHeight.value}px` } : undefined}>
       {Strip && hasModel.value ? <div class="strip"><Strip /></div> : null}
-      <div class={`work${beside ? ' beside' : ''}`}>
+      <div class={`work${sideBySide ? ' beside' : ''}`}>
         {Own ? <div class="ownmiddle"><Own /></div> : null}
-        <div class={`centre${Own && !beside ? ' away' : ''}`}><Picture /></div>
+        <div class={`centre${Own && !sideBySide ? ' away' : ''}`}><Picture /></div>
       </div>
       {Bar && hasModel.value ? <div class="underpicture"><Bar /></div> : null}
       {docked ? <><DockHandle /><Dock parts={parts} /></> : null}
@@ -82,7 +82,7 @@ function Middle({ parts }: { parts: WorkspaceParts }) {
   );
 }
 
-/** Undo, redo and save from anywhere but where text is typed. */
+/** Undo, redo and save outside text fields. */
 function useKeys(): void {
   useEffect(() => {
     const keys = (e: KeyboardEvent): void => {
@@ -92,7 +92,7 @@ function useKeys(): void {
       const writing = (e.target as HTMLElement).closest('.cm-editor');
       if (key === 's') { e.preventDefault(); saveNow(); }
       else if (!writing && !document.querySelector('dialog[open]')) {
-        // in a field that is being typed in, the browser's own undo comes first
+        // in a text field, the undo of the browser takes precedence
         const field = e.target instanceof HTMLInputElement && e.target.type !== 'range' && e.target.value !== (e.target.dataset.written ?? '');
         if (field) return;
         if (key === 'z') { e.preventDefault(); if (e.shiftKey) redo(); else undo(); }

@@ -1,4 +1,4 @@
-// Says that another program has changed the model's file, and offers both ways on.
+// Reports that another program has changed the model file, and offers both choices.
 import { changedOutside, keepOwn } from '../state/disk';
 import { fileName, saved, takeFile } from '../state/model';
 
@@ -7,7 +7,7 @@ export function ChangedOutside() {
   return (
     <div class="changedoutside" role="alert">
       <span>{fileName.value} has been changed by another program.{saved.value ? '' : ' Your changes here are not saved.'}</span>
-      <button type="button" class="main" title="Undo brings your own text back" onClick={() => void takeFile(fileName.value)}>Read the file</button>
+      <button type="button" class="main" title="Undo restores your text" onClick={() => void takeFile(fileName.value)}>Reload from disk</button>
       <button type="button" onClick={keepOwn}>Keep mine</button>
     </div>
   );

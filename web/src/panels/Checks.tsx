@@ -1,4 +1,4 @@
-// Code checks of what is shown: which governs in each region, and all of them with their calculations.
+// Code checks of the results shown: the governing check of each region, and all checks with their calculations.
 import { useEffect, useState } from 'preact/hooks';
 import { CalculationSheet } from '../components/CalculationSheet';
 import { drawnSheet, governing, level, ranked, regionName } from '../logic/checks';
@@ -27,11 +27,11 @@ function Row({ check }: { check: Check }) {
   const [open, setOpen] = useState(asked);
   useEffect(() => { if (asked) setOpen(true); }, [asked]);
   const title = `${check.code} ${check.clause}${check.remark ? `: ${check.remark}` : ''}`;
-  const there = check.sheet.length > 0;
+  const hasSheet = check.sheet.length > 0;
   return (
     <>
       <tr class={level(check)} title={title}>
-        <td>{there ? <button type="button" class="fold" aria-expanded={open} title="Calculation of this check" onClick={() => { setOpen(!open); }}>{check.name}</button> : check.name}<small>{check.line || regionName(check.region)}, {check.code}</small></td>
+        <td>{hasSheet ? <button type="button" class="fold" aria-expanded={open} title="Calculation of this check" onClick={() => { setOpen(!open); }}>{check.name}</button> : check.name}<small>{check.line || regionName(check.region)}, {check.code}</small></td>
         <td>{used(check)}</td>
         <td>{check.governing ? check.status : 'information'}</td>
       </tr>
@@ -40,7 +40,7 @@ function Row({ check }: { check: Check }) {
   );
 }
 
-/** All checks of what is shown, the one that governs first; each unfolds its calculation. */
+/** All checks, the governing one first; each unfolds its calculation. */
 export function Checks() {
   const checks = shownChecks.value;
   if (checks.length === 0) return <p class="empty">No code checks: the model has no pipe, or they are turned off.</p>;
@@ -51,7 +51,7 @@ export function Checks() {
         <thead><tr><th scope="col">check</th><th scope="col">utilisation</th><th scope="col">result</th></tr></thead>
         <tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.line} ${c.region} ${c.remark}`} check={c} />)}</tbody>
       </table>
-      <p class="brief">Utilisation; above 1 is exceeded. A check unfolds its calculation, with clauses and what confirms them.</p>
+      <p class="brief">A utilisation above 1 exceeds the check. Unfold a check to see its calculation, with clauses and sources.</p>
     </section>
   );
 }

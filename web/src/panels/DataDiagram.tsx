@@ -1,4 +1,4 @@
-// A diagram of given data: zoom by dragging, reading under the pointer, saved as PNG, SVG or CSV.
+// A diagram of given data: zoom by dragging, values under the pointer, saved as PNG, SVG or CSV.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Chart } from '../charts/chart';
 import type { ChartData } from '../charts/data';
@@ -9,12 +9,12 @@ import '../styles/datadiagram.css';
 interface Props {
   data: ChartData;
   /** Position of the vertical line. */
-  now?: number | null;
+  position?: number | null;
   /** A click in the plot: index of the nearest point. */
   onPick?: (index: number) => void;
-  /** Results of something that has changed since. */
+  /** True for outdated results. */
   old?: boolean;
-  /** Beside the title, such as a menu. */
+  /** Content next to the title, such as a menu. */
   children?: preact.ComponentChildren;
 }
 
@@ -27,7 +27,7 @@ function Legend({ data: { lines } }: { data: ChartData }) {
   return <ul class="chartlegend" aria-label="Lines">{lines.map((l) => <li key={l.name}><i class={l.dash ? 'dashed' : ''} style={{ '--line': inkOnPage(l.colour, theme.value === 'dark') }} />{l.name}</li>)}</ul>;
 }
 
-export function DataDiagram({ data, now = null, onPick, old, children }: Props) {
+export function DataDiagram({ data, position = null, onPick, old, children }: Props) {
   const box = useRef<HTMLDivElement>(null), chart = useRef<Chart | null>(null);
   const [read, setRead] = useState('');
   const latest = useRef({ data, onPick });
@@ -43,8 +43,8 @@ export function DataDiagram({ data, now = null, onPick, old, children }: Props) 
     observer.observe(box.current!);
     return () => { observer.disconnect(); drawn.destroy(); };
   }, []);
-  useEffect(() => { chart.current?.set(data, { now }); }, [data, theme.value]);
-  useEffect(() => { chart.current?.setNow(now); }, [now]);
+  useEffect(() => { chart.current?.set(data, { position }); }, [data, theme.value]);
+  useEffect(() => { chart.current?.setPosition(position); }, [position]);
   return (
     <figure class={`slot datadiagram${old ? ' old' : ''}`} aria-label={data.title}>
       <figcaption>

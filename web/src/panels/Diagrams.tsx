@@ -11,7 +11,7 @@ import { calmState, chosenLine } from '../state/moorings';
 import { envelopes, runChecks, runSummary } from '../state/runs';
 import { Plot } from './Plot';
 
-/** Of the dock, which holds so many diagrams side by side. */
+/** Number of diagrams side by side in the dock. */
 const width = signal(900);
 const shownSlots = (): number => Math.max(1, Math.min(4, Math.round(width.value / 440)));
 
@@ -30,19 +30,19 @@ function statics(what: string): ChartData | null {
   return ofRun.value ? along(what, s, envelopes.value, runChecks.value ?? s.checks) : along(what, s, null, s.checks);
 }
 
-/** Why a diagram along the pipe is empty. */
+/** Reason why a diagram along the pipe is empty. */
 function empty(): string {
   const s = calmLay.value;
   if (!s) return 'No solution yet.';
   if (s.pipe.s.length) return 'The model has no roller boxes.';
   if (!s.lines.length && !onLines(s)) return 'The model has neither pipe nor lines.';
-  return s.lines.length ? 'Elevation, plan and effective tension are known of lines.' : 'The model has no pipe. Elevation and plan are those of a mooring line.';
+  return s.lines.length ? 'Lines have elevation, plan and effective tension only.' : 'The model has no pipe. Elevation and plan show a mooring line.';
 }
 
 function Diagram({ index }: { index: number }) {
   const asked = slots.value[index] ?? 'elevation', lay = calmLay.value;
   const unknown = !['elevation', 'plan', 'reactions'].includes(asked) && !quantity(asked);
-  // without a pipe: what is known of lines
+  // without a pipe: quantities of lines
   const lines = lay !== null && lay.lines.length > 0 && lay.pipe.s.length === 0;
   const what = unknown || (lines && !['elevation', 'plan'].includes(asked)) ? 'effective_tension' : asked;
   const choose = (value: string): void => { const next = [...slots.value]; next[index] = value; slots.value = next; };

@@ -1,4 +1,4 @@
-// A dialog of the browser's own kind: it keeps the focus inside and closes with Escape.
+// A native dialog: it keeps the focus inside and closes with Escape.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 

@@ -1,18 +1,18 @@
-// The dock below the picture: tabs with tables and diagrams of the workspace; its height is dragged, either part can fill.
+// The dock below the picture: tabs with tables and diagrams of the workspace; its height is dragged, either part can be maximised.
 import { dockHeight } from '../state/look';
 import { dockTabs, middle } from '../state/workspace';
 import type { DockTab, WorkspaceParts } from '../workspaces/workspace';
 import '../styles/dock.css';
 
-/** Tabs of which the model, or what is shown of it, has something. */
+/** Tabs with content for the model or its results. */
 export const shownTabs = (parts: WorkspaceParts): DockTab[] => parts.tabs.filter((tab) => tab.shown?.() ?? true);
 export const shownTab = (parts: WorkspaceParts): DockTab | undefined => shownTabs(parts).find((tab) => tab.id === dockTabs.value[parts.id]) ?? shownTabs(parts)[0];
 
 const clampHeight = (px: number): number => Math.round(Math.min(Math.max(px, 110), innerHeight - 220));
 
-/** Between picture and dock: dragged, or moved with the arrow keys; double click or Home puts it back. */
+/** Separator between picture and dock: dragged, or moved with the arrow keys; double click or Home resets it. */
 export function DockHandle() {
-  const now = (): number => document.querySelector('.dock')?.getBoundingClientRect().height ?? 0;
+  const currentHeight = (): number => document.querySelector('.dock')?.getBoundingClientRect().height ?? 0;
   return (
     <div
       class="dockhandle"
@@ -23,13 +23,13 @@ export function DockHandle() {
       aria-valuemin={110}
       aria-valuemax={Math.round(innerHeight - 220)}
       aria-valuenow={dockHeight.value || undefined}
-      title="Drag to change the height, double click to put it back"
+      title="Drag to change the height, double-click to reset"
       onPointerDown={(e) => { e.currentTarget.setPointerCapture(e.pointerId); e.preventDefault(); e.currentTarget.focus(); }}
       onPointerMove={(e) => { if (e.currentTarget.hasPointerCapture(e.pointerId)) dockHeight.value = clampHeight(innerHeight - e.clientY); }}
       onDblClick={() => { dockHeight.value = 0; }}
       onKeyDown={(e) => {
         const step = e.key === 'ArrowUp' ? 16 : e.key === 'ArrowDown' ? -16 : 0;
-        if (step) { e.preventDefault(); dockHeight.value = clampHeight(now() + step); } else if (e.key === 'Home') dockHeight.value = 0;
+        if (step) { e.preventDefault(); dockHeight.value = clampHeight(currentHeight() + step); } else if (e.key === 'Home') dockHeight.value = 0;
       }}
     />
   );
@@ -68,8 +68,8 @@ export function Dock({ parts }: { parts: WorkspaceParts }) {
           </button>
         ))}
         {parts.Middle ? null : (
-          <button type="button" class="tiny fill" aria-pressed={full} title={full ? 'Show the picture again' : 'Fill the middle with this'} onClick={() => { middle.value = full ? 'both' : 'dock'; }}>
-            {full ? '▾' : '▴'}<span class="hidden">{full ? 'Show the picture again' : 'Fill the middle'}</span>
+          <button type="button" class="tiny fill" aria-pressed={full} title={full ? 'Restore the picture' : 'Maximise the dock'} onClick={() => { middle.value = full ? 'both' : 'dock'; }}>
+            {full ? '▾' : '▴'}<span class="hidden">{full ? 'Restore the picture' : 'Maximise'}</span>
           </button>
         )}
       </div>

@@ -1,4 +1,4 @@
-// The commands of a field: back to its default, pinned as a slider, sought, its effect, its line in the YAML.
+// Commands of a field: reset to default, pin as slider, goal seek, sensitivity, show in YAML.
 import type { Field } from '../api/types';
 import { keyVariable } from '../logic/variables';
 import { leadToText } from '../state/lead';
@@ -27,13 +27,13 @@ function commands(field: Field, name: string): MenuItem[] {
   return [
     ...(number ? [{ name: pinned ? 'Unpin the slider' : 'Pin as slider', act: () => (pinned ? removePin(path) : addPin(path)) }] : []),
     ...(sought ? [
-      { name: 'Find a value …', act: () => openSeek({ key: path }) },
+      { name: 'Goal seek …', act: () => openSeek({ key: path }) },
       { name: 'Sensitivity', act: () => openKeySensitivity(path, name) },
     ] : []),
     ...(byDefault ? [{ name: 'Reset to default', title: `Default: ${field.default}`, disabled: !field.given, act: () => { void reset(field); } }] : []),
     { name: 'Show in YAML', act: () => leadToText(path) },
     { name: 'Copy path', title: path, act: () => { void copyPath(path); } },
-    ...(byDefault || field.required ? [] : [{ name: 'Leave out', title: field.left_out, disabled: !field.given, act: () => { void reset(field); } }]),
+    ...(byDefault || field.required ? [] : [{ name: 'Remove from model', title: field.left_out, disabled: !field.given, act: () => { void reset(field); } }]),
   ];
 }
 

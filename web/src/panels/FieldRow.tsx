@@ -1,10 +1,10 @@
-// One value of the form: as it is written in the model, and beside it the same in the other system of units. A number is
-// varied by dragging its label or with arrow keys, and has a menu.
+// A value of the form: as written in the model, and converted to the other unit system. A number is
+// varied by dragging its label or with the arrow keys, and has a menu.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
-import { label as nameOf, parts } from '../logic/formTree';
+import { label as fieldLabel, parts } from '../logic/formTree';
 import { diagnostics, newerChosen, setKeys } from '../state/model';
 import { openFieldMenu } from './FieldMenu';
 import { useVariation } from './variation';
@@ -19,58 +19,58 @@ interface Sent { typed: string; value: string; answered: boolean }
 export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const written = value(field);
   const [typed, setTyped] = useState(written);
-  const [fault, setFault] = useState('');
-  // What was sent into the model, in order, until the model shows it: its arrival does not take away what was typed meanwhile.
+  const [problem, setProblem] = useState('');
+  // Values sent to the model, in order, until the model shows them: their arrival must not overwrite text typed meanwhile.
   const sent = useRef<Sent[]>([]);
   useEffect(() => {
-    const at = sent.current.findIndex((s) => s.value === written);
-    const own = sent.current[at];
-    const later = own ? sent.current.slice(at + 1) : [];
+    const index = sent.current.findIndex((s) => s.value === written);
+    const arrived = sent.current[index];
+    const later = arrived ? sent.current.slice(index + 1) : [];
     sent.current = later;
-    setTyped((now) => (own && (later.length > 0 || now !== own.typed) ? now : written));
-    setFault('');
+    setTyped((current) => (arrived && (later.length > 0 || current !== arrived.typed) ? current : written));
+    setProblem('');
   }, [written, field.path]);
-  useEffect(() => { sent.current = []; setTyped(written); setFault(''); }, [newerChosen.value]);
+  useEffect(() => { sent.current = []; setTyped(written); setProblem(''); }, [newerChosen.value]);
 
   const variation = useVariation(field);
   const shownText = variation.text ?? typed;
 
   const about = diagnostics.value.filter((d) => d.key === field.path);
-  const told = about.find((d) => d.severity === 'error') ?? about[0];
-  const message = fault || (told?.message ?? '');
-  const wrong = fault !== '' || told?.severity === 'error';
+  const diagnostic = about.find((d) => d.severity === 'error') ?? about[0];
+  const message = problem || (diagnostic?.message ?? '');
+  const wrong = problem !== '' || diagnostic?.severity === 'error';
   const id = `f-${field.path}`;
-  const shown = name ?? nameOf(parts(field.path).at(-1)!);
+  const shown = name ?? fieldLabel(parts(field.path).at(-1)!);
   const left = field.default !== null && field.default !== undefined ? String(field.default) : field.left_out ?? (field.required ? 'required' : '');
 
   const send = async (text: string): Promise<void> => {
     const last = sent.current.findLast((s) => !s.answered);
-    if (last ? text === last.typed : text.trim() === written.trim()) { setFault(''); return; }
+    if (last ? text === last.typed : text.trim() === written.trim()) { setProblem(''); return; }
     let next: unknown = text.trim();
     if (next === '') next = null;
     else if (field.kind === 'quantity') {
-      if (!parseQuantity(text)) { setFault('A number and a unit, like "12 m".'); return; }
+      if (!parseQuantity(text)) { setProblem('Enter a number with a unit, for example 12 m.'); return; }
       next = complete(text, parseQuantity(last?.value ?? written)?.unit || field.unit);
     } else if (field.kind === 'number' || field.kind === 'integer') {
       const n = Number(text);
-      if (!Number.isFinite(n)) { setFault('A number, without unit.'); return; }
+      if (!Number.isFinite(n)) { setProblem('Enter a number without unit.'); return; }
       next = n;
     }
-    const own: Sent = { typed: text, value: String(next ?? ''), answered: false };
-    const drop = (): void => { sent.current = sent.current.filter((s) => s !== own); };
-    sent.current.push(own);
+    const entry: Sent = { typed: text, value: String(next ?? ''), answered: false };
+    const drop = (): void => { sent.current = sent.current.filter((s) => s !== entry); };
+    sent.current.push(entry);
     try {
-      setFault('');
-      if (await setKeys([{ path: field.path, value: next }])) own.answered = true;
+      setProblem('');
+      if (await setKeys([{ path: field.path, value: next }])) entry.answered = true;
       else drop();
     } catch (error) {
       drop();
-      setFault(error instanceof ApiError ? error.message : String(error));
+      setProblem(error instanceof ApiError ? error.message : String(error));
     }
   };
 
   const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `If omitted: ${left}.` : ''].filter(Boolean).join(' ');
-  const other = field.kind === 'quantity' ? twin(shownText || (field.given ? '' : left)) : '';
+  const converted = field.kind === 'quantity' ? twin(shownText || (field.given ? '' : left)) : '';
   const menuAtKey = (event: KeyboardEvent & { currentTarget: HTMLElement }): boolean => {
     if (event.key !== 'ContextMenu' && !(event.key === 'F10' && event.shiftKey)) return false;
     event.preventDefault();
@@ -81,13 +81,13 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const keys = (event: KeyboardEvent & { currentTarget: HTMLInputElement }): void => {
     if (variation.key(event) || menuAtKey(event)) return;
     if (event.key === 'Enter' && !variation.commit(true)) void send(event.currentTarget.value);
-    if (event.key === 'Escape' && !variation.cancel()) { setTyped(written); setFault(''); }
+    if (event.key === 'Escape' && !variation.cancel()) { setTyped(written); setProblem(''); }
   };
   return (
     <div class={`row${variation.able ? ' number' : ''}${variation.text === null ? '' : ' varied'}${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${wrong ? ' wrong' : message ? ' warned' : ''}${field.given ? '' : ' absent'}`} title={hint}>
       <label
         for={id}
-        title={variation.able ? `${hint} Drag to vary it: Shift coarse, Alt fine, Esc back.`.trim() : undefined}
+        title={variation.able ? `${hint} Drag to vary: Shift coarse, Alt fine, Esc resets.`.trim() : undefined}
         onContextMenu={(e) => { e.preventDefault(); openFieldMenu(field, shown, e.clientX, e.clientY); }}
         {...variation.label}
       >
@@ -124,8 +124,8 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
       >
         ⋯
       </button>
-      <span class="twin" title={other}>{other}</span>
-      {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
+      <span class="twin" title={converted}>{converted}</span>
+      {message ? <p class={wrong ? 'failuretext' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
     </div>
   );
 }

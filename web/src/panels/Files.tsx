@@ -1,4 +1,4 @@
-// Open, save as, and the question which of two tabs is right.
+// Open, save as, and the choice between two tabs that changed the model.
 import { useEffect, useState } from 'preact/hooks';
 import { get } from '../api/client';
 import { differences } from '../logic/differences';
@@ -22,7 +22,7 @@ export function OpenDialog() {
   return (
     <Dialog title="Open" close={close}>
       <h3>Files in {list?.folder ?? '…'}</h3>
-      {list && list.files.length === 0 ? <p class="empty">No model files there.</p> : null}
+      {list && list.files.length === 0 ? <p class="empty">No model files in this folder.</p> : null}
       <ul class="filelist">{(list?.files ?? []).map((f) => <li key={f.name}><button type="button" onClick={() => { close(); void openFile(f.name); }}><b>{f.name}</b><span class="brief">{new Date(f.modified * 1000).toLocaleString()}</span></button></li>)}</ul>
       <h3>Examples</h3>
       <ul class="filelist">{(info.value?.examples ?? []).map((x) => <li key={x.name}><button type="button" onClick={() => { close(); void openExample(x.name); }}><b>{x.title || x.name}</b><span class="brief">{x.name}</span></button></li>)}</ul>
@@ -35,12 +35,12 @@ export function SaveAsDialog() {
   const [name, setName] = useState(fileName.value || 'model.yaml');
   const full = /\.ya?ml$/i.test(name) ? name : `${name}.yaml`;
   const good = /^[^/\\:*?"<>|]+$/.test(name.trim()) && !name.startsWith('.');
-  const there = list?.files.some((f) => f.name === full) && full !== fileName.value;
+  const exists = list?.files.some((f) => f.name === full) && full !== fileName.value;
   return (
     <Dialog title="Save as" close={close}>
       <form onSubmit={(e) => { e.preventDefault(); if (good) void save(full.trim()).then((done) => { if (done || overwrite.value) close(); }); }}>
         <div class="row"><label for="save-name">file name</label><input id="save-name" value={name} onInput={(e) => setName(e.currentTarget.value)} /><span class="twin" /></div>
-        <p class="brief">{good ? (there ? `${full} already exists: both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'A name without slashes.'}</p>
+        <p class="brief">{good ? (exists ? `${full} already exists. Both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'The name must not contain slashes.'}</p>
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={!good}>Save</button></footer>
       </form>
     </Dialog>
@@ -51,16 +51,16 @@ export function ConflictDialog() {
   if (!conflict.value) return null;
   return (
     <Dialog title="Two tabs have changed this model" close={() => { void takeTheirs(); }}>
-      <p>Another tab changed the model after this one last saw it. Your last change here has not been stored.</p>
+      <p>Another tab has changed the model in the meantime. Your last change in this tab has not been applied.</p>
       <footer>
-        <button type="button" onClick={() => void keepMine()}>Keep mine, replace the other</button>
-        <button type="button" class="main" onClick={() => void takeTheirs()}>Take the newer</button>
+        <button type="button" onClick={() => void keepMine()}>Keep mine, discard the other</button>
+        <button type="button" class="main" onClick={() => void takeTheirs()}>Use the newer</button>
       </footer>
     </Dialog>
   );
 }
 
-/** New and Open with changes that are not saved. */
+/** New and Open with unsaved changes. */
 export function UnsavedDialog() {
   const next = asking.value;
   if (!next) return null;
@@ -82,24 +82,24 @@ export function UnsavedDialog() {
   );
 }
 
-/** Save found that the file has become another one since it was read: both are shown. */
+/** Save found a changed file on disk: both texts are shown. */
 export function OverwriteDialog() {
   const o = overwrite.value;
   if (!o) return null;
   const close = (): void => { overwrite.value = null; };
-  const own = o.name === fileName.value;
+  const isOwnFile = o.name === fileName.value;
   const rows = differences(o.theirs, o.mine);
   return (
-    <Dialog title={own ? `${o.name} has changed on disk` : `${o.name} already exists`} close={close} wide>
-      <p>{own ? 'Another program has changed the file since it was read.' : 'The folder already contains a file of that name.'} Nothing has been written. Lines that differ:</p>
+    <Dialog title={isOwnFile ? `${o.name} has changed on disk` : `${o.name} already exists`} close={close} wide>
+      <p>{isOwnFile ? 'Another program has changed the file since it was read.' : 'The folder already contains a file of that name.'} Nothing has been written. Differing lines:</p>
       <div class="compare" role="table" aria-label="The two texts">
-        <div class="heads" role="row"><b role="columnheader">in the file</b><b role="columnheader">here</b></div>
+        <div class="heads" role="row"><b role="columnheader">on disk</b><b role="columnheader">in this tab</b></div>
         {rows.map((r, i) => (r.gap ? <div key={i} class="gap">…</div> : <div key={i} role="row" class={r.left === r.right ? '' : 'differs'}><code role="cell">{r.left ?? ''}</code><code role="cell">{r.right ?? ''}</code></div>))}
       </div>
       <footer>
         <button type="button" onClick={close}>Cancel</button>
         <button type="button" onClick={() => { close(); dialog.value = 'saveas'; }}>Save under another name…</button>
-        <button type="button" onClick={() => void takeFile(o.name)}>Take the file's</button>
+        <button type="button" onClick={() => void takeFile(o.name)}>Reload from disk</button>
         <button type="button" class="danger" onClick={() => void save(o.name, o.version)}>Replace the file</button>
       </footer>
     </Dialog>

@@ -1,4 +1,4 @@
-// Findings in brief, the serious ones first: each leads to its object, place and time; most of the notes unfold.
+// Short findings, the serious ones first: each leads to its object, position and time; further notes are folded.
 import { useState } from 'preact/hooks';
 import type { Bullet } from '../logic/findings';
 import { followFinding, hasPlace } from '../state/findingPlace';
@@ -10,10 +10,10 @@ function Item({ b }: { b: Bullet }) {
   return (
     <li class={b.severity} title={b.code}>
       <span class="hidden">{b.severity}: </span>
-      {b.short === b.full ? b.full : <details><summary title="Show all of it"><span class="short">{b.short}</span><span class="full">{b.full}</span></summary></details>}
+      {b.short === b.full ? b.full : <details><summary title="Show the full text"><span class="short">{b.short}</span><span class="full">{b.full}</span></summary></details>}
       {name || hasPlace(b) ? (
         <span class="place">
-          {hasPlace(b) ? <button type="button" class="link" onClick={() => followFinding(b)}>{name || 'show the place'}</button> : name}
+          {hasPlace(b) ? <button type="button" class="link" onClick={() => followFinding(b)}>{name || 'show the location'}</button> : name}
           {b.time !== undefined ? `, t = ${b.time.toFixed(1)} s` : ''}
         </span>
       ) : null}

@@ -1,9 +1,9 @@
-// Name and file, workspaces, how the solver stands, undo, files, units, theme.
+// Name and file, workspaces, solver status, undo, files, units, theme.
 import { canRedo, canUndo, errors, fileName, hasModel, info, redo, saved, title, undo } from '../state/model';
 import { calm, failure, solvingNow } from '../state/live';
 import { askFor, saveNow } from '../state/files';
 import { dialog, theme } from '../state/look';
-import { leadToFault } from '../state/lead';
+import { leadToDiagnostic } from '../state/lead';
 import { connected } from '../state/connection';
 import { unitSystem } from '../logic/show';
 import { tidy } from '../logic/units';
@@ -17,17 +17,17 @@ import type { WorkspaceId } from '../workspaces/workspace';
 import { openMenuBelow } from './Menu';
 import '../styles/header.css';
 
-/** The program prints in these units from now on, and the page is loaded anew in them. */
+/** Sets the unit system of the program and reloads the page in it. */
 const chooseUnits = (units: 'metric' | 'us'): Promise<void> => post('units', { units }).then(() => location.reload()).catch(sayError);
 
 function Status() {
   if (!connected.value) return <span class="status bad" role="status">no connection to the program</span>;
   const first = errors.value[0];
   if (first) {
-    const words = errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`;
+    const text = errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`;
     return (
-      <button type="button" class="status bad" title={`${first.key || `line ${first.line}`}: ${first.message}`} onClick={() => leadToFault(first)}>
-        {words}: {first.key ? keyName(first.key) : `line ${first.line}`}
+      <button type="button" class="status bad" title={`${first.key || `line ${first.line}`}: ${first.message}`} onClick={() => leadToDiagnostic(first)}>
+        {text}: {first.key ? keyName(first.key) : `line ${first.line}`}
       </button>
     );
   }
@@ -36,12 +36,12 @@ function Status() {
   return <span class="status">{hasModel.value ? 'solving…' : 'no model'}</span>;
 }
 
-/** What a workspace has to say in the header: runs that go on, and those that have ended since the list was last seen. */
+/** Status of a workspace in the header: active runs, and runs that have ended since the list was last viewed. */
 function Mark({ id }: { id: WorkspaceId }) {
   const count = newRuns.value.length;
   if (id === 'runs' && count) return <span class="dot new" role="img" aria-label={`${count} new`} title={count === 1 ? 'a run has ended' : `${count} runs have ended`} />;
   const going = runs.value.some((run) => run.state === 'running' || run.state === 'queued');
-  return id === 'runs' && going ? <span class="dot" title="a run goes on" /> : null;
+  return id === 'runs' && going ? <span class="dot" title="a run is in progress" /> : null;
 }
 
 function Workspaces() {
@@ -52,7 +52,7 @@ function Workspaces() {
       onKeyDown={(e) => {
         const step = e.key === 'ArrowRight' ? 1 : e.key === 'ArrowLeft' ? -1 : 0;
         if (!step) return;
-        const at = workspaces.findIndex((w) => w.id === workspace.value), next = workspaces[(at + step + workspaces.length) % workspaces.length]!;
+        const index = workspaces.findIndex((w) => w.id === workspace.value), next = workspaces[(index + step + workspaces.length) % workspaces.length]!;
         goTo(next.id);
         document.getElementById(`workspace-${next.id}`)?.focus();
       }}
@@ -91,7 +91,7 @@ function Files() {
         <button
           type="button"
           disabled={none}
-          aria-label="Other ways to save"
+          aria-label="More save options"
           aria-haspopup="menu"
           onClick={(e) => openMenuBelow([{ name: 'Save as…', act: () => { dialog.value = 'saveas'; } }], e.currentTarget)}
         >
@@ -118,7 +118,7 @@ export function Header() {
         type="button"
         class="icon"
         aria-label={`Units: ${us ? 'US customary' : 'metric'}`}
-        title={`Results, tables and reports in ${us ? 'metric units' : 'US customary units'}; the model keeps the units in which it is written`}
+        title={`Results, tables and reports in ${us ? 'metric units' : 'US customary units'}; the model keeps its own units`}
         onClick={() => void chooseUnits(us ? 'metric' : 'us')}
       >
         {us ? 'US' : 'SI'}

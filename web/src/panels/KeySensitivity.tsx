@@ -1,4 +1,4 @@
-// The effect of one key on the key results, by its tolerance.
+// Effect of the tolerance of one key on the key results.
 import { signal } from '@preact/signals';
 import { changes } from '../state/live';
 import { findingSensitivities, findSensitivities, sensitivities } from '../state/sensitivities';
@@ -14,15 +14,15 @@ export function openKeySensitivity(path: string, name: string): void {
 
 function Effects({ path, name }: { path: string; name: string }) {
   const answer = sensitivities.value?.answer;
-  if (findingSensitivities.value || !answer) return <p class="brief" role="status">{findingSensitivities.value ? 'Computing…' : 'Nothing computed.'}</p>;
-  if (answer.status === 'failed') return <p class="fault">{answer.what}: {answer.why}</p>;
-  if (answer.status === 'invalid') return <p class="fault">The model cannot be computed like this.</p>;
+  if (findingSensitivities.value || !answer) return <p class="brief" role="status">{findingSensitivities.value ? 'Computing…' : 'No result.'}</p>;
+  if (answer.status === 'failed') return <p class="failuretext">{answer.what}: {answer.why}</p>;
+  if (answer.status === 'invalid') return <p class="failuretext">The model cannot be solved.</p>;
   const rows = answer.results.flatMap((result) => result.inputs.filter((input) => input.key === path).map((input) => ({ result, input })));
   if (rows.length === 0) return <p>No key result depends on {name} as much as on the twelve inputs that move it most.</p>;
   const first = rows[0]!.input;
   return (
     <>
-      <p class="brief">Effect of {name} ± {first.tolerance}{first.usual ? ', a usual tolerance' : ''}, the other inputs unchanged.</p>
+      <p class="brief">Effect of {name} ± {first.tolerance}{first.usual ? ', a default tolerance' : ''}, the other inputs unchanged.</p>
       <div class="table">
         <table>
           <thead><tr><th class="t">result</th><th>value</th><th>up</th><th>down</th></tr></thead>

@@ -1,4 +1,4 @@
-// A menu at the place of a click: keyboard and pointer choose, Escape and a click elsewhere close it.
+// A context menu: operated by keyboard and pointer, closed by Escape and by a click elsewhere.
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import '../styles/menu.css';
@@ -7,12 +7,12 @@ export interface MenuItem { name: string; act: () => void; disabled?: boolean; t
 
 const shown = signal<{ items: MenuItem[]; x: number; y: number; from: HTMLElement | null } | null>(null);
 
-/** Opens a menu at a place of the window; the focus returns to where it was. */
+/** Opens a menu at a position of the window; the focus returns to its previous element. */
 export function openMenu(items: MenuItem[], x: number, y: number): void {
   shown.value = items.length ? { items, x, y, from: document.activeElement as HTMLElement | null } : null;
 }
 
-/** Below an element, as of a button with "⋯". */
+/** Opens a menu below an element, such as a button with "⋯". */
 export function openMenuBelow(items: MenuItem[], element: Element): void {
   const box = element.getBoundingClientRect();
   openMenu(items, box.left, box.bottom + 2);
@@ -26,14 +26,14 @@ function close(): void {
 
 function step(list: HTMLElement, by: number): void {
   const buttons = [...list.querySelectorAll<HTMLElement>('button:not(:disabled)')];
-  const at = buttons.indexOf(document.activeElement as HTMLElement);
-  buttons[(at + by + buttons.length) % buttons.length]?.focus();
+  const index = buttons.indexOf(document.activeElement as HTMLElement);
+  buttons[(index + by + buttons.length) % buttons.length]?.focus();
 }
 
-/** To the next command that begins with a letter. */
+/** Moves to the next command that begins with a letter. */
 function stepTo(list: HTMLElement, letter: string): void {
-  const buttons = [...list.querySelectorAll<HTMLElement>('button:not(:disabled)')], now = buttons.indexOf(document.activeElement as HTMLElement);
-  const next = [...buttons.slice(now + 1), ...buttons.slice(0, now + 1)].find((button) => button.textContent!.toLowerCase().startsWith(letter.toLowerCase()));
+  const buttons = [...list.querySelectorAll<HTMLElement>('button:not(:disabled)')], index = buttons.indexOf(document.activeElement as HTMLElement);
+  const next = [...buttons.slice(index + 1), ...buttons.slice(0, index + 1)].find((button) => button.textContent!.toLowerCase().startsWith(letter.toLowerCase()));
   next?.focus();
 }
 

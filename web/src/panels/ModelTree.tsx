@@ -1,7 +1,7 @@
-// The model as a tree of objects: choosing one shows its properties; a menu duplicates, deletes or shows it in the YAML.
+// The model as a tree of objects: selecting one shows its properties; a menu duplicates, deletes or shows it in the YAML.
 import { signal } from '@preact/signals';
-import { copyOf } from '../logic/firstItems';
-import { absentObjects, findNode, isItem, objectTitle, partsWithin, pathsAbove, tellingValue, topObjects, type FieldNode } from '../logic/modelTree';
+import { copyItem } from '../logic/firstItems';
+import { absentObjects, findNode, isItem, objectTitle, partsWithin, pathsAbove, summaryValue, topObjects, type FieldNode } from '../logic/modelTree';
 import { leadToText } from '../state/lead';
 import { byPath, diagnostics, setKeys } from '../state/model';
 import { sections, shownObject } from '../state/selection';
@@ -12,7 +12,7 @@ import { openMenu, openMenuBelow, type MenuItem } from './Menu';
 import { addObject } from './addObject';
 import '../styles/tree.css';
 
-/** Objects that show their parts; the first level does from the start where it has few. */
+/** Expanded objects; by default those of the first level with few parts. */
 const unfolded = signal<ReadonlySet<string>>(new Set(['environment', 'supports']));
 
 function setUnfolded(path: string, open: boolean): void {
@@ -30,15 +30,15 @@ async function write(path: string, value: unknown): Promise<void> {
 function menuItems(node: FieldNode): MenuItem[] {
   const list = isItem(node) ? node.path.replace(/\[\d+\]$/, '') : '';
   return [
-    ...(list ? [{ name: 'Duplicate', act: () => void write(`${list}[${byPath.value.get(list)?.count ?? 0}]`, copyOf(node)) }] : []),
+    ...(list ? [{ name: 'Duplicate', act: () => void write(`${list}[${byPath.value.get(list)?.count ?? 0}]`, copyItem(node)) }] : []),
     { name: 'Delete', disabled: !node.given, act: () => { if (object.value.startsWith(node.path)) selectObject(''); void write(node.path, null); } },
     { name: 'Show in YAML', disabled: !node.given, act: () => leadToText(node.path) },
-    { name: 'Copy its path', act: () => void navigator.clipboard.writeText(node.path).catch(sayError) },
+    { name: 'Copy path', act: () => void navigator.clipboard.writeText(node.path).catch(sayError) },
   ];
 }
 
-/** The worst of what is said about an object and what is in it. */
-function markOf(path: string): 'bad' | 'warn' | '' {
+/** The most severe diagnostic of an object and its contents. */
+function findMark(path: string): 'bad' | 'warn' | '' {
   const within = (key: string): boolean => key === path || key.startsWith(`${path}.`) || key.startsWith(`${path}[`);
   const said = diagnostics.value.filter((d) => within(d.key));
   if (said.some((d) => d.severity === 'error')) return 'bad';
@@ -51,7 +51,7 @@ const marks = { bad: 'has an error or a serious finding', warn: 'has a finding',
 
 function Branch({ node, level }: { node: FieldNode; level: number }) {
   const within = partsWithin(node), open = within.length > 0 && isOpen(node.path), chosen = shownObject.value === node.path;
-  const value = tellingValue(node, byPath.value), mark = markOf(node.path);
+  const value = summaryValue(node, byPath.value), mark = findMark(node.path);
   return (
     <li role="none">
       <div
@@ -80,24 +80,24 @@ function Branch({ node, level }: { node: FieldNode; level: number }) {
   );
 }
 
-/** Keys of a tree as everywhere: arrows walk, right and left unfold and fold, Enter chooses, the menu key opens the menu. */
+/** Keys of a tree: arrows move, right and left expand and collapse, Enter selects, the menu key opens the menu. */
 function walk(e: KeyboardEvent): void {
-  const here = (e.target as Element).closest<HTMLElement>('[role=treeitem]');
-  if (!here) return;
-  const path = here.dataset.object!, all = [...here.closest('[role=tree]')!.querySelectorAll<HTMLElement>('[role=treeitem]')];
+  const item = (e.target as Element).closest<HTMLElement>('[role=treeitem]');
+  if (!item) return;
+  const path = item.dataset.object!, all = [...item.closest('[role=tree]')!.querySelectorAll<HTMLElement>('[role=treeitem]')];
   const go = (to: HTMLElement | undefined): void => { to?.focus(); to?.click(); };
-  const at = all.indexOf(here), open = here.getAttribute('aria-expanded') === 'true';
+  const index = all.indexOf(item), open = item.getAttribute('aria-expanded') === 'true';
   const node = findNode(sections.value, path);
   switch (e.key) {
-    case 'ArrowDown': go(all[at + 1]); break;
-    case 'ArrowUp': go(all[at - 1]); break;
+    case 'ArrowDown': go(all[index + 1]); break;
+    case 'ArrowUp': go(all[index - 1]); break;
     case 'Home': go(all[0]); break;
     case 'End': go(all.at(-1)); break;
-    case 'ArrowRight': if (open) go(all[at + 1]); else setUnfolded(path, true); break;
+    case 'ArrowRight': if (open) go(all[index + 1]); else setUnfolded(path, true); break;
     case 'ArrowLeft': if (open && unfolded.value.has(path)) setUnfolded(path, false); else go(all.find((el) => el.dataset.object === pathsAbove(path).at(-1))); break;
     case 'Enter': document.querySelector<HTMLElement>('.properties :is(input, select, button)')?.focus(); break;
     case 'Delete': if (node?.given) void write(path, null); break;
-    case 'ContextMenu': case 'F10': if (node && (e.key !== 'F10' || e.shiftKey)) openMenuBelow(menuItems(node), here); break;
+    case 'ContextMenu': case 'F10': if (node && (e.key !== 'F10' || e.shiftKey)) openMenuBelow(menuItems(node), item); break;
     default: return;
   }
   e.preventDefault();

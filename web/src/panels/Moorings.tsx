@@ -1,4 +1,4 @@
-// Where the hull lies on its moorings, its natural periods, the lines; and lines by themselves.
+// Static offset of the hull on its moorings, natural periods, lines; and lines other than moorings.
 import type { LineAtRest, MooringLine, VesselOffset } from '../api/types';
 import { Table } from '../components/Table';
 import { cellText } from '../components/tableText';
@@ -13,7 +13,7 @@ import { MooringsInTime } from './MooringsInTime';
 
 const short = ['fairlead_tension', 'utilisation', 'on_bed'];
 
-/** The lines of the state shown; `wide`: every column that says something. */
+/** Lines of the state shown; `wide`: all columns that carry information. */
 export function MooringTable({ lines, wide, inTime = false }: { lines: readonly MooringLine[]; wide?: boolean; inTime?: boolean }) {
   const action = (name: string) => {
     const line = lines.find((l) => l.name === name)!;
@@ -40,10 +40,10 @@ const offsets: [keyof VesselOffset, string, string][] = [['surge', 'm', 'forward
 
 function Offsets({ of }: { of: VesselOffset }) {
   return (
-    <dl class="offsets" aria-label="Where the vessel lies">
+    <dl class="offsets" aria-label="Vessel offset">
       {offsets.map(([key, unit, way]) => {
         const [name, factor] = display(unit), shown = Number(((of[key] as number) * factor).toFixed(3));
-        return <div key={key} class="kv" title={`From where it is drawn, ${way} positive`}><dt>{key}</dt><dd>{shown === 0 ? 0 : shown} <small>{name}</small></dd></div>;
+        return <div key={key} class="kv" title={`From the nominal position, positive ${way}`}><dt>{key}</dt><dd>{shown === 0 ? 0 : shown} <small>{name}</small></dd></div>;
       })}
     </dl>
   );
@@ -61,7 +61,7 @@ export function StageChoice() {
   return (
     <label class="stage">stage
       <select aria-label="Stage of the operation" value={String(stage.value)} onChange={(e) => { stage.value = Number(e.currentTarget.value); }}>
-        <option value="-1">at rest</option>
+        <option value="-1">equilibrium</option>
         {m.stages.map((s, i) => <option key={i} value={String(i)}>{s.name || `stage ${i + 1}`}</option>)}
       </select>
     </label>
@@ -77,15 +77,15 @@ export function MooringResults() {
       <h3>{name} <button type="button" class="link" onClick={() => { mode.value = mode.value === 'plan' ? '3d' : 'plan'; }}>{mode.value === 'plan' ? '3-D view' : 'plan'}</button></h3>
       <StageChoice />
       {lines ? <MooringTable lines={linesOfRun.value ?? state.moorings} inTime={linesOfRun.value !== null} /> : null}
-      {linesOfRun.value ? <p class="brief">Tensions: largest of the run. Other columns: at rest.</p> : null}
+      {linesOfRun.value ? <p class="brief">Tensions: maximum of the run. Other columns: static.</p> : null}
       <Offsets of={state.vessel} />
-      <Periods of={state.vessel} on={lines ? 'on the lines' : 'as it is positioned'} />
+      <Periods of={state.vessel} on={lines ? 'on the moorings' : 'with station keeping'} />
       <MooringsInTime />
     </section>
   );
 }
 
-/** What was picked in the 3-D view. */
+/** Object selected in the 3-D view. */
 export function LineValues({ name }: { name: string }) {
   const moored = calmState.value?.moorings.find((l) => l.name === name);
   if (moored) {
@@ -104,7 +104,7 @@ export function LineValues({ name }: { name: string }) {
   );
 }
 
-/** Lines by themselves, at rest and in the run that is looked at. */
+/** Lines other than moorings, in equilibrium and in the selected run. */
 export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
   if (lines.length === 0) return null;
   const inTime = aloneInTime.value;
@@ -115,7 +115,7 @@ export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
   const rows: [string, (l: LineAtRest) => string, string][] = [
     ['first end', (l) => numberIn(l.first.tension, 'N'), 'N'], ['second end', (l) => numberIn(l.second.tension, 'N'), 'N'],
     ['largest', (l) => numberIn(l.largest_tension, 'N'), 'N'], ['least', (l) => numberIn(l.least_tension, 'N'), 'N'],
-    ['length', (l) => numberIn(l.length, 'm', 5), 'm'], ['on the bed', (l) => numberIn(l.on_bed, 'm'), 'm'],
+    ['length', (l) => numberIn(l.length, 'm', 5), 'm'], ['on the seabed', (l) => numberIn(l.on_bed, 'm'), 'm'],
   ];
   return (
     <section class="moored" aria-label="Lines">
@@ -123,7 +123,7 @@ export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
         <div key={l.name}>
           <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => chooseLine(l.name)}>{l.name}</button></h3>
           <dl>
-            {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'N' ? 'Effective tension at rest' : ''}><dt>{unit === 'N' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unitName(unit)}</small></dd></div>)}
+            {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'N' ? 'Static effective tension' : ''}><dt>{unit === 'N' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unitName(unit)}</small></dd></div>)}
             {moved(l.name).map(([name, least, largest]) => <div key={`${name} in time`} class="kv" title="Effective tension over the run"><dt>in time, {name}</dt><dd>{numberIn(least, 'N')} to {numberIn(largest, 'N')} <small>{unitName('N')}</small></dd></div>)}
             {l.utilisation === null ? null : <div class="kv"><dt>of breaking load</dt><dd>{tidy(100 * l.utilisation, 3)} <small>%</small></dd></div>}
           </dl>

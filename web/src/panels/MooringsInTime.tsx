@@ -1,4 +1,4 @@
-// Motions of the vessel and tensions of its lines over a run: extremes, and how much of them is slow drift and waves.
+// Motions of the vessel and tensions of its lines over a run: extremes, and the parts of slow drift and waves.
 import type { MotionName, MotionSpread } from '../api/types';
 import { display } from '../logic/show';
 import { tidy } from '../logic/units';
@@ -9,13 +9,13 @@ import { stormHistories } from '../state/storm';
 import { showDockTab } from '../state/workspace';
 
 const showHistory = (name: string): void => {
-  stormHistories.value = [name, ...stormHistories.value.filter((other) => other !== name)];
+  stormHistories.value = [name, ...stormHistories.value.filter((shown) => shown !== name)];
   showDockTab('storm', 'histories');
 };
 
 interface Shown { name: string; history: string; unit: string; parts: MotionSpread | undefined }
 
-/** Directions of dynamic positioning, and their units. */
+/** Degrees of freedom of dynamic positioning, and their units. */
 const thrusts: [string, string, string][] = [['surge', 'DP surge', 'N'], ['sway', 'DP sway', 'N'], ['yaw', 'DP yaw', 'N m']];
 
 function Row({ name, history, unit, parts, apart }: Shown & { apart: boolean }) {
@@ -48,7 +48,7 @@ export function MooringsInTime() {
   return (
     <>
       <table class="minmax overtime" aria-label="Moorings over time">
-        <thead><tr><th scope="col">over time</th><th scope="col">min</th><th scope="col">max</th>{apart ? <><th scope="col" title="Standard deviation of the slow part">slow</th><th scope="col" title="Standard deviation of the part that waves move">wave</th></> : null}</tr></thead>
+        <thead><tr><th scope="col">over time</th><th scope="col">min</th><th scope="col">max</th>{apart ? <><th scope="col" title="Standard deviation of the low-frequency part">LF std</th><th scope="col" title="Standard deviation of the wave-frequency part">WF std</th></> : null}</tr></thead>
         <tbody>{rows.map((r) => <Row key={r.history} {...r} apart={apart} />)}</tbody>
       </table>
       {atLimit.length ? <p class="brief">Dynamic positioning at its limit: {atLimit.map((t) => `${t.name} for ${tidy(t.time_at_limit, 3)} s`).join(', ')}.</p> : null}

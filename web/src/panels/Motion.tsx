@@ -1,21 +1,21 @@
-// Vessel motion: fixed, by a file of response amplitude operators, by a motion history, or by harmonics.
+// Vessel motion: fixed, from an RAO file, from a motion history, or harmonic.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { get, post } from '../api/client';
 import type { Field } from '../api/types';
 import type { Node } from '../logic/formTree';
-import { fileKinds, hydrodynamics, motionKind, motionValue, motionWords, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
+import { fileKinds, hydrodynamics, motionKind, motionValue, motionLabels, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
 import { byPath, setKeys } from '../state/model';
 import { sayError } from '../state/notices';
 
 const path = 'vessel.motion';
 
-async function write(value: unknown, at = path): Promise<void> {
-  try { await setKeys([{ path: at, value }]); } catch (error) { sayError(error); }
+async function write(value: unknown, key = path): Promise<void> {
+  try { await setKeys([{ path: key, value }]); } catch (error) { sayError(error); }
 }
 
-/** Files of the folder and of this machine; what is chosen is written into the model. */
-function FileOf({ kind, present }: { kind: FileKind; present: string }) {
+/** Files of the folder and of this machine; the selection is written into the model. */
+function FileRow({ kind, present }: { kind: FileKind; present: string }) {
   const [files, setFiles] = useState<string[] | null>(null);
   const list = (): void => { get<{ files: string[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
   useEffect(list, []);
@@ -23,7 +23,7 @@ function FileOf({ kind, present }: { kind: FileKind; present: string }) {
   const fitting = (files ?? []).filter((f) => fileKinds[kind].some((end) => f.endsWith(end))).map(named);
   const choose = (name: string): void => {
     if (!name) return;
-    // what else the model says of a floating hull stays
+    // other data of a floating hull are kept
     if (kind === 'coupled' && present) void write(name, `${path}.coupled.hydrodynamics`);
     else void write(motionValue(kind, name, byPath.value));
   };
@@ -46,16 +46,16 @@ function FileOf({ kind, present }: { kind: FileKind; present: string }) {
         </select>
       </div>
       <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind === 'coupled'} accept={sentKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
-      {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} in the folder of the models.</p> : null}
+      {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} files found in this folder.</p> : null}
     </>
   );
 }
 
 export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field>) => ComponentChildren }) {
   const present = motionKind(byPath.value);
-  // a kind that needs a file is only chosen here until there is one
+  // a kind that needs a file is only selected here until there is one
   const [wanted, setWanted] = useState<MotionKind | null>(null);
-  // the kind on its way into the model: its arrival does not undo what was chosen meanwhile
+  // the kind being written into the model: its arrival does not overwrite a later selection
   const written = useRef<MotionKind | null>(null);
   useEffect(() => {
     if (present === written.current) written.current = null;
@@ -79,11 +79,11 @@ export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field
         <label for="motion-kind">motion</label>
         <select id="motion-kind" value={kind ?? ''} onChange={(e) => choose(e.currentTarget.value as MotionKind)}>
           {kind === null ? <option value="">– not given</option> : null}
-          {(Object.keys(motionWords) as MotionKind[]).map((k) => <option key={k} value={k}>{motionWords[k]}</option>)}
+          {(Object.keys(motionLabels) as MotionKind[]).map((k) => <option key={k} value={k}>{motionLabels[k]}</option>)}
         </select>
       </div>
-      {file ? <FileOf key={file} kind={file} present={file === present ? String(byPath.value.get(file === 'coupled' ? `${path}.coupled.hydrodynamics` : `${path}.${file}`)?.value ?? '') : ''} /> : null}
-      {kind === 'coupled' && present !== 'coupled' ? <p class="brief">Mass, centre of gravity, radii of gyration and current coefficients are written as those of a box, to be replaced by the vessel's own. Something must hold the hull: moorings, or station keeping.</p> : null}
+      {file ? <FileRow key={file} kind={file} present={file === present ? String(byPath.value.get(file === 'coupled' ? `${path}.coupled.hydrodynamics` : `${path}.${file}`)?.value ?? '') : ''} /> : null}
+      {kind === 'coupled' && present !== 'coupled' ? <p class="brief">Mass, centre of gravity, radii of gyration and current coefficients are set to those of a box: replace them with vessel data. The hull needs moorings or station keeping.</p> : null}
       {kind === 'harmonic' && present === 'harmonic' && harmonic ? show(harmonic) : null}
       {kind === 'coupled' && present === 'coupled' && coupled ? show(coupled) : null}
       {file && file !== 'coupled' && kind === present && convention ? show(convention) : null}

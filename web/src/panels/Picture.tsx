@@ -1,4 +1,4 @@
-// The picture: the 3-D view or a drawing in its place, with views, legend, values of what was picked, caption and tools over it.
+// The picture: the 3-D view or a drawing, with views, legend, values of the selected object, caption and tools.
 import { useEffect, useRef } from 'preact/hooks';
 import type { ViewName } from '../logic/views';
 import { roundTrip } from '../state/live';
@@ -22,9 +22,9 @@ import '../styles/picture.css';
 
 const debug = new URLSearchParams(location.search).has('debug');
 
-/** For those who measure: the address with &debug. */
+/** For measurements: the address with &debug. */
 function Speed() {
-  return <span class="speed" title="Time from asking for a solution to its arrival">{roundTrip.value ? `${Math.round(roundTrip.value)} ms` : ''}</span>;
+  return <span class="speed" title="Time from request to solution">{roundTrip.value ? `${Math.round(roundTrip.value)} ms` : ''}</span>;
 }
 
 function Welcome() {
@@ -32,7 +32,7 @@ function Welcome() {
   return (
     <div class="welcome">
       <h2>New pipelay model</h2>
-      <p>Answer a few questions to see the lay at once, or open an example.</p>
+      <p>Answer a few questions to see the first lay, or open an example.</p>
       <button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button>
     </div>
   );

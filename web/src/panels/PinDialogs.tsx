@@ -1,4 +1,4 @@
-// Which key is pinned, and the ends of its slider.
+// Selection of a key to pin, and the range of its slider.
 import { signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { SearchField } from '../components/SearchField';
@@ -34,7 +34,7 @@ export function PinSearch() {
   const close = (): void => { searching.value = false; };
   return (
     <Dialog title="Pin a key" close={close}>
-      <SearchField id="find-pin" label="Key to pin" placeholder="tension, wall thickness, stinger 3 z …" entries={pinEntries} still kinds={false} choose={(entry) => { addPin(entry.id); close(); }} />
+      <SearchField id="find-pin" label="Key to pin" placeholder="tension, wall thickness, stinger 3 z …" entries={pinEntries} inline kinds={false} choose={(entry) => { addPin(entry.id); close(); }} />
     </Dialog>
   );
 }
@@ -60,13 +60,13 @@ function EndsForm({ variable, low, high }: { variable: Variable; low: number; hi
     </div>
   );
   return (
-    <Dialog title={`Ends of the slider: ${variable.name}`} close={close}>
+    <Dialog title={`Slider range: ${variable.name}`} close={close}>
       <form onSubmit={(e) => { e.preventDefault(); if (!wrong) { setPinEnds(variable.id, [si(from), si(to)]); close(); } }}>
         {field('ends-from', 'from', from, setFrom)}
         {field('ends-to', 'to', to, setTo)}
-        {wrong ? <p class="fault" role="alert">Two numbers in {variable.unit || 'the unit of the key'}, the smaller one first.</p> : null}
+        {wrong ? <p class="failuretext" role="alert">Two numbers in {variable.unit || 'the unit of the key'}, in ascending order.</p> : null}
         <footer>
-          <button type="button" onClick={() => { setPinEnds(variable.id, undefined); close(); }}>Usual ends</button>
+          <button type="button" onClick={() => { setPinEnds(variable.id, undefined); close(); }}>Default range</button>
           <button type="submit" class="main" disabled={wrong}>Set</button>
         </footer>
       </form>

@@ -1,4 +1,4 @@
-// The bar under the picture: every pinned key as a slider with live statics, and what to do with what is tried out.
+// The bar under the picture: every pinned key as a slider with live statics, and the commands for trial values.
 import { useComputed } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { passSentence, type PassInterval } from '../logic/passRange';
@@ -19,16 +19,16 @@ const isKey = (id: string): boolean => !id.includes(' ');
 function commands({ variable }: Slider): MenuItem[] {
   return [
     { name: 'Unpin', act: () => removePin(variable.id) },
-    { name: 'Ends of the slider …', act: () => openPinEnds(variable.id) },
+    { name: 'Slider range …', act: () => openPinEnds(variable.id) },
     { name: 'Back to the model\'s value', disabled: values.value[variable.id] === undefined, act: () => setLive(variable.id, undefined) },
     ...(isKey(variable.id) ? [
-      { name: 'Find a value …', act: () => openSeek({ key: variable.id }) },
-      { name: 'Show the field', act: () => leadTo(variable.id) },
+      { name: 'Goal seek …', act: () => openSeek({ key: variable.id }) },
+      { name: 'Show in properties', act: () => leadTo(variable.id) },
     ] : []),
   ];
 }
 
-/** Typed text as an SI value: a bare number takes the unit shown, of another unit only one of its kind. */
+/** Typed text as an SI value: a bare number takes the unit shown, another unit must be of the same kind. */
 function typedValue(text: string, variable: Variable): number {
   const q = parseQuantity(text);
   if (!q) return Number.NaN;
@@ -49,13 +49,13 @@ function PinSlider({ slider }: { slider: Slider }) {
   const { variable } = slider, id = variable.id;
   const live = useComputed(() => values.value[id]).value;
   const intervals = useComputed(() => passRange(id)).value;
-  const now = live ?? variable.si, written = variableText(variable, now);
+  const value = live ?? variable.si, written = variableText(variable, value);
   const [typed, setTyped] = useState(written);
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => setTyped(written), [written]);
 
   const step = variableStep(variable);
-  const low = Math.min(slider.low, now), high = Math.max(slider.high, now);
+  const low = Math.min(slider.low, value), high = Math.max(slider.high, value);
   const set = (si: number): void => setLive(id, Math.abs(si - variable.si) < 1e-6 * step * variable.scale ? undefined : si);
   const send = (): void => {
     if (typed === written) return;
@@ -68,12 +68,12 @@ function PinSlider({ slider }: { slider: Slider }) {
     if (up === undefined) return;
     event.preventDefault();
     const paced = step * paceFactor[pace(event)];
-    set(onStep(variable, now + up * paced * variable.scale, gridStep(variable, event)));
+    set(onStep(variable, value + up * paced * variable.scale, gridStep(variable, event)));
   };
   const open = (x: number, y: number): void => openMenu(commands(slider), x, y);
   const text = (si: number): string => variableText(variable, si, 4);
   const sentence = intervals ? passSentence(intervals, text) : '';
-  const back = live === undefined ? '' : `the model has ${variableText(variable, variable.si)}, double click goes back`;
+  const back = live === undefined ? '' : `model value ${variableText(variable, variable.si)}, double-click to reset`;
   return (
     <div ref={place} class={`pin${live === undefined ? '' : ' moved'}`} title={[isKey(id) ? id : '', sentence, back].filter(Boolean).join('\n')}
       onContextMenu={(e) => { e.preventDefault(); open(e.clientX, e.clientY); }}>
@@ -84,7 +84,7 @@ function PinSlider({ slider }: { slider: Slider }) {
         onInput={(e) => setTyped(e.currentTarget.value)} onBlur={send} onKeyDown={(e) => { if (e.key === 'Enter') send(); if (e.key === 'Escape') setTyped(written); }} />
       <div class="track">
         {intervals ? <Strip intervals={intervals} low={low} high={high} /> : null}
-        <input id={`s-${id}`} type="range" min={low / variable.scale} max={high / variable.scale} step="any" value={now / variable.scale} style={{ '--part': `${(100 * (now - low)) / (high - low)}%` }}
+        <input id={`s-${id}`} type="range" min={low / variable.scale} max={high / variable.scale} step="any" value={value / variable.scale} style={{ '--part': `${(100 * (value - low)) / (high - low)}%` }}
           aria-valuetext={sentence ? `${written}, ${sentence}` : written}
           onInput={(e) => set(onStep(variable, Number(e.currentTarget.value) * variable.scale, step))}
           onKeyDown={arrows} onDblClick={() => setLive(id, undefined)} />
@@ -97,9 +97,9 @@ function TriedOut() {
   const count = useComputed(() => changes.value.length).value;
   if (count === 0) return null;
   return (
-    <div class="apply" role="group" aria-label="Values tried out">
-      <button type="button" class="main" title="Writes the values tried out into the model, in one step" onClick={() => void applyLive()}>Apply to model</button>
-      <button type="button" title="Back to the values of the model" onClick={resetLive}>Reset</button>
+    <div class="apply" role="group" aria-label="Trial values">
+      <button type="button" class="main" title="Write the trial values into the model, in one step" onClick={() => void applyLive()}>Apply to model</button>
+      <button type="button" title="Reset to the values of the model" onClick={resetLive}>Reset</button>
     </div>
   );
 }
@@ -111,7 +111,7 @@ export function PinnedBar() {
       <div class="pins">{sliders.value.map((slider) => <PinSlider key={slider.variable.id} slider={slider} />)}</div>
       <TriedOut />
       <button type="button" onClick={openPinSearch}>Pin a key</button>
-      <button type="button" onClick={() => openSeek()}>Find a value …</button>
+      <button type="button" onClick={() => openSeek()}>Goal seek …</button>
       <PinSearch />
       <PinEnds />
     </section>

@@ -1,4 +1,4 @@
-// One diagram with its heading, reading under the pointer and exports.
+// A diagram with heading, values under the pointer and exports.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Chart, type Extra } from '../charts/chart';
@@ -10,7 +10,7 @@ import { theme } from '../state/look';
 
 interface Props {
   data: ChartData | null;
-  /** Choice of what is shown, at the left of the heading. */
+  /** Selection of the quantity, at the left of the heading. */
   children: ComponentChildren;
   empty: string;
   extra?: Extra;
@@ -22,7 +22,7 @@ interface Props {
   onZoom?: (range: [number, number] | null) => void;
   onWidth?: (pixels: number) => void;
   legend?: boolean;
-  /** Of values that have changed since. */
+  /** True for outdated values. */
   old?: boolean;
 }
 
@@ -55,7 +55,7 @@ export function Plot(props: Props) {
     return () => { observer.disconnect(); drawn.destroy(); };
   }, []);
   useEffect(() => { if (data) chart.current?.set(data, extra); }, [data, theme.value, extra.shade?.[0], extra.shade?.[1]]);
-  useEffect(() => chart.current?.setNow(extra.now ?? null), [extra.now]);
+  useEffect(() => chart.current?.setPosition(extra.position ?? null), [extra.position]);
   useEffect(() => {
     if (cursor === undefined) return;
     chart.current?.setCursor(cursor);

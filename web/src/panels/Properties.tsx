@@ -1,12 +1,12 @@
-// Properties of the selected object, made from the fields that the program names: groups to fold, lists with add and remove.
+// Properties of the selected object, from the fields of the program: collapsible groups, lists with add and remove.
 import { signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { copyOf, firstItem } from '../logic/firstItems';
+import { copyItem, firstItem } from '../logic/firstItems';
 import { parts, tree } from '../logic/formTree';
-import { findNode, isObject, objectTitle, tellingValue, type FieldNode } from '../logic/modelTree';
+import { findNode, isObject, objectTitle, summaryValue, type FieldNode } from '../logic/modelTree';
 import { askedOfWaves } from '../logic/motion';
 import { byPath, diagnostics, errors, fields, setKeys } from '../state/model';
-import { lead, leadToFault } from '../state/lead';
+import { lead, leadToDiagnostic } from '../state/lead';
 import { dialog } from '../state/look';
 import { shownObject } from '../state/selection';
 import { sayError } from '../state/notices';
@@ -25,14 +25,14 @@ async function act(path: string, value: unknown): Promise<void> {
   try { await setKeys([{ path, value }]); } catch (error) { sayError(error); }
 }
 
-/** Keys that are shown although they are left out, for what is given asks for them. */
+/** Omitted keys that are shown because a given value requires them. */
 function asked(path: string): string[] {
   if (path === 'environment.waves') return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
-  // the keys for a dynamic run are offered in models that have none yet
+  // keys of a dynamic run are offered in models without one
   return path === 'vessel' ? ['motion'] : path === 'environment' ? ['waves'] : [];
 }
 
-/** Unfolds everything above a key, so that its field is there to be gone to. */
+/** Expands everything above a key, so that its field is visible. */
 function unfold(key: string): void {
   const closed = { ...folded.value }, open = { ...more.value };
   let path = '';
@@ -41,7 +41,7 @@ function unfold(key: string): void {
     closed[path] = false;
     open[path] = true;
   }
-  // only the group that holds the key shows what is left out
+  // only the group of the key shows its omitted fields
   if (!byPath.value.get(key)?.given) open[`${key.replace(/\.[^.]*$/, '')}+`] = true;
   folded.value = closed;
   more.value = open;
@@ -74,7 +74,7 @@ function Items({ node }: { node: FieldNode }) {
           </div>
         );
       })}
-      <button type="button" class="add" disabled={!last && first === null} title={last ? 'Adds a copy of the last one' : first === null ? 'Write the first one in the YAML' : 'Adds the first one'} onClick={() => void act(`${node.path}[${items.length}]`, last ? copyOf(last) : first)}>+ add</button>
+      <button type="button" class="add" disabled={!last && first === null} title={last ? 'Add a copy of the last item' : first === null ? 'Write the first item in the YAML' : 'Add the first item'} onClick={() => void act(`${node.path}[${items.length}]`, last ? copyItem(last) : first)}>+ add</button>
     </>
   );
 }
@@ -89,7 +89,7 @@ function Members({ nodes, path }: { nodes: FieldNode[]; path: string }) {
       {given.map((n) => <Entry key={n.path} node={n} />)}
       {rest.length ? (
         <>
-          <button type="button" class="more" aria-expanded={!!open} onClick={() => flip(more, `${path}+`)}>{open ? '▾ fewer' : `▸ ${rest.length} more with defaults`}</button>
+          <button type="button" class="more" aria-expanded={!!open} onClick={() => flip(more, `${path}+`)}>{open ? '▾ Hide' : `▸ Show ${rest.length} optional ${rest.length === 1 ? 'field' : 'fields'}`}</button>
           {open ? rest.map((n) => <Entry key={n.path} node={n} />) : null}
         </>
       ) : null}
@@ -97,13 +97,13 @@ function Members({ nodes, path }: { nodes: FieldNode[]; path: string }) {
   );
 }
 
-/** What is said about a group or list as a whole. */
-function Faults({ path }: { path: string }) {
-  return <>{diagnostics.value.filter((d) => d.key === path).map((d) => <p key={d.message} class={d.severity === 'error' ? 'fault' : 'note'} role={d.severity === 'error' ? 'alert' : undefined}>{d.message}</p>)}</>;
+/** Diagnostics of a whole group or list. */
+function Diagnostics({ path }: { path: string }) {
+  return <>{diagnostics.value.filter((d) => d.key === path).map((d) => <p key={d.message} class={d.severity === 'error' ? 'failuretext' : 'note'} role={d.severity === 'error' ? 'alert' : undefined}>{d.message}</p>)}</>;
 }
 
 function Entry({ node }: { node: FieldNode }) {
-  if (node.path === 'vessel.motion') return <div data-path={node.path}><Motion node={node} show={(n) => <Entry node={n} />} /><Faults path={node.path} /></div>;
+  if (node.path === 'vessel.motion') return <div data-path={node.path}><Motion node={node} show={(n) => <Entry node={n} />} /><Diagnostics path={node.path} /></div>;
   if (node.field && plain(node) && node.field.kind !== 'map' && node.field.kind !== 'list') return <FieldRow field={node.field} />;
   const open = !folded.value[node.path] && (node.given || more.value[node.path]);
   const list = node.field?.kind === 'list';
@@ -112,19 +112,19 @@ function Entry({ node }: { node: FieldNode }) {
     <div class={`group${node.given ? '' : ' absent'}`} data-path={node.path}>
       <button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={node.field?.text}
         onClick={() => flip(node.given ? folded : more, node.path)}>{node.label}{list && node.given ? <span class="brief">{node.field!.count ?? ''}</span> : null}{!node.given && node.field?.left_out ? <span class="brief">{node.field.left_out}</span> : null}</button>
-      <Faults path={node.path} />
+      <Diagnostics path={node.path} />
       {open ? <div class="inner">{list ? <Items node={node} /> : <Members nodes={node.children} path={node.path} />}</div> : null}
     </div>
   );
 }
 
-/** Properties of the selected object: what is given first, then the others with their defaults. */
+/** Properties of the selected object: given fields first, then optional ones with their defaults. */
 export function Properties() {
   const wanted = lead.value, path = shownObject.value;
   useEffect(() => {
     if (!wanted?.key) return undefined;
     unfold(wanted.key);
-    // after the fields have been drawn with their groups unfolded
+    // after the fields have been drawn with their groups expanded
     const timer = setTimeout(() => { goToField(wanted.key); if (lead.value === wanted) lead.value = null; }, 60);
     return () => clearTimeout(timer);
   }, [wanted]);
@@ -132,8 +132,8 @@ export function Properties() {
   if (sections.length === 0) {
     return (
       <div class="empty">
-        <p>{first ? `The text cannot be read: line ${first.line}: ${first.message}` : 'Nothing to show yet.'}</p>
-        {first ? <button type="button" onClick={() => leadToFault(first)}>Mend it in the YAML</button> : null}
+        <p>{first ? `The text cannot be read: line ${first.line}: ${first.message}` : 'The model is empty.'}</p>
+        {first ? <button type="button" onClick={() => leadToDiagnostic(first)}>Correct it in the YAML</button> : null}
       </div>
     );
   }
@@ -141,11 +141,11 @@ export function Properties() {
   const list = node.field?.kind === 'list';
   return (
     <form class="properties form" onSubmit={(e) => e.preventDefault()} aria-label={`Properties of ${objectTitle(node)}`} data-object={node.path}>
-      <h2 title={node.field?.text}>{objectTitle(node)} <small>{tellingValue(node, byPath.value) || (node.given ? '' : node.field?.left_out ?? '')}</small></h2>
-      <Faults path={node.path} />
+      <h2 title={node.field?.text}>{objectTitle(node)} <small>{summaryValue(node, byPath.value) || (node.given ? '' : node.field?.left_out ?? '')}</small></h2>
+      <Diagnostics path={node.path} />
       {node.path === 'report' ? sections.filter((n) => simple(n) && n.path !== 'overbend').map((n) => <FieldRow key={n.path} field={n.field!} />) : null}
       {list || hasGrid(node.path) ? <button type="button" class="add" onClick={() => openTable(node.path)}>Open as a table</button> : null}
-      {node.path === 'moorings' ? <button type="button" class="add" onClick={() => { dialog.value = 'spread'; }}>Spread of lines…</button> : null}
+      {node.path === 'moorings' ? <button type="button" class="add" onClick={() => { dialog.value = 'spread'; }}>Mooring spread…</button> : null}
       {node.path === 'vessel.motion' ? <Motion node={node} show={(n) => <Entry node={n} />} /> : list ? <Items node={node} /> : <Members nodes={node.children} path={node.path} />}
     </form>
   );

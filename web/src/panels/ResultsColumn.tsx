@@ -1,4 +1,4 @@
-// The right column: the verdict, findings and key results of what the picture shows.
+// The right column: verdict, findings and key results of the content of the picture.
 import { shownFindings } from '../state/findings';
 import { stageName } from '../logic/operation';
 import { chosenStage } from '../state/operation';
@@ -11,7 +11,7 @@ import { ResultsTable } from './ResultsTable';
 import { VerdictCard } from './VerdictCard';
 import '../styles/results.css';
 
-/** Whose results these are, where they are not those of the model as it stands. */
+/** Source of these results, if not the present model. */
 function Whose() {
   const run = shownRun.value, stage = shownStage.value;
   if (run) {
@@ -30,7 +30,7 @@ function Whose() {
 
 export function ResultsColumn() {
   const none = !calmLay.value && !shownFailure.value;
-  // a run without results: those of the model below its name would be taken for its own
+  // for a run without results, those of the model would be mistaken for them
   if (shownRun.value && !ofRun.value) return <Whose />;
   return (
     <>

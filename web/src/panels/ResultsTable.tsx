@@ -1,5 +1,5 @@
-// Key results in columns: at rest, the worst of the storm that is looked at, and the change against what is compared with.
-import { changeInWords, resultRows, type ResultRow } from '../logic/resultRows';
+// Key results in columns: static, storm extremes, and the change relative to a reference.
+import { changeText, resultRows, type ResultRow } from '../logic/resultRows';
 import { numberIn, text, unitName } from '../logic/show';
 import { tidy, twin } from '../logic/units';
 import { comparison, compareWithNow, compareWithRun } from '../state/comparison';
@@ -8,13 +8,13 @@ import { runName, runs, runSummary } from '../state/runs';
 import { openMenuBelow } from './Menu';
 import { SeekButton } from './SeekDialog';
 
-/** Noise of the solver is shown as zero. */
+/** Solver round-off is shown as zero. */
 const quiet = (value: number): number => (Math.abs(value) < 1e-9 ? 0 : value);
 const shown = (value: number | null, unit: string): string => (value === null ? '' : unit === '%' ? tidy(100 * value, 3) : numberIn(quiet(value), unit));
 const unit = (row: ResultRow): string => (row.unit === '%' ? '%' : unitName(row.unit));
 
 function Row({ row, storm, compared }: { row: ResultRow; storm: boolean; compared: boolean }) {
-  const { name, result, compared: other } = row, value = row.static!;
+  const { name, result, compared: reference } = row, value = row.static!;
   return (
     <tr class="kv" title={`${row.title ?? ''} ${row.unit === '%' ? '' : twin(text(value, row.unit, 6))}`.trim()}>
       <th scope="row">
@@ -23,7 +23,7 @@ function Row({ row, storm, compared }: { row: ResultRow; storm: boolean; compare
       </th>
       <td>{shown(value, row.unit)}</td>
       {storm ? <td>{shown(row.storm, row.unit)}</td> : null}
-      {compared ? <td title={other === null ? undefined : `was ${shown(other, row.unit)} ${unit(row)}`}>{other === null ? '' : changeInWords(value, other)}</td> : null}
+      {compared ? <td title={reference === null ? undefined : `was ${shown(reference, row.unit)} ${unit(row)}`}>{reference === null ? '' : changeText(value, reference)}</td> : null}
     </tr>
   );
 }
@@ -31,8 +31,8 @@ function Row({ row, storm, compared }: { row: ResultRow; storm: boolean; compare
 function chooseComparison(element: Element): void {
   const known = runs.value.filter((run) => run.has_results && !run.parent && (run.kind === 'static' || run.kind === 'dynamic'));
   openMenuBelow([
-    { name: 'Nothing', act: () => { comparison.value = null; } },
-    { name: 'The model as it is now', act: compareWithNow },
+    { name: 'No comparison', act: () => { comparison.value = null; } },
+    { name: 'The present model', act: compareWithNow },
     ...known.slice(0, 15).map((run) => ({ name: runName(run), act: () => void compareWithRun(run.id, runName(run)) })),
   ], element);
 }
@@ -47,7 +47,7 @@ export function ResultsTable() {
     <section class={`results${shownFailure.value ? ' old' : ''}`} aria-label="Key results">
       <h3>
         Results
-        <button type="button" class="link" aria-haspopup="menu" onClick={(e) => chooseComparison(e.currentTarget)}>{compared ? `against ${compared.name}` : 'compare with'} ▾</button>
+        <button type="button" class="link" aria-haspopup="menu" onClick={(e) => chooseComparison(e.currentTarget)}>{compared ? `compared with ${compared.name}` : 'compare with'} ▾</button>
       </h3>
       <table class="keyresults">
         <thead>

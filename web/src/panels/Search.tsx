@@ -1,4 +1,4 @@
-// The search over keys, objects, commands, findings and examples: Ctrl K from anywhere.
+// The search for keys, objects, commands, findings and examples: Ctrl K anywhere.
 import { useEffect } from 'preact/hooks';
 import { SearchField } from '../components/SearchField';
 import { searchPlaces } from '../state/search';
@@ -10,7 +10,7 @@ export function Search() {
       if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey || event.key.toLowerCase() !== 'k' || document.querySelector('dialog[open]')) return;
       event.preventDefault();
       const focus = (): void => document.getElementById('find')?.focus();
-      // on narrow screens the column has to be shown first; elsewhere no letter typed right after the keys may be lost
+      // on narrow screens the column has to be shown first; elsewhere letters typed immediately after the shortcut must not be lost
       if (matchMedia('(max-width: 1099px)').matches) { drawer.value = 'model'; setTimeout(focus); } else focus();
     };
     addEventListener('keydown', keys, true);

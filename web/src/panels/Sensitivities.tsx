@@ -1,4 +1,4 @@
-// What a key result hangs on: the inputs whose tolerance moves it most, as a tornado.
+// Sensitivities: the inputs whose tolerances have the largest effect on a key result, as a tornado diagram.
 import { signal } from '@preact/signals';
 import type { SensitivityAnswer, SensitivityInput } from '../api/types';
 import { changes } from '../state/live';
@@ -12,7 +12,7 @@ function Bar({ share, up }: { share: number; up: boolean }) {
 }
 
 function Row({ input }: { input: SensitivityInput }) {
-  const title = `${input.text}\n${input.key} ± ${input.tolerance}${input.usual ? ' (usual tolerance)' : ''}: ${input.up_text} upwards, ${input.down_text} downwards${input.contact ? `\nOne-sided: ${input.contact}` : ''}`;
+  const title = `${input.text}\n${input.key} ± ${input.tolerance}${input.usual ? ' (default tolerance)' : ''}: ${input.up_text} upwards, ${input.down_text} downwards${input.contact ? `\nOne-sided: ${input.contact}` : ''}`;
   return (
     <li title={title}>
       <span class="what">{input.name} <small>± {input.tolerance}</small></span>
@@ -25,9 +25,9 @@ function Row({ input }: { input: SensitivityInput }) {
 
 function Tornado({ answer }: { answer: SensitivityAnswer }) {
   if (answer.status === 'failed') return <p class="empty">{answer.what}: {answer.why}</p>;
-  if (answer.status === 'invalid') return <p class="empty">The model cannot be computed like this.</p>;
+  if (answer.status === 'invalid') return <p class="empty">The model cannot be solved.</p>;
   const result = answer.results.find((r) => r.name === chosen.value) ?? answer.results[0];
-  if (!result) return <p class="empty">None of the key results hangs on a number of the model file.</p>;
+  if (!result) return <p class="empty">No key result depends on a number of the model file.</p>;
   return (
     <>
       <select aria-label="Result" value={result.name} onChange={(e) => { chosen.value = e.currentTarget.value; }}>
@@ -40,15 +40,15 @@ function Tornado({ answer }: { answer: SensitivityAnswer }) {
 }
 
 export function Sensitivities() {
-  const at = found.value;
-  const old = at !== null && at.changes !== changes.value;
+  const result = found.value;
+  const old = result !== null && result.changes !== changes.value;
   return (
     <section class={`sensitivities${old ? ' old' : ''}`} aria-label="Sensitivities">
-      <h3>What this result hangs on {old ? <small>before the last change</small> : null}</h3>
+      <h3>Sensitivities {old ? <small>before the last change</small> : null}</h3>
       <button type="button" disabled={busy.value} onClick={() => { void findSensitivities(); }}>
-        {busy.value ? 'computing ...' : at ? 'compute again' : 'compute the sensitivities'}
+        {busy.value ? 'Computing…' : result ? 'Compute again' : 'Compute the sensitivities'}
       </button>
-      {at ? <Tornado answer={at.answer} /> : null}
+      {result ? <Tornado answer={result.answer} /> : null}
     </section>
   );
 }

@@ -1,22 +1,22 @@
 // Slider over the stages of the operation, under the picture.
 import { address } from '../api/client';
-import { columnUnit, columnsOf, cell, stagePlace } from '../logic/operation';
+import { columnUnit, stageColumns, cell, stagePlace } from '../logic/operation';
 import { ofRun } from '../state/shown';
 import { chooseStage, chosenStage, nextStage, operation, outdated, playing } from '../state/operation';
 import { Light } from './operation/StageTable';
 import { ReportLinks } from './ReportLinks';
 
-/** What a glance needs: how far, tension, head, clearance, utilisation. */
+/** Key values of a stage: progress, tension, head, clearance, utilisation. */
 function Readings() {
   const solved = operation.value!, stage = solved.stages[chosenStage.value];
   if (!stage) return null;
-  const all = columnsOf(solved), columns = all.filter((c) => c === all[0] || ['top', 'head z', 'end z', 'tip', 'use'].includes(c.name)).slice(0, 5);
+  const all = stageColumns(solved), columns = all.filter((c) => c === all[0] || ['top', 'head z', 'end z', 'tip', 'use'].includes(c.name)).slice(0, 5);
   return <span class="readings">{columns.map((c) => <span key={c.name} class="reading" title={c.title}><small>{c.name}</small> {cell(c, stage)} {columnUnit(c)}</span>)}</span>;
 }
 
 function step(wanted: number): void {
-  const now = chosenStage.value;
-  void chooseStage(operation.value?.stages[wanted]?.values ? wanted : nextStage(now, wanted > now ? 1 : -1));
+  const index = chosenStage.value;
+  void chooseStage(operation.value?.stages[wanted]?.values ? wanted : nextStage(index, wanted > index ? 1 : -1));
 }
 
 export function StageBar() {
@@ -32,8 +32,8 @@ export function StageBar() {
       </output>
       <Readings />
       {stage ? <button type="button" class="tiny" aria-label="Back to the lay" title="Back to the lay" onClick={() => void chooseStage(-1)}>✕</button> : null}
-      <span class={`sheet${outdated.value ? ' old' : ''}`} title={outdated.value ? 'Of the stages as they were solved' : undefined}>
-        <ReportLinks file={address('operation/report.html')} show={address('operation/report.html?show=1')} name="operation.html" words="Procedure sheet" title="Report of all stages, with the procedure sheet that goes on board" />
+      <span class={`sheet${outdated.value ? ' old' : ''}`} title={outdated.value ? 'Report of the solved stages' : undefined}>
+        <ReportLinks file={address('operation/report.html')} show={address('operation/report.html?show=1')} name="operation.html" label="Procedure sheet" title="Report of all stages, with the procedure sheet for use on board" />
       </span>
     </div>
   );

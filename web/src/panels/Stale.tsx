@@ -1,4 +1,4 @@
-// Says that the results of the selected run are not those of the model as it stands.
+// Reports that the results of the selected run are outdated.
 import { staleKeys } from '../state/storm';
 import '../styles/storm.css';
 

@@ -1,11 +1,11 @@
-// How a run stands: waiting, running, failed, or what it has computed.
+// Status of a run: waiting, running, failed, or its computed duration.
 import type { Run, RunSummary } from '../api/types';
 import { withoutPaths } from '../logic/findings';
 import { tidy } from '../logic/units';
 import { cancelRun, runSummary } from '../state/runs';
 import { calmLay } from '../state/shown';
 
-/** Without a pipe there is none to count. */
+/** Only with a pipe. */
 function impacts(d: NonNullable<RunSummary['dynamic']>): string {
   if (!calmLay.value?.key) return '';
   return d.impact_count === 1 ? ', 1 impact' : `, ${d.impact_count} impacts`;

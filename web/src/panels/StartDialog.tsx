@@ -1,8 +1,8 @@
-// The start dialogue: a handful of answers, all with a sensible one already there, make a model.
+// The start dialog: a few inputs, all with a default, make a model.
 import { useEffect, useState } from 'preact/hooks';
 import { ApiError, get, post } from '../api/client';
 import type { NewOffer } from '../api/types';
-import { check, completed, type Answers, type Faults } from '../logic/start';
+import { check, completed, type Answers, type AnswerErrors } from '../logic/start';
 import { tidy, twin } from '../logic/units';
 import { openNew } from '../state/model';
 import { dialog } from '../state/look';
@@ -24,17 +24,17 @@ function first(o: NewOffer): Answers {
 export function StartDialog() {
   const [offer, setOffer] = useState<NewOffer | null>(null);
   const [a, setA] = useState<Answers | null>(null);
-  const [refused, setRefused] = useState<Faults & { all?: string }>({});
+  const [rejected, setRejected] = useState<AnswerErrors & { all?: string }>({});
   const [busy, setBusy] = useState(false);
-  // what stood there with its unit: a number typed over it keeps that unit
+  // previous text with its unit: a number typed over it keeps that unit
   const [last, setLast] = useState<Partial<Answers>>({});
   const close = (): void => { dialog.value = null; };
   useEffect(() => { get<NewOffer>('new').then((o) => { setOffer(o); const d = first(o); setA(d); setLast(d); }).catch((e: unknown) => { sayError(e); close(); }); }, []);
   if (!offer || !a) return <Dialog key="loading" title="New model" close={close} wide><p class="empty">Loading…</p></Dialog>;
 
   const pipe = offer.pipes.find((p) => p.name === a.pipe);
-  const faults: Faults = { ...refused, ...check(a, pipe?.outside_diameter ?? null) };
-  const set = (key: keyof Answers, value: string): void => { setRefused({}); setA({ ...a, [key]: value } as Answers); };
+  const errors: AnswerErrors = { ...rejected, ...check(a, pipe?.outside_diameter ?? null) };
+  const set = (key: keyof Answers, value: string): void => { setRejected({}); setA({ ...a, [key]: value } as Answers); };
 
   const send = async (): Promise<void> => {
     if (Object.keys(check(a, pipe?.outside_diameter ?? null)).length) return;
@@ -47,19 +47,19 @@ export function StartDialog() {
       close();
     } catch (error) {
       const key = error instanceof ApiError ? (error.body as { error?: { key?: string } } | null)?.error?.key : undefined;
-      if (key && error instanceof ApiError) setRefused({ [key]: error.message });
-      else if (error instanceof ApiError && error.status === 422) setRefused({ all: error.message });
+      if (key && error instanceof ApiError) setRejected({ [key]: error.message });
+      else if (error instanceof ApiError && error.status === 422) setRejected({ all: error.message });
       else sayError(error);
     } finally { setBusy(false); }
   };
 
   const field = (key: keyof Answers, name: string, place: string, list?: string[]) => (
-    <div class={`row${faults[key] ? ' wrong' : ''}`}>
+    <div class={`row${errors[key] ? ' wrong' : ''}`}>
       <label for={`n-${key}`}>{name}</label>
-      <input id={`n-${key}`} value={a[key]} placeholder={place} list={list ? `l-${key}` : undefined} autocomplete="off" aria-invalid={!!faults[key]} onInput={(e) => set(key, e.currentTarget.value)} onBlur={() => { if (a[key].trim()) { const full = completed(key, a[key], last[key]); setA({ ...a, [key]: full } as Answers); setLast({ ...last, [key]: full }); } }} />
+      <input id={`n-${key}`} value={a[key]} placeholder={place} list={list ? `l-${key}` : undefined} autocomplete="off" aria-invalid={!!errors[key]} onInput={(e) => set(key, e.currentTarget.value)} onBlur={() => { if (a[key].trim()) { const full = completed(key, a[key], last[key]); setA({ ...a, [key]: full } as Answers); setLast({ ...last, [key]: full }); } }} />
       {list ? <datalist id={`l-${key}`}>{list.map((v) => <option key={v} value={v} />)}</datalist> : null}
       <span class="twin">{twin(completed(key, a[key], last[key]))}</span>
-      {faults[key] ? <p class="fault" role="alert">{faults[key]}</p> : null}
+      {errors[key] ? <p class="failuretext" role="alert">{errors[key]}</p> : null}
     </div>
   );
   const vessel = offer.vessels.find((v) => v.name === a.vessel);
@@ -70,7 +70,7 @@ export function StartDialog() {
           <legend>Pipe</legend>
           <div class="row">
             <label for="n-pipe">size (API 5L)</label>
-            <select id="n-pipe" autofocus value={a.pipe} onChange={(e) => { setRefused({}); setA({ ...a, pipe: e.currentTarget.value, wall: '' }); }}>
+            <select id="n-pipe" autofocus value={a.pipe} onChange={(e) => { setRejected({}); setA({ ...a, pipe: e.currentTarget.value, wall: '' }); }}>
               {offer.pipes.map((p) => <option key={p.name} value={p.name}>{/^[\d.]+$/.test(p.name) ? `${p.name} in` : p.name}</option>)}
             </select>
             <span class="twin">{pipe ? `${tidy(pipe.outside_diameter * 1e3)} mm` : ''}</span>
@@ -101,8 +101,8 @@ export function StartDialog() {
           <label for="n-title">title</label>
           <input id="n-title" value={a.title} placeholder="automatic" onInput={(e) => set('title', e.currentTarget.value)} />
         </div>
-        {refused.all ? <p class="fault" role="alert">{refused.all}</p> : null}
-        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Create</button></footer>
+        {rejected.all ? <p class="failuretext" role="alert">{rejected.all}</p> : null}
+        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(errors).length > 0}>Create</button></footer>
       </form>
     </Dialog>
   );

@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import type { TableData } from '../components/document';
 import { download } from '../components/download';
 import { tableCsv, tableText } from '../components/tableText';
-import { sheetOf, workbook } from '../components/workbook';
+import { makeSheet, workbook } from '../components/workbook';
 
 export function TableTools({ table, file }: { table: () => TableData; file: string }) {
   const [state, setState] = useState('');
@@ -13,7 +13,7 @@ export function TableTools({ table, file }: { table: () => TableData; file: stri
       <span role="status">{state}</span>
       <button type="button" class="tiny" title="Copy the table as tab-separated text" onClick={() => void copy()}>copy</button>
       <button type="button" class="tiny" title="Save the table as CSV" onClick={() => download(`${file}.csv`, new Blob([tableCsv(table())], { type: 'text/csv' }))}>csv</button>
-      <button type="button" class="tiny" title="Save the table as XLSX" onClick={() => download(`${file}.xlsx`, workbook([sheetOf(table())]))}>xlsx</button>
+      <button type="button" class="tiny" title="Save the table as XLSX" onClick={() => download(`${file}.xlsx`, workbook([makeSheet(table())]))}>xlsx</button>
     </span>
   );
 }

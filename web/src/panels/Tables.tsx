@@ -1,4 +1,4 @@
-// The tables that the program makes of results, each behind its title.
+// Result tables of the program, each folded below its title.
 import { useRef, useState } from 'preact/hooks';
 import type { Lay } from '../api/types';
 import type { TableData } from '../components/document';
@@ -11,13 +11,13 @@ import { selectObject } from '../state/workspace';
 
 type Tables = [file: string, table: TableData][];
 
-/** Of those with one title that of the run, which has the values at rest as well. */
+/** If two tables have the same title, that of the run, which includes the static values. */
 function tablesIn({ tables, run_tables }: Lay): Tables | undefined {
   const all = [...Object.entries(tables ?? {}), ...Object.entries(run_tables ?? {}).map(([name, table]) => [`run_${name}`, table] as const)];
   return tables && [...new Map(all.map(([file, table]) => [table.title, [file, table]] as const)).values()] as Tables;
 }
 
-/** Names of lines choose the line, those of roller boxes show where they are. */
+/** Names of lines select the line, those of roller boxes show their location. */
 function actionIn(lay: Lay, name: string): RowAction | undefined {
   const box = lay.supports.find((support) => support.name === name);
   if (box) return { act: () => { cursor.value = box.s; selectObject(pathOfName(name)); }, title: 'Show the location' };
@@ -41,7 +41,7 @@ function OpenTable({ file, table, lay }: TableProps) {
   );
 }
 
-/** Long ones are drawn only when they are unfolded. */
+/** Long tables are drawn only when they are unfolded. */
 function FoldedTable({ file, table, lay }: TableProps) {
   const [open, setOpen] = useState(false);
   return (
@@ -52,7 +52,7 @@ function FoldedTable({ file, table, lay }: TableProps) {
   );
 }
 
-/** All tables, each folded; `names`: those alone, unfolded. */
+/** All tables, folded; `names`: these only, unfolded. */
 export function Tables({ lay, names }: { lay: Lay | null; names?: string[] }) {
   const known = useRef<Tables>([]);
   const tables = lay && tablesIn(lay);

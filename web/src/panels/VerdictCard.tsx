@@ -1,9 +1,9 @@
-// The one verdict on what is shown: its kind in words, what governs, and how much of the limit that takes.
+// The verdict on the results shown: its kind, the governing check, and its utilisation.
 import { governing, ranked, regionName } from '../logic/checks';
 import { keyName, withoutPaths } from '../logic/findings';
 import { tidy } from '../logic/units';
 import type { Check, Verdict } from '../api/types';
-import { leadToFault } from '../state/lead';
+import { leadToDiagnostic } from '../state/lead';
 import { canUndo, errors, undo } from '../state/model';
 import { changes, resetLive } from '../state/live';
 import { openedCheck, shownChecks, shownVerdict } from '../state/verdict';
@@ -35,24 +35,24 @@ function Governing({ check }: { check: Check }) {
   );
 }
 
-/** Why there is no solution, and the ways back to one. */
+/** Reason for the missing solution, and ways to restore one. */
 function NotSolved({ what, where: place, why }: { what: string; where: string; why: string }) {
-  const fault = errors.value[0], trying = changes.value.length > 0;
+  const error = errors.value[0], trying = changes.value.length > 0;
   return (
     <div class="verdict unsolved" role="alert">
       <h2>Not solved</h2>
       <p><b>{what}{place ? `: ${place}` : ''}</b></p>
       <p>{withoutPaths(why)}</p>
       <p class="acts">
-        {fault ? <button type="button" onClick={() => leadToFault(fault)}>Show {fault.key ? keyName(fault.key) : `line ${fault.line}`}</button> : null}
-        {trying ? <button type="button" onClick={resetLive}>Back to the model's values</button> : canUndo.value ? <button type="button" onClick={undo}>Undo the last change</button> : null}
+        {error ? <button type="button" onClick={() => leadToDiagnostic(error)}>Show {error.key ? keyName(error.key) : `line ${error.line}`}</button> : null}
+        {trying ? <button type="button" onClick={resetLive}>Reset to the model values</button> : canUndo.value ? <button type="button" onClick={undo}>Undo the last change</button> : null}
         {canFindNearest.value ? (
-          <button type="button" disabled={findingNearest.value} title="Between the last state that was solved and this one" onClick={() => void takeNearest()}>
-            {findingNearest.value ? 'Searching…' : 'Nearest value that solves'}
+          <button type="button" disabled={findingNearest.value} title="Between the last solved state and the present one" onClick={() => void takeNearest()}>
+            {findingNearest.value ? 'Searching…' : 'Find the nearest solution'}
           </button>
         ) : null}
       </p>
-      <p class="brief">The last solution stays in the picture, dimmed.</p>
+      <p class="brief">The picture shows the last solution, dimmed.</p>
     </div>
   );
 }

@@ -1,4 +1,4 @@
-// The YAML tab: the editor, and under it the faults in words.
+// The YAML tab: the editor, with the errors below it.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { get } from '../api/client';
@@ -26,11 +26,11 @@ export function Yaml() {
       editor.current = e;
       setReady(true);
       const a = effect(() => { const t = text.value; if (waiting === null) e.setText(t); });
-      const b = effect(() => { e.setFaults(diagnostics.value); });
+      const b = effect(() => { e.setDiagnostics(diagnostics.value); });
       const c = effect(() => { const to = lead.value; if (to && !to.key && to.line) { e.goTo(to.line); lead.value = null; } });
       stop = () => { a(); b(); c(); };
     }).catch(sayError);
-    // the browser's own search sees only the lines that are drawn
+    // the search of the browser only covers rendered lines
     const find = (e: KeyboardEvent): void => {
       if (!(e.ctrlKey || e.metaKey) || e.altKey || e.shiftKey || e.key.toLowerCase() !== 'f' || e.defaultPrevented || document.querySelector('dialog[open]')) return;
       e.preventDefault();
@@ -44,7 +44,7 @@ export function Yaml() {
     <div class="yaml">
       <div class="editor" ref={box}>{ready ? null : <p class="empty">Loading the editor…</p>}</div>
       {diagnostics.value.length ? (
-        <ul class="faults" aria-label="Errors in the model">
+        <ul class="diagnosticlist" aria-label="Errors in the model">
           {diagnostics.value.map((d, i) => (
             <li key={i} class={d.severity}><button type="button" onClick={() => editor.current?.goTo(d.line)}><b>line {d.line}</b> {d.message}</button></li>
           ))}

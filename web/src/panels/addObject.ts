@@ -1,4 +1,4 @@
-// Adds what the model lacks, with first values where the program can compute at once, else empty to be filled in.
+// Adds a missing object, with default values if the program can solve the model then, otherwise empty.
 import { firstItem } from '../logic/firstItems';
 import type { FieldNode } from '../logic/modelTree';
 import { byPath, setKeys } from '../state/model';
@@ -13,6 +13,6 @@ export async function addObject(node: FieldNode): Promise<void> {
   if (node.path === 'lay_table') { goTo('study'); return; }
   const list = node.field?.kind === 'list';
   const first = list ? firstItem(node.path, byPath.value.get('environment.water_depth')?.si ?? 0, String(byPath.value.get('operation.type')?.value ?? '')) : null;
-  if (first === null || first === undefined) return; // its properties are shown, each with what is expected of it
+  if (first === null || first === undefined) return; // shows its properties, each with a description
   try { await setKeys([{ path: `${node.path}[0]`, value: first }]); } catch (error) { sayError(error); }
 }

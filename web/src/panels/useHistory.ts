@@ -1,11 +1,11 @@
-// A history of the selected run as a diagram, fetched for the stretch that is shown and no other.
+// A history of the selected run as a diagram, fetched for the visible range only.
 import { useEffect, useState } from 'preact/hooks';
 import { colours, type ChartData } from '../charts/data';
 import { display } from '../logic/show';
 import { columnName } from '../logic/tensioner';
 import { columns, fetchSeries, selected } from '../state/runs';
 
-/** Points are the minimum and maximum of each pixel; while a run goes on the diagram follows in steps. */
+/** Points are the minimum and maximum of each pixel; during a run the diagram is updated in steps. */
 export function useHistory(name: string, zoom: [number, number] | null, pixels: number): ChartData | null {
   const [data, setData] = useState<ChartData | null>(null);
   const run = selected.value;
@@ -23,8 +23,8 @@ export function useHistory(name: string, zoom: [number, number] | null, pixels: 
       setData({
         title: columnName(column.name), xName: 'time [s]', yName: `${axis} [${unit}]`, x: s.t, s: s.t, marks: [], level: [],
         lines: [
-          { name: 'largest', colour: colours.now, values: shown(s.max), band: true },
-          { name: 'least', colour: colours.now, values: shown(s.min), band: true },
+          { name: 'largest', colour: colours.current, values: shown(s.max), band: true },
+          { name: 'least', colour: colours.current, values: shown(s.min), band: true },
         ],
       });
     }).catch(() => undefined);

@@ -1,4 +1,4 @@
-// Varying the number of a field with live statics: by dragging its label, or with the arrow keys in it.
+// Variation of the number of a field with live statics: by dragging its label, or with the arrow keys in it.
 import { useComputed } from '@preact/signals';
 import { useMemo, useRef } from 'preact/hooks';
 import type { Field } from '../api/types';
@@ -6,15 +6,15 @@ import { gridStep, keyVariable, onStep, pace, paceFactor, variableStep, variable
 import { applyLive, setLive, values } from '../state/live';
 import { byPath } from '../state/model';
 
-/** Movements below this are a click [px]. */
+/** Smaller movements count as a click [px]. */
 const slack = 3;
 
 interface Drag { x: number; si: number; before: number | undefined }
 
 export interface Variation {
-  /** The value tried out as it would be written; null where there is none. */
+  /** The trial value as it would be written; null if there is none. */
   text: string | null;
-  /** Whether the field has a number to vary. */
+  /** True if the field has a number to vary. */
   able: boolean;
   label: {
     onPointerDown: (event: PointerEvent) => void;
@@ -23,11 +23,11 @@ export interface Variation {
     onPointerCancel: () => void;
     onClick: (event: MouseEvent) => void;
   };
-  /** Takes an arrow key; false for any other. */
+  /** Handles an arrow key; false for any other. */
   key: (event: KeyboardEvent) => boolean;
-  /** Writes what was varied with keys into the model; false where nothing was. `any`: whatever is tried out. */
+  /** Writes a value varied with keys into the model; false if there is none. `any`: any trial value. */
   commit: (any?: boolean) => boolean;
-  /** Back to the model's value; false where nothing was varied. */
+  /** Resets to the value of the model; false if nothing was varied. */
   cancel: () => boolean;
 }
 
@@ -39,7 +39,7 @@ export function useVariation(field: Field): Variation {
   const dragged = useRef(false);
   const varied = useRef(false);
 
-  const now = (): number => values.peek()[path] ?? variable!.si;
+  const current = (): number => values.peek()[path] ?? variable!.si;
   const abandon = (): void => {
     if (!drag.current) return;
     setLive(path, drag.current.before);
@@ -54,7 +54,7 @@ export function useVariation(field: Field): Variation {
       dragged.current = false;
       if (!variable || event.button !== 0) return;
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
-      drag.current = { x: event.clientX, si: now(), before: values.peek()[path] };
+      drag.current = { x: event.clientX, si: current(), before: values.peek()[path] };
       escapeHandler.current = escape;
       addEventListener('keydown', escape, true);
     },
@@ -75,7 +75,7 @@ export function useVariation(field: Field): Variation {
       if (dragged.current) void applyLive(path);
     },
     onPointerCancel: abandon,
-    // the end of a drag is no click, which would lead into the field
+    // the end of a drag is not a click, which would focus the field
     onClick: (event) => { if (dragged.current) event.preventDefault(); },
   };
 
@@ -85,7 +85,7 @@ export function useVariation(field: Field): Variation {
     event.preventDefault();
     varied.current = true;
     const step = variableStep(variable) * paceFactor[pace(event)];
-    setLive(path, onStep(variable, now() + direction * step * variable.scale, gridStep(variable, event)));
+    setLive(path, onStep(variable, current() + direction * step * variable.scale, gridStep(variable, event)));
     return true;
   };
   const commit = (any = false): boolean => {

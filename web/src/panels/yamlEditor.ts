@@ -37,7 +37,7 @@ function complete(schema: () => Schema | null) {
 
 export interface YamlEditor {
   setText(text: string): void;
-  setFaults(list: Diagnostic[]): void;
+  setDiagnostics(list: Diagnostic[]): void;
   goTo(line: number): void;
   openSearch(): void;
   destroy(): void;
@@ -54,7 +54,7 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
         yaml(), syntaxHighlighting(colours), autocompletion({ override: [complete(schema)], activateOnTyping: true }),
         search({ top: true }), highlightSelectionMatches(),
         EditorView.contentAttributes.of({ 'aria-label': 'Model as YAML' }),
-        // one undo for form and editor alike
+        // a common undo for form and editor
         keymap.of([
           { key: 'Mod-z', run: () => { undo(); return true; } }, { key: 'Mod-y', run: () => { redo(); return true; } }, { key: 'Mod-Shift-z', run: () => { redo(); return true; } },
           ...searchKeymap, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, indentWithTab,
@@ -67,7 +67,7 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
     setText(text) {
       const old = view.state.doc.toString();
       if (old === text) return;
-      // only the part that differs, so that the cursor and the scroll place stay
+      // only the differing part, so that cursor and scroll position are kept
       let from = 0;
       while (from < old.length && from < text.length && old[from] === text[from]) ++from;
       let end = 0;
@@ -76,7 +76,7 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
       view.dispatch({ changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) } });
       outside = false;
     },
-    setFaults(list) {
+    setDiagnostics(list) {
       const { doc } = view.state;
       view.dispatch(setDiagnostics(view.state, list.map((d) => {
         const line = doc.line(Math.min(Math.max(1, d.line), doc.lines));

@@ -10,7 +10,7 @@ import { PageMargins } from './PageMargins';
 
 interface Props {
   report: ReportDocument;
-  /** Of the figures. */
+  /** Data of the figures. */
   data: unknown;
   units: ShownUnits;
 }

@@ -1,5 +1,5 @@
-// Data of the figures, as the program writes them into a report (src/overbend/report): in SI, along the pipe from the
-// tensioner on, unless a name says otherwise. In alphabetical order of the blocks.
+// Data of the figures, as written by the program into a report (src/overbend/report): in SI, along the pipe from the
+// tensioner on, unless a name states otherwise. In alphabetical order of the blocks.
 import type { LayData, Position } from '../components/lay';
 import type { MooringSpread } from '../components/mooringSpread';
 import type { OperabilityData } from '../components/Operability';
@@ -9,7 +9,7 @@ import type { LayTableCurves } from '../api/types';
 
 // checks ----------------------------------------------------------------------------------------------------------------
 
-/** Utilisation along the pipe; 0 where a check is not made. */
+/** Utilisation along the pipe; 0 if a check is not evaluated. */
 export type ChecksData = Record<'s' | 'api' | 'stress' | 'load' | 'strain' | 'laying' | 'governing', number[]>;
 
 // comparison ------------------------------------------------------------------------------------------------------------
@@ -18,9 +18,9 @@ export interface ComparedTensionerRun {
   name: 'off' | 'controlled' | 'constant';
   tension: Trace;
   travel: Trace;
-  /** From when to when [s], and the number of the state. */
+  /** Beginning and end [s], and the index of the state. */
   states: [from: number, to: number, state: number][];
-  /** The end of the run in full [s]. */
+  /** Beginning of the detail at the end of the run [s]. */
   close: Record<'time' | 'tension' | 'travel', number[]>;
 }
 
@@ -37,7 +37,7 @@ export type ComparedQuantity = 'contact_share' | 'static_reaction' | 'mean_react
 
 export type ComparedBoxRun = Record<ComparedQuantity, number> & Record<'row_contact_share' | 'row_peak_force', number[]>;
 
-/** Box by box, in SI. */
+/** Results for each box, in SI. */
 export interface ComparedContact extends ComparisonData {
   runs: { name: string; words: string }[];
   boxes: { name: string; runs: ComparedBoxRun[] }[];
@@ -48,13 +48,13 @@ export interface ComparedContact extends ComparisonData {
 
 export interface NamedCurve { name: string; points: [number, number][] }
 
-/** Of a figure "curves": values as shown, the units stand in the labels of the axes. */
+/** Data of a figure "curves": values as shown, the units are in the labels of the axes. */
 export interface CurvesData {
   across: string;
   up: string;
-  /** `look`: circles at the points are "marks"; `colour`: number of its colour, the curve's own number where not given. */
+  /** `look`: circles at the points are "marks"; `colour`: index of its colour, by default the index of the curve. */
   curves: (NamedCurve & { look: 'line' | 'thin' | 'marks'; colour?: number; in_legend: boolean })[];
-  /** Lines of the surroundings; only their heights widen the figure. */
+  /** Lines of the surroundings; only their heights extend the figure. */
   ground: NamedCurve[];
   water: NamedCurve[];
 }
@@ -63,7 +63,7 @@ export interface CurvesData {
 
 export type EnvelopeData = Record<'min' | 'max' | 'mean' | 'static', number[]>;
 
-/** Where and when the largest of a region was. */
+/** Location and time of the maximum of a region. */
 export type DynamicRegionData = Record<string, { s: number; time: number; value: number; place: string } | undefined>;
 
 interface OverTime { min: number; max: number; mean: number }
@@ -72,10 +72,10 @@ export interface DynamicRollerData { contact_share: number; impact_count: number
 
 export interface ImpactData { box: string; row: number; position: Position; time: number; approach_velocity: number; peak_force: number }
 
-/** Least and largest of equal stretches of time, as multiples of a quantum above the lowest. */
+/** Minimum and maximum of equal time intervals, as multiples of a quantum above the lowest. */
 export interface Trace { lowest: number; quantum: number; low: (number | null)[]; high: (number | null)[] }
 
-/** In its own unit. */
+/** In the unit of the history. */
 export interface HistoryData extends Trace {
   group: string;
   title: string;
@@ -113,12 +113,12 @@ export interface DynamicData {
 
 // lay -------------------------------------------------------------------------------------------------------------------
 
-/** How a column of the stations is shown. */
+/** Format of a column of the stations. */
 export interface ShownColumn { unit: string; factor: number; digits: number }
 
 export type RegionData = Record<string, { s: number; value: number; place: string } | undefined>;
 
-/** Of a model with a pipe. */
+/** Data of a model with a pipe. */
 export interface PipeData extends LayData {
   shown: Record<string, ShownColumn>;
   overbend: RegionData | null;
@@ -130,7 +130,7 @@ export interface PipeData extends LayData {
 
 // lines -----------------------------------------------------------------------------------------------------------------
 
-/** Of a line by itself, from its first end: places in world axes, and tensions at rest and during a run. */
+/** A line other than the pipe, from its first end: positions in world axes, static tensions and those of a run. */
 export interface LineData { name: string; s: number[]; places: Vector[]; tension: number[]; least: number[]; largest: number[] }
 
 export interface LinesReport { lines: LineData[]; water_depth: number; moved: boolean }
@@ -139,7 +139,7 @@ export interface LinesReport { lines: LineData[]; water_depth: number; moved: bo
 
 export interface OffsetRange { min: number; max: number; mean: number; std: number }
 
-/** Offsets of the vessel during a run, from its start, in axes of the hull as drawn. */
+/** Offsets of the vessel during a run, from its start, in nominal axes of the hull. */
 export interface VesselInTime { along: OffsetRange; across: OffsetRange; covariance: number; start_surge: number; start_sway: number }
 
 export interface MooringsReport { moorings: MooringSpread; dynamic?: { vessel: VesselInTime } }
@@ -149,12 +149,12 @@ export interface MooringsReport { moorings: MooringSpread; dynamic?: { vessel: V
 /** A part of the line of one kind. */
 export interface StageLine { of: 'pipe' | 'head' | 'cable'; points: [number, number][] }
 
-/** A stage of an operation; without a line it has no solution, and `why` says the reason. */
+/** A stage of an operation; without a solution it has no line, and `why` gives the reason. */
 export interface StageData {
   name: string;
   /** Progress of the operation [m]. */
   out: number | null;
-  /** How far the vessel is ahead of where it was at the first stage [m]. */
+  /** Advance of the vessel since the first stage [m]. */
   ahead: number;
   line: StageLine[] | null;
   use: number | null;
@@ -168,7 +168,7 @@ export interface StageCurve { key: string; name: string; unit: string; digits: n
 export interface StagesData {
   list: StageData[];
   curves: StageCurve[];
-  /** What the progress is. */
+  /** Name of the progress. */
   out: string;
   hull: [number, number][];
   supports: { name: string; stinger: boolean; rows: [number, number][] }[];
@@ -182,21 +182,21 @@ export type LayTableData = LayTableCurves;
 
 // overlay ---------------------------------------------------------------------------------------------------------------
 
-/** Curves of several folders of results, in the units that they are shown in. */
+/** Curves of several result folders, in shown units. */
 export interface OverlayData {
   names: string[];
   figures: {
     title: string;
     x_label: string;
     y_label: string;
-    /** `folder`: place in `names`. */
+    /** `folder`: index in `names`. */
     curves: { folder: number; points: [number, number][] }[];
   }[];
 }
 
 // seek ------------------------------------------------------------------------------------------------------------------
 
-/** A key or a result of a goal seek; its values are in SI, `factor` makes them those of `unit`. */
+/** A key or a result of a goal seek; its values are in SI, `factor` converts them to `unit`. */
 interface SoughtData { name: string; unit: string; factor: number }
 
 export interface SeekGoalData extends SoughtData { wanted: number | null; reached: number | null }
@@ -204,25 +204,25 @@ export interface SeekGoalData extends SoughtData { wanted: number | null; reache
 export interface SeekData {
   keys: (SoughtData & { answer: number })[];
   goals: SeekGoalData[];
-  /** Models solved: a value of every key, a result of every goal. */
+  /** Solved models: a value of every key, a result of every goal. */
   path: { values: number[]; results: number[] }[];
 }
 
 // study -----------------------------------------------------------------------------------------------------------------
 
 /**
- * A key that a study varies. `words`: its values as the model file has them; `values`: as numbers, where they are such. Numbers of
- * studies are in the units that they are shown in.
+ * A varied key of a study. `words`: its values as in the model file; `values`: as numbers, if they are numeric, in the
+ * units shown.
  */
 export interface StudyAxisData { name: string; words: string[]; values: (number | null)[]; sampled: boolean }
 
-/** Cases that differ by nothing but their seed. */
+/** Cases that differ only by their seed. */
 export interface StudyGroupData {
-  /** Place in the words of every input. */
+  /** Index in the words of every input. */
   at: number[];
   x: (number | null)[];
   words: string[];
-  /** Of every output, over the seeds. */
+  /** Statistics of every output, over the seeds. */
   mean: (number | null)[];
   low: (number | null)[];
   high: (number | null)[];
@@ -239,12 +239,12 @@ export interface CorrelationData { output: string; bars: { name: string; value: 
 export interface StudyData {
   shape: 'single' | 'curves' | 'maps' | 'one_at_a_time' | 'sample';
   inputs: StudyAxisData[];
-  /** `at`: place in the lists of a group. */
+  /** `at`: index in the lists of a group. */
   outputs: { name: string; at: number }[];
   groups: StudyGroupData[];
-  /** Inputs that are crossed. */
+  /** Crossed inputs. */
   axes: number[];
-  /** Swings of a study of one key at a time, correlations of a sample. */
+  /** Ranges for one key at a time, correlations of a sample. */
   tornado?: SwingData[] | CorrelationData[];
   operability?: OperabilityData;
 }
@@ -259,14 +259,14 @@ export interface TornadoData {
   bars: {
     /** The input with its tolerance. */
     name: string;
-    /** Effect of the input decreased and increased. */
+    /** Effect of a decrease and an increase of the input. */
     low: number;
     high: number;
     /** The effects as texts, with sign and unit. */
     low_label: string;
-    /** Stands at the right; with a star where the derivative is one-sided. */
+    /** Text at the right; with a star if the derivative is one-sided. */
     high_label: string;
   }[];
-  /** What the stars mean. */
+  /** Explanation of the stars. */
   notes: string[];
 }

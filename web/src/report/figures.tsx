@@ -1,4 +1,4 @@
-// Figures of a report: by its id each finds the component that draws it.
+// Figures of a report: the component for each figure id.
 import { Component, type ComponentChildren, type VNode } from 'preact';
 import type { FigureBlock } from '../components/Block';
 import { Reactions, Separations } from './figures/boxes';
@@ -27,7 +27,7 @@ import { Checks, Fatigue } from './figures/utilisation';
 export interface FigureProps {
   id: string;
   part: string;
-  /** That of the block, else that of the whole page. */
+  /** Data of the block, otherwise of the whole page. */
   data: unknown;
   /** Its drawings are set in two columns. */
   small: boolean;
@@ -35,7 +35,7 @@ export interface FigureProps {
 
 export type DrawFigure = (props: FigureProps) => VNode | null;
 
-/** By id, in alphabetical order; modules with tables of their own below. */
+/** By id, in alphabetical order; modules with several figures have tables below. */
 const figures: Record<string, DrawFigure> = {
   checks: Checks,
   compared_contact: ComparedContactChart,
@@ -71,12 +71,12 @@ const figures: Record<string, DrawFigure> = {
   ...studyFigures,
 };
 
-/** Curves of a quantity along the line have ids of their own: "envelope_tension", "moment". */
-function drawerOf(id: string): DrawFigure | undefined {
+/** Curves of a quantity along the line have separate ids: "envelope_tension", "moment". */
+function findFigure(id: string): DrawFigure | undefined {
   return figures[id] ?? (id.startsWith('envelope_') ? figures['envelope'] : figures['diagram']);
 }
 
-/** A figure that fails leaves the rest of the page standing, and says so. */
+/** A figure that fails does not affect the rest of the page, and reports its error. */
 class Guard extends Component<{ children: ComponentChildren }, { error: string }> {
   constructor(props: { children: ComponentChildren }) {
     super(props);
@@ -95,7 +95,7 @@ class Guard extends Component<{ children: ComponentChildren }, { error: string }
 }
 
 function Panel(props: FigureProps) {
-  const Drawing = drawerOf(props.id);
+  const Drawing = findFigure(props.id);
   if (!Drawing) throw new Error(`no figure "${props.id}"`);
   return <Drawing {...props} />;
 }

@@ -19,5 +19,5 @@ const page = (
 );
 render(page, document.getElementById('report')!);
 openWhilePrinting();
-// Components that measure their own drawing have drawn again by then.
+// Components that measure their drawing are drawn again by then.
 queueMicrotask(() => { document.documentElement.dataset.drawn = 'yes'; });

@@ -1,4 +1,4 @@
-// What the margins of printed pages say: the report's title, number, kind and date; and what they are printed on.
+// Margins of printed pages: title, number, kind and date of the report; and the paper size.
 import type { Front, ReportDocument } from '../components/document';
 
 const look = 'font: 8pt Arial, "Liberation Sans", sans-serif; color: #5b6b7a;';
@@ -12,7 +12,7 @@ function entry(entries: [string, string][] | undefined, name: string): string {
   return entries?.find(([title]) => title === name)?.[1] ?? '';
 }
 
-/** "BGL-OB-001, rev. B"; empty where neither is given. */
+/** "BGL-OB-001, rev. B"; empty if neither is given. */
 export function documentNumber(control: Front['control']): string {
   const revision = entry(control, 'Revision');
   return [entry(control, 'Document'), revision && `rev. ${revision}`].filter(Boolean).join(', ');

@@ -1,4 +1,4 @@
-// Animation of a run: a clock, and frames fetched in pieces around it.
+// Animation of a run: a clock, and frames fetched in chunks around it.
 import { effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import type { Series } from '../api/types';
@@ -9,7 +9,7 @@ import { shownRun } from './shown';
 import { sayError } from './notices';
 
 const piece = 60; // frames in one request
-const kept = 24; // pieces held in memory
+const kept = 24; // chunks held in memory
 
 export interface Shown { time: number; pose: number[]; places: Float32Array; effective_tension: Float32Array; von_mises: Float32Array; lines: Map<string, Float32Array> | null }
 
@@ -23,7 +23,7 @@ export const shown = signal<Shown | null>(null);
 
 /** Histories around the time shown: tension, tensioner, reactions of the boxes. */
 export const histories = signal<Record<string, Series>>({});
-/** Largest reaction of a box in the whole run, for the colours. */
+/** Maximum reaction of a box in the whole run, for the colours. */
 export const largestReaction = signal(0);
 const watched = /^(top_tension|tensioner\/.*|support\/.*\/reaction)$/;
 const stretch = 60; // s of histories in one request
@@ -103,32 +103,32 @@ export function close(): void {
 function buffer(size: number): Float32Array { return new Float32Array(size); }
 
 async function show(): Promise<void> {
-  const at = Math.min(total - 1, Math.max(0, (time.value - first.value) / step));
-  const i = Math.floor(at);
+  const position = Math.min(total - 1, Math.max(0, (time.value - first.value) / step));
+  const i = Math.floor(position);
   const k = Math.floor(i / piece);
   const chunk = cache.get(k) ?? await fetchPiece(k);
   if (!chunk || !active.value) return;
   const next = Math.min(total - 1, i + 1);
-  const other = Math.floor(next / piece) === k ? chunk : cache.get(k + 1) ?? chunk;
+  const following = Math.floor(next / piece) === k ? chunk : cache.get(k + 1) ?? chunk;
   if (i % piece > piece / 2 && (k + 1) * piece < total && !cache.has(k + 1)) void fetchPiece(k + 1);
   const a = Math.min(i - chunk.from, chunk.count - 1);
-  const b = Math.min(Math.max(0, next - other.from), other.count - 1);
-  const f = at - i;
+  const b = Math.min(Math.max(0, next - following.from), following.count - 1);
+  const f = position - i;
   const n = chunk.stations;
   shown.value = {
     time: time.value,
-    pose: chunk.pose[a]!.map((v, m) => v * (1 - f) + other.pose[b]![m]! * f),
-    places: blend(chunk.place, 3 * n * a, other.place, 3 * n * b, 3 * n, f, buffer(3 * n)),
-    effective_tension: blend(chunk.effective_tension, n * a, other.effective_tension, n * b, n, f, buffer(n)),
-    von_mises: blend(chunk.von_mises, n * a, other.von_mises, n * b, n, f, buffer(n)),
-    lines: linesBetween(chunk, a, other, b, f),
+    pose: chunk.pose[a]!.map((v, m) => v * (1 - f) + following.pose[b]![m]! * f),
+    places: blend(chunk.place, 3 * n * a, following.place, 3 * n * b, 3 * n, f, buffer(3 * n)),
+    effective_tension: blend(chunk.effective_tension, n * a, following.effective_tension, n * b, n, f, buffer(n)),
+    von_mises: blend(chunk.von_mises, n * a, following.von_mises, n * b, n, f, buffer(n)),
+    lines: linesBetween(chunk, a, following, b, f),
   };
 }
 
 let wanted = false;
 let working = false;
 
-/** Only the newest time is drawn while pieces are still on their way. */
+/** Only the latest time is drawn while chunks are pending. */
 async function showLatest(): Promise<void> {
   wanted = true;
   if (working) return;
@@ -145,11 +145,11 @@ export function seek(t: number): void {
 
 export function startAnimation(): void {
   let before = 0;
-  const tick = (now: number): void => {
+  const tick = (clock: number): void => {
     if (!playing.value) return;
     requestAnimationFrame(tick);
-    const dt = Math.min(0.1, (now - before) / 1000);
-    before = now;
+    const dt = Math.min(0.1, (clock - before) / 1000);
+    before = clock;
     let t = time.value + dt * speed.value;
     if (t >= last.value) { t = first.value > 0 ? first.value : Math.min(0, last.value); if (last.value > 0) t = Math.max(first.value, 0); }
     seek(t);
@@ -165,7 +165,7 @@ export function startAnimation(): void {
   });
 }
 
-/** The greatest of what a history shows at a time: states and peaks are not averaged. */
+/** The maximum of a history at a time: states and peaks are not averaged. */
 export function peakAt(series: Series | undefined, t: number): number | null {
   return series && series.t.length ? series.max[indexBefore(series.t, t)]! : null;
 }

@@ -1,31 +1,31 @@
-// A roller box that is dragged in the side view: statics follow, and on release its place is written as one step of undo.
+// A roller box dragged in the elevation: statics follow, and its final position is one undo step.
 import { batch, signal } from '@preact/signals';
 import { liveChanges, type LiveBox, type LiveValues } from '../logic/live';
-import { inUnitOf } from '../logic/units';
+import { convertLike } from '../logic/units';
 import { boxHeight, stingerRadius } from '../logic/variables';
 import { applyLive, base, changes, setLive, values } from './live';
 import { byPath, setKeys } from './model';
 import { sayError } from './notices';
 import { ofRun, shownStage } from './shown';
 
-/** Move of the box from where it lay when the drag began [m]. */
+/** Displacement of the box since the beginning of the drag [m]. */
 export interface BoxDrag { name: string; x: number; z: number }
 
 export const boxDrag = signal<BoxDrag | null>(null);
 
-/** Null where the box cannot be moved: generated in a row, or of a run or stage. */
+/** Null if the box cannot be moved: generated in a row, or from a run or stage. */
 export const movableBox = (name: string): LiveBox | null =>
   (ofRun.value || shownStage.value ? null : base.value.boxes.find((box) => box.name === name) ?? null);
 
 const keys = (box: LiveBox): [x: string, z: string] => [`${box.path}.x`, `${box.path}.z`];
 
-/** Where the box lies with what is tried out [m]. */
+/** Position of the box with the trial values [m]. */
 function place(box: LiveBox): { x: number; z: number } {
   const [x, z] = keys(box).map((key, i) => { const change = changes.value.find((c) => c.path === key); return change ? Number.parseFloat(String(change.value)) : i === 0 ? box.x : box.z; });
   return { x: x!, z: z! };
 }
 
-/** Where the drag began, and what was tried out for the two keys before. */
+/** Beginning of the drag, and the trial values of the two keys before it. */
 let start = { x: 0, z: 0 }, before: (number | undefined)[] = [];
 
 export function beginDrag(name: string): void {
@@ -62,10 +62,10 @@ export async function endDrag(): Promise<void> {
   boxDrag.value = null;
   if (!box) return;
   if (drag.x === 0 && drag.z === 0) { putBack(box); return; }
-  // a radius or height that is tried out moves the boxes as well: all is written together
+  // a trial radius or height also moves the boxes: all changes are written together
   if (values.value[stingerRadius] !== undefined || values.value[boxHeight] !== undefined) { await applyLive(); return; }
-  const own: LiveValues = Object.fromEntries(keys(box).flatMap((key) => { const value = values.value[key]; return value === undefined ? [] : [[key, value]]; }));
-  const list = liveChanges(base.value, own).map((c) => ({ path: c.path, value: inUnitOf(String(c.value), String(byPath.value.get(c.path)?.value ?? '')) }));
+  const trial: LiveValues = Object.fromEntries(keys(box).flatMap((key) => { const value = values.value[key]; return value === undefined ? [] : [[key, value]]; }));
+  const list = liveChanges(base.value, trial).map((c) => ({ path: c.path, value: convertLike(String(c.value), String(byPath.value.get(c.path)?.value ?? '')) }));
   try {
     await setKeys(list, () => keys(box).forEach((key) => setLive(key, undefined)));
   } catch (error) { putBack(box); sayError(error); }

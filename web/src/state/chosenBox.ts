@@ -1,4 +1,4 @@
-// The selected box: the object of the model that is selected, by the name that results have. Every view marks this one.
+// The selected box: the selected object of the model by its result name. Every view marks it.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { boxName, boxPath } from '../logic/boxes';
 import { base } from './live';
@@ -8,7 +8,7 @@ import { calmLay } from './shown';
 import { object, selectObject } from './workspace';
 
 const supports = computed(() => calmLay.value?.supports ?? []);
-/** A box of a generated row has no path of its own: its name is kept here. */
+/** A box of a generated row has no path: its name is stored here. */
 const ofRow = signal<string | null>(null);
 
 export const chosenBox = computed<string | null>(() => boxName(base.value.boxes, supports.value, object.value)
@@ -26,7 +26,7 @@ export function chooseBox(name: string): void {
   });
 }
 
-/** What was picked goes where another object is selected elsewhere. */
+/** Selecting another object clears the box. */
 export function startChosenBox(): void {
   effect(() => {
     const name = chosenBox.value;

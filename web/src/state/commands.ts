@@ -1,4 +1,4 @@
-// Every command of the page in one table, for the search; parts of the page add theirs with `addCommands`.
+// All commands of the page, for the search; other modules add theirs with `addCommands`.
 import { computed, signal } from '@preact/signals';
 import { post } from '../api/client';
 import { unitSystem } from '../logic/show';
@@ -16,9 +16,9 @@ import { goTo, workspace, workspaceIds } from './workspace';
 export interface Command {
   id: string;
   name: string;
-  /** Other words for it. */
+  /** Synonyms for the search. */
   more?: string;
-  /** Keys, as shown. */
+  /** Shortcut, as shown. */
   keys?: string;
   able?: () => boolean;
   act: () => void;
@@ -26,13 +26,13 @@ export interface Command {
 
 const tables = signal<readonly (readonly Command[])[]>([]);
 
-/** Adds commands and gives the function that takes them away again. */
+/** Adds commands and returns the function that removes them. */
 export function addCommands(list: readonly Command[]): () => void {
   tables.value = [...tables.value, list];
   return () => { tables.value = tables.value.filter((table) => table !== list); };
 }
 
-/** Those that can be given now. */
+/** Commands that are currently available. */
 export const commands = computed<Command[]>(() => tables.value.flat().filter((command) => command.able?.() ?? true));
 
 function downloadModel(): void {
@@ -55,9 +55,9 @@ addCommands([
   { id: 'download', name: 'Download the model', more: 'export yaml file', able: () => hasModel.value, act: downloadModel },
   { id: 'undo', name: 'Undo', keys: 'Ctrl Z', able: () => canUndo.value, act: undo },
   { id: 'redo', name: 'Redo', keys: 'Ctrl Y', able: () => canRedo.value, act: redo },
-  { id: 'seek', name: 'Find a value …', more: 'goal seek target utilisation tension', able: ready, act: () => openSeek() },
-  { id: 'apply', name: 'Apply to model', more: 'write values tried out', able: () => changes.value.length > 0, act: () => void applyLive() },
-  { id: 'reset', name: 'Reset the values tried out', more: 'back to the model', able: () => changes.value.length > 0, act: resetLive },
+  { id: 'seek', name: 'Goal seek …', more: 'goal seek target utilisation tension', able: ready, act: () => openSeek() },
+  { id: 'apply', name: 'Apply to model', more: 'write trial values', able: () => changes.value.length > 0, act: () => void applyLive() },
+  { id: 'reset', name: 'Reset the trial values', more: 'back to the model', able: () => changes.value.length > 0, act: resetLive },
   { id: 'sensitivities', name: 'Compute the sensitivities', more: 'tornado tolerance effect', able: ready, act: () => void findSensitivities() },
   { id: 'stages', name: 'Solve the stages of the operation', more: 'abandonment recovery pull start-up', able: () => ready() && hasOperation.value, act: () => { goTo('operation'); void solveOperation(); } },
   { id: 'storm', name: 'Run the storm', more: 'dynamic run sea waves', able: ready, act: () => { goTo('storm'); void startRun({ kind: 'dynamic' }); } },

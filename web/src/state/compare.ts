@@ -1,4 +1,4 @@
-// Runs that are compared: which, and what is known of each.
+// Compared runs and their data.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import type { Column, Envelopes, Field } from '../api/types';
@@ -8,13 +8,13 @@ import { ApiError } from '../api/client';
 import { sayError } from './notices';
 import { runs } from './runs';
 
-/** Ids in the order in which they were checked: the first is the reference. */
+/** Ids in the order of selection: the first is the reference. */
 export const checked = signal<string[]>([]);
 export const compared = computed(() => checked.value.slice(0, maxCompared).map((id) => runs.value.find((run) => run.id === id)).filter((run) => run !== undefined));
 
 export function check(id: string, on: boolean): void { checked.value = on ? [...checked.value.filter((c) => c !== id), id] : checked.value.filter((c) => c !== id); }
 
-/** What a run has for a comparison; null where it has none of it. */
+/** Data of a run for a comparison; null if it has none. */
 export interface RunParts { fields: Field[] | null; text: string; summary: ComparedSummary | null; envelopes: Envelopes | null; columns: Column[] }
 export const runParts = signal<ReadonlyMap<string, RunParts>>(new Map());
 
@@ -23,13 +23,13 @@ const missing = <T,>(value: T) => (error: unknown): T => { if (error instanceof 
 async function load(id: string): Promise<void> {
   const run = runs.value.find((r) => r.id === id);
   if (!run) return;
-  const at = `runs/${id}`, single = run.kind === 'static' || run.kind === 'dynamic';
+  const base = `runs/${id}`, single = run.kind === 'static' || run.kind === 'dynamic';
   try {
     const [model, summary, envelopes, columns] = await Promise.all([
-      get<{ text: string; fields: Field[] }>(`${at}/model`).catch(missing({ text: '', fields: null })),
-      single && run.has_results ? get<ComparedSummary>(`${at}/summary`).catch(missing(null)) : null,
-      single && run.has_results ? get<Envelopes>(`${at}/envelopes`).catch(missing(null)) : null,
-      run.kind === 'dynamic' && run.has_results ? get<Column[]>(`${at}/columns`).catch(missing([])) : [],
+      get<{ text: string; fields: Field[] }>(`${base}/model`).catch(missing({ text: '', fields: null })),
+      single && run.has_results ? get<ComparedSummary>(`${base}/summary`).catch(missing(null)) : null,
+      single && run.has_results ? get<Envelopes>(`${base}/envelopes`).catch(missing(null)) : null,
+      run.kind === 'dynamic' && run.has_results ? get<Column[]>(`${base}/columns`).catch(missing([])) : [],
     ]);
     runParts.value = new Map([...runParts.value, [id, { fields: model.fields, text: model.text, summary, envelopes, columns }]]);
   } catch (error) { sayError(error); }
@@ -37,7 +37,7 @@ async function load(id: string): Promise<void> {
 
 const asked = new Map<string, string>();
 
-/** Loads what is compared; again when a run has come to its end. */
+/** Loads the compared runs; reloads a run when it has ended. */
 export function startCompare(): void {
   effect(() => {
     for (const run of compared.value) {

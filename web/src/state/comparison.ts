@@ -1,4 +1,4 @@
-// What results are compared with: the model as it was, or a run.
+// Reference for the results: an earlier state of the model, or a run.
 import { effect, signal } from '@preact/signals';
 import { get } from '../api/client';
 import type { Lay } from '../api/types';
@@ -8,9 +8,9 @@ import { sayError } from './notices';
 
 export const comparison = signal<{ name: string; lay: Lay } | null>(null);
 
-/** Keeps the results of this moment, so that what follows is seen against them. */
+/** Stores the present results as the reference. */
 export function compareWithNow(): void {
-  if (calm.value) comparison.value = { name: 'as it was', lay: calm.value };
+  if (calm.value) comparison.value = { name: 'previous state', lay: calm.value };
 }
 
 export async function compareWithRun(id: string, name: string): Promise<void> {
@@ -19,5 +19,5 @@ export async function compareWithRun(id: string, name: string): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-// another model is not compared with the one before unasked
+// a new model is not compared with the previous one by default
 effect(() => { void opened.value; comparison.value = null; });

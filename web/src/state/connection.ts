@@ -1,4 +1,4 @@
-// Whether the program can be reached: by the stream of its events, and by the answers to requests.
+// Connection to the program: monitored by its event stream and by the answers to requests.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { listen, watchAnswers } from '../api/client';
 import type { Run } from '../api/types';
@@ -10,7 +10,7 @@ const streaming = signal(true);
 const answering = signal(true);
 export const connected = computed(() => streaming.value && answering.value);
 
-/** What happened while the program or the network was away is asked for, and what was typed is sent. */
+/** After an interruption the state is requested again, and unsent text is sent. */
 function comeBack(): void {
   void fetchRuns();
   sendAgain();

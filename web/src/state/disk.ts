@@ -1,11 +1,11 @@
-// Whether another program has changed the model's file: looked at when the page is looked at.
+// Detects changes of the model file by other programs, whenever the page becomes visible.
 import { effect, signal } from '@preact/signals';
 import { get } from '../api/client';
 import { disk, fileName } from './model';
 
-/** The version that another program wrote, until the user has said what shall become of it. */
+/** Version written by another program, until the user has decided. */
 export const changedOutside = signal<string | null>(null);
-/** The version that the user chose not to take. */
+/** Version that the user rejected. */
 let kept: string | null = null;
 const every = 15_000;
 
@@ -15,7 +15,7 @@ async function look(): Promise<void> {
     const { name, version } = await get<{ name: string; version: string | null }>('model/disk');
     if (name !== fileName.value || version === null) return;
     changedOutside.value = version !== disk.value && version !== kept ? version : null;
-  } catch { /* without connection: the header says so */ }
+  } catch { /* no connection: shown in the header */ }
 }
 
 export function keepOwn(): void {
@@ -27,6 +27,6 @@ export function startDisk(): void {
   addEventListener('focus', () => void look());
   document.addEventListener('visibilitychange', () => void look());
   setInterval(() => void look(), every);
-  // read or written by this program: known again
+  // read or written by this program
   effect(() => { void disk.value; changedOutside.value = null; });
 }

@@ -1,8 +1,8 @@
-// Events of the run that is played, and the way to them: the picture then shows that time, and the place is marked.
+// Events of the run shown, and navigation to them: the picture shows that time, and the location is marked.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { Series } from '../api/types';
 import {
-  eventsOfRun, extremeOf, impactEvent, nextEvent, objectOfColumn, wantedExtremes, worstImpact, type EventKind, type RunEvent, type Wanted,
+  eventsOfRun, findExtreme, impactEvent, nextEvent, objectOfColumn, wantedExtremes, worstImpact, type EventKind, type RunEvent, type Wanted,
 } from '../logic/events';
 import { text } from '../logic/show';
 import { active, playing, seek, time } from './animation';
@@ -11,8 +11,8 @@ import { chosenLine } from './moorings';
 import { columns, fetchSeries, impacts, runLay, runSummary, selected } from './runs';
 
 const tensioner = signal<Series | undefined>(undefined);
-const most = 20000; // points: more are thinned out by the program
-const justAfter = 0.03; // s: of an impact, when it lights up
+const most = 20000; // points: longer histories are reduced by the program
+const justAfter = 0.03; // s: an impact is lit from this time before it to this time after it
 
 export const events = computed<RunEvent[]>(() => {
   const run = runSummary.value?.dynamic;
@@ -20,12 +20,12 @@ export const events = computed<RunEvent[]>(() => {
   return eventsOfRun({ impacts: impacts.value, state: tensioner.value, lines: run?.moorings ?? [], findings: run?.findings ?? [] });
 });
 
-/** What the menu "largest of" offers. */
+/** Entries of the menu "Go to max / min". */
 export const extremes = computed(() => wantedExtremes(columns.value));
 
-/** What the picture was led to; null once the clock has gone on. */
+/** The event that the picture was moved to; null once the clock has advanced. */
 export const reached = signal<{ time: number; title: string; detail: string } | null>(null);
-/** Box that the camera shall go to; a new object each time. */
+/** Box that the camera flies to; a new object each time. */
 export const approach = signal<{ box: string } | null>(null);
 
 function markObject(name: string | undefined, near: boolean): void {
@@ -63,12 +63,12 @@ export async function goToExtreme({ column, sign, name }: Wanted): Promise<void>
   const id = selected.value?.id;
   if (!id) return;
   const whole = (await fetchSeries(id, [column.name], 0, null, most))[column.name];
-  let found = whole && extremeOf(whole, sign);
+  let found = whole && findExtreme(whole, sign);
   if (!found || selected.value?.id !== id) return;
-  // thinned out histories say when only to the width of a range
+  // reduced histories give the time only to the width of a range
   const width = whole!.t.length > 1 ? (whole!.t.at(-1)! - whole!.t[0]!) / (whole!.t.length - 1) : 0;
   const close = (await fetchSeries(id, [column.name], Math.max(0, found.time - width), found.time + 2 * width, most))[column.name];
-  found = (close && extremeOf(close, sign)) ?? found;
+  found = (close && findExtreme(close, sign)) ?? found;
   goToTime(found.time, `${sign > 0 ? 'largest' : 'smallest'}: ${name}`, text(found.value, column.unit, 4), objectOfColumn(column.name) ?? undefined, false);
 }
 
@@ -82,5 +82,5 @@ export function startEvents(): void {
       void fetchSeries(id, ['tensioner/state'], 0, null, most).then((got) => { if (selected.peek()?.id === id) tensioner.value = got['tensioner/state']; }).catch(() => undefined);
     });
   });
-  effect(() => { const at = reached.peek(); if (at && Math.abs(time.value - at.time) > 1) reached.value = null; });
+  effect(() => { const event = reached.peek(); if (event && Math.abs(time.value - event.time) > 1) reached.value = null; });
 }

@@ -1,4 +1,4 @@
-// Saving, and asking before another model takes the place of one that is not saved.
+// Saving, and the confirmation before an unsaved model is replaced.
 import { asking, dialog, type DialogName } from './look';
 import { fileName, hasModel, save, unsaved } from './model';
 
@@ -7,7 +7,7 @@ export function saveNow(): void {
   if (fileName.value) void save(fileName.value); else dialog.value = 'saveas';
 }
 
-/** New and Open put another model in the place of this one: what is not saved is asked about first. */
+/** New and Open replace the model: unsaved changes need a confirmation. */
 export function askFor(next: DialogName): void {
   if (unsaved.value) asking.value = next; else dialog.value = next;
 }

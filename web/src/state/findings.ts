@@ -1,4 +1,4 @@
-// What is said about the model and about what is shown of it, the serious ones first, each with the place it is about.
+// Diagnostics of the model and findings of the results, the serious ones first, each with its location.
 import { computed } from '@preact/signals';
 import type { Finding } from '../api/results';
 import { bullet, bullets, type Bullet } from '../logic/findings';
@@ -6,7 +6,7 @@ import { byPath, diagnostics } from './model';
 import { runSummary } from './runs';
 import { calmLay, shownRun } from './shown';
 
-/** Findings of the run that is looked at, else of the stage or the live statics. */
+/** Findings of the selected run, otherwise of the stage or the live statics. */
 const said = computed<readonly Finding[]>(() => {
   if (!shownRun.value) return calmLay.value?.findings ?? [];
   const run = runSummary.value;
@@ -20,18 +20,18 @@ export const shownFindings = computed<Bullet[]>(() => [
   ...bullets(said.value, boxNames.value),
 ]);
 
-/** Path of the object of the model with a name, as results name them. */
+/** Path of the object of the model with a result name. */
 export function pathOfName(name: string): string {
   for (const [path, field] of byPath.value) if (field.value === name && path.endsWith('].name')) return path.slice(0, -'.name'.length);
   if (byPath.value.has(name)) return name; // "pipe"
-  // boxes without a name of their own are counted: "stinger 8"
+  // boxes without a name are numbered: "stinger 8"
   const [, structure, number] = /^(ramp|stinger) (\d+)$/.exec(name) ?? [];
   if (!structure) return '';
   const path = `supports.${structure}.boxes[${Number(number) - 1}]`;
   return byPath.value.has(`${path}.x`) ? path : `supports.${structure}`;
 }
 
-/** Objects of the model that findings concern. */
+/** Objects of the model with findings. */
 export const concerned = computed(() => {
   const out = new Map<string, Finding['severity']>();
   for (const finding of said.value) {

@@ -1,5 +1,5 @@
-// Typed and pasted cells on their way into the model: what can be read is written in one step, what cannot stays in its
-// cell with the reason. Rows of lists added, removed and moved.
+// Typed and pasted cells: readable ones are written in one step, unreadable ones stay in their
+// cell with the reason. Rows of lists are added, removed and moved.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { ApiError, get } from '../api/client';
 import type { Change } from '../api/types';
@@ -20,12 +20,12 @@ export function loadSchema(): void {
 }
 
 export const drafts = signal<Map<string, Draft>>(new Map());
-const tooLong = 'The list is too long to be written here: change it in the YAML.';
+const tooLong = 'The list is too long to be edited here: edit it in the YAML.';
 
-/** By the path of a list: columns that the user added, and the units chosen for some. */
+/** By the path of a list: added columns, and selected units. */
 export const askedColumns = signal<Record<string, string[]>>({});
 export const chosenUnits = signal<Record<string, Record<string, string>>>({});
-/** Changes of grids that the program has not answered yet. */
+/** Pending changes of grids. */
 export const writingRows = signal(0);
 
 effect(() => { void opened.value; untracked(() => { drafts.value = new Map(); }); });
@@ -40,7 +40,7 @@ function setDrafts(change: (map: Map<string, Draft>) => void): void {
 
 export const dropDrafts = (paths: string[]): void => setDrafts((map) => { for (const path of paths) map.delete(path); });
 
-/** Changes of rows rest on those before them: one after another. */
+/** Changes of rows depend on the previous ones: they are sent one after another. */
 let queue: Promise<unknown> = Promise.resolve();
 
 function inTurn(act: () => Promise<boolean>): Promise<boolean> {
@@ -52,32 +52,32 @@ function inTurn(act: () => Promise<boolean>): Promise<boolean> {
 
 async function send(changes: Change[]): Promise<boolean> {
   if (changes.length === 0) return true;
-  if (changes.length > mostChanges) throw new Error(`${changes.length} changes are more than the ${mostChanges} that can be made in one step`);
+  if (changes.length > mostChanges) throw new Error(`${changes.length} changes exceed the limit of ${mostChanges} in one step`);
   return setKeys(changes);
 }
 
-/** A cell by its place in a list, with what was typed and what is read of it. */
+/** A cell by its position in a list, with its typed text and value. */
 export interface TypedCell { list: string; row: number; key: string; text: string; read: ReadCell }
 
-const pathOf = (cell: { list: string; row: number; key: string }): string => `${cell.list}[${cell.row}]${cell.key ? `.${cell.key}` : ''}`;
+const cellKey = (cell: { list: string; row: number; key: string }): string => `${cell.list}[${cell.row}]${cell.key ? `.${cell.key}` : ''}`;
 
 function note(cells: TypedCell[]): Map<string, Draft> {
-  const own = new Map<string, Draft>();
+  const written = new Map<string, Draft>();
   for (const cell of cells) {
-    const path = pathOf(cell), base = writtenText(byPath.value.get(path));
-    if ('message' in cell.read) own.set(path, { text: cell.text, message: cell.read.message, base });
-    else own.set(path, { text: cell.text, message: '', base });
+    const path = cellKey(cell), base = writtenText(byPath.value.get(path));
+    if ('message' in cell.read) written.set(path, { text: cell.text, message: cell.read.message, base });
+    else written.set(path, { text: cell.text, message: '', base });
   }
-  setDrafts((map) => { for (const [path, draft] of own) map.set(path, draft); });
-  return own;
+  setDrafts((map) => { for (const [path, draft] of written) map.set(path, draft); });
+  return written;
 }
 
-/** What was on its way is in the model now, or was refused for a reason; newer texts in the same cells stay. */
-function settle(own: Map<string, Draft>, refused: string): void {
+/** Pending cells are now in the model, or were rejected with a reason; newer texts in the same cells are kept. */
+function settle(written: Map<string, Draft>, reason: string): void {
   setDrafts((map) => {
-    for (const [path, draft] of own) {
+    for (const [path, draft] of written) {
       if (map.get(path) !== draft || draft.message) continue;
-      if (refused) map.set(path, { ...draft, message: refused });
+      if (reason) map.set(path, { ...draft, message: reason });
       else map.delete(path);
     }
   });
@@ -87,10 +87,10 @@ const reason = (error: unknown): string => (error instanceof ApiError || error i
 
 function isSame(cell: TypedCell): boolean {
   if ('message' in cell.read) return true;
-  return String(cell.read.value ?? '') === writtenText(byPath.value.get(pathOf(cell)));
+  return String(cell.read.value ?? '') === writtenText(byPath.value.get(cellKey(cell)));
 }
 
-/** Number of items in the model, also of those that the program did not name. */
+/** Number of items in the model, including those without fields. */
 export function countIn(list: string): number {
   const field = byPath.value.get(list);
   return field?.given && field.kind === 'list' ? field.count ?? 0 : 0;
@@ -100,14 +100,14 @@ function changesIn(list: string, edits: CellEdit[], fill: (row: number) => unkno
   const items = listItems(fields.value, list);
   if (!items && edits.length > mostCells) throw new Error(tooLong);
   const known = items ?? Array.from({ length: countIn(list) }, (): unknown => ({}));
-  // of items that are not known all that matters is which of their cells are given
+  // for unknown items only the given cells matter
   if (!items) for (const e of edits) if (e.row < known.length) known[e.row] = withValue(known[e.row], e.key, e.value ?? '');
   return cellChanges(list, known, edits, fill);
 }
 
-/** `fill`: what a new row has besides the cells that were typed. */
+/** `fill`: values of a new row in addition to the typed cells. */
 export function writeCells(typed: TypedCell[], fill: (list: string, row: number) => unknown = () => ({})): Promise<boolean> {
-  const own = note(typed);
+  const written = note(typed);
   return inTurn(async () => {
     try {
       const lists = [...new Set(typed.map((cell) => cell.list))];
@@ -117,21 +117,21 @@ export function writeCells(typed: TypedCell[], fill: (list: string, row: number)
         return changesIn(list, edits, (row) => fill(list, row));
       });
       const done = await send(changes);
-      settle(own, '');
+      settle(written, '');
       return done;
     } catch (error) {
-      settle(own, reason(error));
+      settle(written, reason(error));
       return false;
     }
   });
 }
 
-/** Drafts of a list whose rows got other numbers; null: the row is gone. */
+/** Drafts of a list whose rows were renumbered; null: the row is gone. */
 function moveDrafts(list: string, next: (row: number) => number | null): void {
   setDrafts((map) => {
-    const own = [...map].filter(([path]) => path.startsWith(`${list}[`));
-    for (const [path] of own) map.delete(path);
-    for (const [path, draft] of own) {
+    const affected = [...map].filter(([path]) => path.startsWith(`${list}[`));
+    for (const [path] of affected) map.delete(path);
+    for (const [path, draft] of affected) {
       const match = /^\[(\d+)\](.*)$/.exec(path.slice(list.length))!;
       const row = next(Number(match[1]));
       if (row !== null) map.set(`${list}[${row}]${match[2]}`, draft);
@@ -139,7 +139,7 @@ function moveDrafts(list: string, next: (row: number) => number | null): void {
   });
 }
 
-/** Another order or other rows of a list. `moves`: the new number of a row that was there. */
+/** Reorders or replaces rows of a list. `moves`: new index of a previous row. */
 export function writeItems(list: string, make: (items: unknown[]) => unknown[], moves: (row: number) => number | null = (row) => row): Promise<boolean> {
   return inTurn(async () => {
     try {
@@ -162,7 +162,7 @@ export function removeRows(list: string, rows: number[]): Promise<boolean> {
   });
 }
 
-/** All rows of a list from a pasted table; `prefix`: what has to be done before there can be a list. */
+/** Replaces all rows of a list by a pasted table; `prefix`: changes required before there can be a list. */
 export function replaceItems(list: string, items: (before: unknown[]) => unknown[], bad: TypedCell[], prefix: Change[] = [], isAppended = false): Promise<boolean> {
   return inTurn(async () => {
     try {

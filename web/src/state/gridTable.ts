@@ -1,4 +1,4 @@
-// The table of one list of the model or of several of a kind: what a grid shows of it, and what its commands do.
+// The table of one list of the model or of several of a kind: contents of the grid, and its commands.
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { firstItem } from '../logic/firstItems';
 import { readCell } from '../logic/gridCells';
@@ -15,18 +15,18 @@ import { listedStages } from './operation';
 import { runSummary } from './runs';
 import { calmLay, ofRun } from './shown';
 
-const ownColumn: ViewColumn = { id: listColumn, title: 'on', unit: '', group: '', info: 'What the box is on', editable: false, words: true, units: [], choices: [], column: null };
+const ownColumn: ViewColumn = { id: listColumn, title: 'on', unit: '', group: '', info: 'Structure of the box', editable: false, isText: true, units: [], choices: [], column: null };
 
 export interface GridTable {
   columns: ViewColumn[];
   rows: ViewRow[];
   /** Columns that are not shown. */
   hidden: GridColumn[];
-  /** Under this path columns and units are remembered. */
+  /** Columns and units are stored under this path. */
   key: string;
 }
 
-/** Rows that have not changed stay the same objects, so that they are not drawn again. */
+/** Unchanged rows remain the same objects, so that they are not drawn again. */
 function keptRows(before: ViewRow[], after: ViewRow[]): ViewRow[] {
   const known = new Map(before.map((row) => [row.id, row]));
   return after.map((row) => { const old = known.get(row.id); return old && JSON.stringify(old) === JSON.stringify(row) ? old : row; });
@@ -69,7 +69,7 @@ const typedCell = ({ row, column, text }: GridCell): TypedCell => ({ list: row.l
 export const editCells = (cells: GridCell[]): void => { void writeCells(cells.filter((c) => c.column.column !== null).map(typedCell)); };
 export const dropCells = (cells: GridCell[]): void => dropDrafts(cells.map((c) => cellPath(c.row, c.column.id)));
 
-/** What a new row takes from those above: what the last two have in common, besides what is pasted. */
+/** Values of a new row: those common to the last two rows, in addition to pasted values. */
 export function commonValues(items: unknown[], columns: GridColumn[], without: string[]): unknown {
   const last = items.at(-1), before = items.at(-2) ?? last;
   if (last === undefined || columns[0]?.key === '') return {};
@@ -89,17 +89,17 @@ function itemsIn(list: string, columns: GridColumn[]): unknown[] {
 
 const pastedText = (text: string, place: PastePlace): string[][] | null => (/[\t\n]/.test(text.trim()) || (place.rectangle.top === place.rectangle.bottom && place.rectangle.left === place.rectangle.right) ? null : [[text.trim()]]);
 
-/** Those that are not shown as well. */
+/** Including hidden columns. */
 export const allColumns = (table: GridTable): GridColumn[] => [...table.columns.flatMap((c) => (c.column ? [c.column] : [])), ...table.hidden];
 
-/** A pasted table; its heads may name columns that are not shown. */
+/** A pasted table; its heads may name hidden columns. */
 export const readTable = (table: GridTable, text: string, from = 0): Pasted => readPaste(text, table.columns, from, inputColumns(table.hidden, [], modelParts.value, {}), columnSizes(table.columns, table.rows));
 
-/** Into the cells from the selected one on; rows that are missing are added to the last list. */
+/** Into the cells from the selected one on; missing rows are added to the last list. */
 export function pasteAt(table: GridTable, text: string, place: PastePlace): Pasted {
   const { rectangle: r } = place;
   if (pastedText(text, place)) {
-    // a single value fills what is selected
+    // a single value fills the selection
     const cells = place.rows.slice(0, r.bottom - r.top + 1).flatMap((row) => table.columns.slice(r.left, r.right + 1).filter((c) => c.editable).map((column) => ({ row, column, text: text.trim() })));
     editCells(cells);
     return { rows: [], ignored: [], hasHead: false, columns: [] };
@@ -119,14 +119,14 @@ export function pasteAt(table: GridTable, text: string, place: PastePlace): Past
 
 export type PasteMode = 'replace' | 'append';
 
-/** A whole table in the place of a list, or behind its rows. */
+/** A whole table that replaces a list, or is appended to its rows. */
 export function pasteTable(list: string, columns: GridColumn[], pasted: Pasted, mode: PasteMode): Promise<boolean> {
   const field = byPath.value.get(list), isArc = field?.kind === 'map' && field.given;
   const without = pasted.columns.map((c) => c.id), radius = list.replace(/boxes$/, 'radius');
   const prefix = isArc ? [{ path: list, value: null }, ...(byPath.value.get(radius)?.given ? [{ path: radius, value: null }] : [])] : [];
   const start = mode === 'append' ? countIn(list) : 0;
   const bad = pasted.rows.flatMap((row, i) => row.cells.filter((c) => 'message' in c.read).map((c): TypedCell => ({ list, row: start + i, key: c.column.id, text: c.text, read: c.read })));
-  // a table with all that is needed is a new list; others go over the rows that are there
+  // a table with all required columns is a new list; other tables overwrite the present rows
   const isWhole = columns.every((c) => !c.required || without.includes(c.key));
   const make = (before: unknown[]): unknown[] => {
     const common = commonValues(before, columns, without);
@@ -141,7 +141,7 @@ export function addRow(list: string, columns: GridColumn[]): Promise<boolean> {
   return writeItems(list, (items) => [...items, nextItem(items, columns, first)]);
 }
 
-/** The selected rows by the list that they are in. */
+/** The selected rows by their list. */
 function byList(rows: ViewRow[]): [list: string, indices: number[]][] {
   return [...new Set(rows.map((row) => row.list))].map((list) => [list, rows.filter((row) => row.list === list).map((row) => row.index).sort((a, b) => a - b)]);
 }
@@ -156,9 +156,9 @@ export function duplicateSelected(rows: ViewRow[]): void {
 }
 
 export async function moveSelected(rows: ViewRow[], step: 1 | -1): Promise<string> {
-  const [own, ...others] = byList(rows);
-  if (!own || others.length > 0) return '';
-  const [list, indices] = own, top = indices[0]!, bottom = indices.at(-1)!;
+  const [first, ...others] = byList(rows);
+  if (!first || others.length > 0) return '';
+  const [list, indices] = first, top = indices[0]!, bottom = indices.at(-1)!;
   const count = itemCount(modelParts.value, list);
   if (bottom - top + 1 !== indices.length || (step < 0 ? top === 0 : bottom === count - 1)) return '';
   const neighbour = step < 0 ? top - 1 : bottom + 1;
@@ -166,7 +166,7 @@ export async function moveSelected(rows: ViewRow[], step: 1 | -1): Promise<strin
   return (await writeItems(list, (items) => shifted(items, top, bottom, step), moves)) ? `${list}[${top + step}]` : '';
 }
 
-/** The order that is seen becomes that of the model. */
+/** The order shown becomes that of the model. */
 export function writeOrder(sorted: ViewRow[]): void {
   for (const list of new Set(sorted.map((row) => row.list))) {
     const order = sorted.filter((row) => row.list === list).map((row) => row.index);

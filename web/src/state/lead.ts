@@ -1,4 +1,4 @@
-// Leading to the place of a fault: to its field among the properties of its object where it has one, else to its line in the YAML.
+// Navigation to an error: to its field in the properties of its object if it has one, otherwise to its line in the YAML.
 import { effect, signal, untracked } from '@preact/signals';
 import type { Diagnostic } from '../api/types';
 import { tree } from '../logic/formTree';
@@ -7,14 +7,14 @@ import { lineOfKey } from '../logic/yamlPlace';
 import { byPath, diagnostics, errors, fields, opened, text } from './model';
 import { drawer, object, showDockTab } from './workspace';
 
-/** Where properties or editor shall go; a new object each time, so that asking twice leads twice. */
+/** Target in properties or editor; a new object each time, so that a repeated request works. */
 export const lead = signal<{ key: string; line: number } | null>(null);
 
-/** The key itself, or the nearest group above it that the form knows. */
+/** The key itself, or its nearest parent in the form. */
 export function knownKey(key: string): string {
-  let at = key;
-  while (at && !byPath.value.has(at)) at = at.replace(/(?:\.[^.[]*|\[\d+\])$|^[^.[]*$/, '');
-  return at;
+  let path = key;
+  while (path && !byPath.value.has(path)) path = path.replace(/(?:\.[^.[]*|\[\d+\])$|^[^.[]*$/, '');
+  return path;
 }
 
 export function leadTo(key: string, line = 0): void {
@@ -35,15 +35,15 @@ export function leadToText(key: string): void {
   lead.value = { key: '', line: lineOfKey(text.value, key) };
 }
 
-export const leadToFault = (d: Diagnostic): void => leadTo(d.key, d.line);
+export const leadToDiagnostic = (d: Diagnostic): void => leadTo(d.key, d.line);
 
-/** A file that cannot be read as YAML has no objects to show: it opens in the editor, at its fault. */
+/** A file that is not valid YAML has no objects: it opens in the editor, at its error. */
 export function startLead(): void {
   effect(() => {
     if (opened.value === 0) return;
     untracked(() => {
       const unreadable = errors.value.find((d) => !d.key && d.line > 0);
-      if (unreadable && fields.value.every((f) => !f.given)) leadToFault(unreadable);
+      if (unreadable && fields.value.every((f) => !f.given)) leadToDiagnostic(unreadable);
     });
   });
 }

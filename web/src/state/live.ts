@@ -1,11 +1,11 @@
-// Live statics: values on top of the model that are tried out, and the solution that belongs to them.
+// Live statics: trial values on top of the model, and their solution.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import { Solver } from '../api/solver';
 import type { Change, Converged, Scene, StaticAnswer } from '../api/types';
 import { liveChanges, type LiveBase, type LiveValues, readBase } from '../logic/live';
 import { liveScene } from '../logic/liveScene';
-import { inUnitOf } from '../logic/units';
+import { convertLike } from '../logic/units';
 import { colourBy, slots } from './look';
 import { byPath, errors, fields, hasModel, opened, revision, setKeys } from './model';
 import { say, sayError } from './notices';
@@ -16,36 +16,36 @@ export const base = computed<LiveBase>(() => readBase(fields.value));
 export const changes = computed<Change[]>(() => liveChanges(base.value, values.value));
 
 export const solution = signal<Converged | null>(null);
-/** Why there is no solution for the values shown; the last good one then stays in grey. */
+/** Reason for the missing solution at the values shown; the last solution is then shown in grey. */
 export const failure = signal<{ what: string; where: string; why: string } | null>(null);
-/** The solution as panels and diagrams show it: the newest, but while a value is dragged at most every `calmTime` ms. */
+/** The solution for panels and diagrams: the latest, but during a drag at most every `calmTime` ms. */
 export const calm = signal<Converged | null>(null);
 const calmTime = 100;
-/** A value is being dragged: whatever takes time and is not looked at now can wait. */
+/** A value is being dragged: slow or hidden updates can wait. */
 export const dragging = signal(false);
 const standing = signal<Scene | null>(null);
-/** What stands still, with the values tried out. */
+/** The fixed scene, with the trial values. */
 export const scene = computed<Scene | null>(() => (standing.value ? liveScene(standing.value, values.value[depthKey], values.value[trimKey], base.value.fields.get(trimKey)?.si ?? 0) : null));
-/** The program has been solving for longer than the eye would take as at once. */
+/** The solution takes noticeably long. */
 export const solvingNow = signal(false);
-/** From the moment of asking to the answer, in ms. */
+/** From the request to the answer, in ms. */
 export const roundTrip = signal(0);
 
 interface Request { asked: number; revision: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
-/** Lists along the pipe that are on the screen: no others are sent while dragging. */
+/** Visible lists along the pipe: others are not sent during a drag. */
 const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(effective_tension|bending_moment|bending_stress|von_mises|strain|utilisation|checks)$/.test(name));
 
-/** Revision with which the open model was opened. */
+/** Revision at which the open model was opened. */
 let openedAt = 0;
 
 let slowTimer = 0;
-/** A solution that takes longer than this is said to be on its way [ms]. */
+/** A longer solution time is shown as pending [ms]. */
 const slow = 150;
 
 const gate = new Solver<Request>(
   (answer: StaticAnswer, request) => batch(() => {
-    if (request.revision < openedAt) return; // of the model that was open before
+    if (request.revision < openedAt) return; // of the previously open model
     roundTrip.value = performance.now() - request.asked;
     clearTimeout(slowTimer);
     solvingNow.value = false;
@@ -54,7 +54,7 @@ const gate = new Solver<Request>(
     else if (answer.status === 'failed') failure.value = answer;
     else {
       const first = answer.diagnostics.find((d) => d.severity === 'error') ?? answer.diagnostics[0];
-      failure.value = { what: 'The model cannot be computed like this', where: first?.key ?? '', why: first?.message ?? '' };
+      failure.value = { what: 'The model cannot be solved', where: first?.key ?? '', why: first?.message ?? '' };
     }
   }),
   sayError,
@@ -66,13 +66,13 @@ function submit(request: Request): void {
   gate.submit(request);
 }
 
-/** Answers taken in since the start, for measurements. */
+/** Number of answers since the start, for measurements. */
 export const solved = { count: 0 };
 (globalThis as unknown as { __solved: typeof solved }).__solved = solved;
 
 let restTimer = 0;
 
-/** Dragging ends when a value has rested: then everything is asked for once more in full. */
+/** A drag ends when the value has been constant for a while: then all data are requested once more. */
 function stir(): void {
   dragging.value = true;
   clearTimeout(restTimer);
@@ -83,7 +83,7 @@ function stir(): void {
   restTimer = window.setTimeout(rest, 250);
 }
 
-/** Tries out an SI value of a key, or of a variable that sets several; undefined goes back to the model's. */
+/** Sets a trial SI value of a key, or of a variable that sets several; undefined resets it to the model. */
 export function setLive(id: string, si: number | undefined): void {
   stir();
   const next = { ...values.value };
@@ -93,15 +93,15 @@ export function setLive(id: string, si: number | undefined): void {
 
 export function resetLive(): void { values.value = {}; }
 
-/** Writes what is tried out into the model, in one step: everything, or one value only. */
+/** Writes the trial values into the model, in one step: all, or one value only. */
 export async function applyLive(id?: string): Promise<void> {
   const wanted = values.value;
   const part: LiveValues = id === undefined ? wanted : id in wanted ? { [id]: wanted[id]! } : {};
   const written = (path: string): string => String(byPath.value.get(path)?.value ?? '');
-  const list = liveChanges(base.value, part).map((c) => (typeof c.value === 'string' ? { ...c, value: inUnitOf(c.value, written(c.path)) } : c));
+  const list = liveChanges(base.value, part).map((c) => (typeof c.value === 'string' ? { ...c, value: convertLike(c.value, written(c.path)) } : c));
   if (list.length === 0) return;
   try {
-    // what was varied further meanwhile stays tried out
+    // values varied further meanwhile remain trial values
     const rest = (): void => { values.value = Object.fromEntries(Object.entries(values.value).filter(([key, si]) => part[key] !== si)); };
     if (!await setKeys(list, rest)) return;
     if (id === undefined) say('Written into the model');
@@ -114,7 +114,7 @@ async function fetchScene(): Promise<void> {
   const mine = ++sceneCount, asked = revision.value;
   try {
     const answer = await get<Scene | { status: 'invalid' }>('scene');
-    // an answer that was overtaken is older than what is shown
+    // an overtaken answer is older than the solution shown
     if (answer.status === 'ok' && mine === sceneCount && asked >= openedAt) standing.value = answer;
   } catch (error) { sayError(error); }
 }
@@ -123,7 +123,7 @@ export function startLive(): void {
   let seen = 0;
   let last: Change[] | null = null;
   effect(() => {
-    // another model: the sliders start from it, and the old pipe must not be taken for its own
+    // another model: the sliders are reset, and the previous pipe must not be mistaken for its own
     if (opened.value !== seen) { seen = opened.value; openedAt = revision.peek(); values.value = {}; solution.value = null; calm.value = null; failure.value = null; standing.value = null; }
   });
   let timer = 0;

@@ -1,5 +1,5 @@
-// The open model: text, fields and faults, and everything that changes them. The program holds the truth; the page
-// sends each change with the revision it knows, so that two tabs cannot overwrite each other unseen.
+// The open model: text, fields and diagnostics, and everything that changes them. The program owns the state; the page
+// sends each change with its revision, so that two tabs cannot overwrite each other unnoticed.
 import { batch, computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
 import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
@@ -16,24 +16,24 @@ export const diagnostics = signal<Diagnostic[]>([]);
 export const fields = signal<Field[]>([]);
 export const hasModel = signal(false);
 export const loading = signal(true);
-/** Another tab was first: this tab's text, kept until the user says which of the two shall stay. */
+/** Conflict with another tab: the text of this tab, kept until the user decides between the two. */
 export const conflict = signal<{ mine: string; changes: Change[] } | null>(null);
-/** Save found another text in the file than the one that was read: both, until the user says which shall stay. */
+/** Conflict with the file on disk: both texts, until the user decides. */
 export const overwrite = signal<{ name: string; mine: string; theirs: string; version: string } | null>(null);
-/** Version of the model's file that this page knows. */
+/** Version of the model file known to this page. */
 export const disk = signal<string | null | undefined>(undefined);
-/** An example as it was opened: as long as it is untouched nothing would be lost with it. */
+/** An unchanged example: replacing it loses nothing. */
 const untouched = signal<string | null>(null);
-/** Whether opening another model would lose something. */
+/** True if opening another model would lose changes. */
 export const unsaved = computed(() => hasModel.value && !saved.value && text.value !== untouched.value);
-/** Counts models that were opened anew, for whatever has to start afresh then (camera, sliders). */
+/** Counts opened models, for everything that is reset then (camera, sliders). */
 export const opened = signal(0);
 
 export const errors = computed(() => diagnostics.value.filter((d) => d.severity === 'error'));
 export const byPath = computed(() => new Map(fields.value.map((f) => [f.path, f])));
 export const title = computed(() => String(byPath.value.get('title')?.value ?? '') || fileName.value || 'New model');
 
-// Undo is kept in the tab, so that it outlives a reload.
+// Undo is stored in the tab, so that it survives a reload.
 const undoKey = 'overbend.undo';
 const undoRoom = 1_500_000; // characters
 
@@ -48,13 +48,13 @@ export const canRedo = signal(false);
 function noteUndo(): void {
   canUndo.value = undoStack.canUndo;
   canRedo.value = undoStack.canRedo;
-  try { sessionStorage.setItem(undoKey, JSON.stringify(undoStack.keep(undoRoom))); } catch { /* no room, or a private window: undo ends with a reload */ }
+  try { sessionStorage.setItem(undoKey, JSON.stringify(undoStack.keep(undoRoom))); } catch { /* no space, or a private window: undo ends with a reload */ }
 }
 
-// Requests that change the model go one after another: each needs the revision that the one before it made.
+// Requests that change the model are sequential: each needs the revision of the previous one.
 let queue: Promise<unknown> = Promise.resolve();
 export const writing = signal(0);
-/** Whether the text is one that the program did not get, since it did not answer. */
+/** True if the program has not received the text because it did not answer. */
 const unsent = signal(false);
 
 function inTurn<T>(act: () => Promise<T>): Promise<T> {
@@ -74,7 +74,7 @@ function take(answer: Partial<ModelAnswer>): void {
   if (answer.disk !== undefined) disk.value = answer.disk;
 }
 
-/** `steps`: what undo goes back to; a file that is opened starts afresh. */
+/** `steps`: undo steps; empty for an opened file. */
 function takeOpened(answer: ModelAnswer, steps = new UndoStack(answer.text)): void {
   take(answer);
   conflict.value = null;
@@ -106,8 +106,8 @@ async function guarded(act: () => Promise<void>, mine: () => string, changes: Ch
     return true;
   } catch (error) {
     if (error instanceof ApiError && error.status === 409 && (error.body as Partial<DiskConflict> | null)?.error?.reason === 'disk') {
-      const { disk: found, revision: own } = error.body as DiskConflict;
-      if (own !== undefined) revision.value = own;
+      const { disk: found, revision: ownRevision } = error.body as DiskConflict;
+      if (ownRevision !== undefined) revision.value = ownRevision;
       overwrite.value = { name: found.name, mine: mine(), theirs: found.text, version: found.version };
       return false;
     }
@@ -119,14 +119,14 @@ async function guarded(act: () => Promise<void>, mine: () => string, changes: Ch
   }
 }
 
-/** A text from the editor, from undo, or a whole new one. The page shows it at once and the program judges it after. */
+/** A text from the editor, from undo, or a new model. The page shows it at once, and the program checks it afterwards. */
 export async function putText(next: string, origin: string, name?: string): Promise<void> {
   if (origin !== 'undo') { undoStack.push(next, origin, performance.now()); noteUndo(); }
   text.value = next;
   try {
     await guarded(async () => {
       const answer = await put<ModelAnswer>('model', { text: next, revision: revision.value, ...(name === undefined ? {} : { name }) });
-      // What was typed since then is the newer text; its own request follows.
+      // Text typed since then is newer; its own request follows.
       take({ ...answer, text: text.value === next ? next : text.value });
       if (name !== undefined) fileName.value = name;
       hasModel.value = true;
@@ -138,11 +138,11 @@ export async function putText(next: string, origin: string, name?: string): Prom
   }
 }
 
-/** Sends the text that the program did not get while it could not be reached. */
+/** Sends the text that the program did not receive during an interruption. */
 export function sendAgain(): void { if (unsent.value) void putText(text.value, 'undo'); }
 
-/** Sets keys in the YAML, unless another change came before: then the user is asked, and this gives false. Throws with the
- * program's reason where the keys cannot be set. `taken` is done together with the change, so that nothing is shown in between. */
+/** Sets keys in the YAML. Returns false if another change came first, after which the user is asked. Throws with the reason
+ * of the program if the keys cannot be set. `taken` runs together with the change, so that no intermediate state is shown. */
 export async function setKeys(changes: Change[], taken?: () => void): Promise<boolean> {
   return guarded(async () => {
     const answer = await post<ModelAnswer>('model/set', { changes, revision: revision.value });
@@ -175,14 +175,14 @@ export async function openExample(name: string): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-/** `version`: that of the file which shall be replaced, when the user has seen it; else the one that was read. */
+/** `version`: version of the file to be replaced, if the user has confirmed it; otherwise the version that was read. */
 export async function save(name: string, version?: string): Promise<boolean> {
   try {
     const known = version ?? (name === fileName.value ? disk.value : undefined);
     const done = await guarded(async () => {
       const sent = text.value;
       const answer = await post<ModelAnswer>('model/save', { name, text: sent, revision: revision.value, ...(known === undefined ? {} : { disk: known }) });
-      // What was typed since then is the newer text; its own request follows.
+      // Text typed since then is newer; its own request follows.
       take({ ...answer, text: text.value === sent ? answer.text : text.value });
     }, () => text.value);
     if (done) { overwrite.value = null; say(`Saved as ${fileName.value}`); }
@@ -190,7 +190,7 @@ export async function save(name: string, version?: string): Promise<boolean> {
   } catch (error) { sayError(error); return false; }
 }
 
-/** Takes the text of the file in the place of the own one, which undo brings back. */
+/** Replaces the text by that of the file; undo restores it. */
 export async function takeFile(name: string): Promise<void> {
   try {
     const answer = await inTurn(() => post<ModelAnswer>('model/open', { name }));
@@ -199,18 +199,18 @@ export async function takeFile(name: string): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-/** Text that is being typed and has not been sent yet. */
+/** Typed text that has not been sent yet. */
 export const typing = signal(false);
 
-/** The browser asks before the page is left with changes that the program has not taken yet. */
+/** The browser warns before the page is closed with unsent changes. */
 export function guardLeaving(): void {
   addEventListener('beforeunload', (e) => { if (typing.value || writing.value > 0 || unsent.value) e.preventDefault(); });
 }
 
-/** How often the newer text was chosen: a field then shows that, also where it is what the model had before. */
+/** Counts decisions for the newer text: a field then shows it, even if the model has the same value as before. */
 export const newerChosen = signal(0);
 
-/** `unasked`: only where no change of this tab is under way, which would be lost. */
+/** `unasked`: only if no change of this tab is pending, which would be lost. */
 export async function takeTheirs(unasked = false): Promise<void> {
   try {
     const theirs = await get<ModelAnswer>('model');
@@ -236,7 +236,7 @@ export async function keepMine(): Promise<void> {
 }
 
 export function modelEvent(event: { revision: number }): void {
-  // The event may overtake the answer to this tab's own change: look again when nothing is on its way.
+  // The event may overtake the answer to a change of this tab: check again when nothing is pending.
   void queue.then(() => setTimeout(() => {
     if (writing.value > 0 || conflict.value || typing.value || event.revision <= revision.value) return;
     const before = text.value;

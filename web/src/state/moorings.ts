@@ -1,38 +1,38 @@
-// Which stage of an operation is shown, and which line is looked at.
+// Selected stage of an operation, and selected line.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { MooredState, MooringLine } from '../api/types';
-import { largestOfRun, stateOf } from '../logic/moorings';
+import { largestOfRun, mooredStateAt } from '../logic/moorings';
 import { picked } from './look';
 import { opened } from './model';
 import { runSummary, selectedId } from './runs';
 import { calmLay, shownLay } from './shown';
 
-/** Number of the stage from 0; -1 the rest. */
+/** Index of the stage from 0; -1: the equilibrium. */
 export const stage = signal(-1);
-/** Name of the line that is looked at. */
+/** Name of the selected line. */
 export const chosenLine = signal<string | null>(null);
 
-/** A second choice of the same line ends it. */
+/** Selecting the same line again clears the selection. */
 export function chooseLine(name: string): void {
   const off = chosenLine.value === name;
   chosenLine.value = off ? null : name;
   picked.value = off ? null : { kind: 'line', name };
 }
 
-export const mooredState = computed<MooredState | null>(() => { const m = shownLay.value?.moorings; return m ? stateOf(m, stage.value) : null; });
-/** The same, at the pace of panels. */
-export const calmState = computed<MooredState | null>(() => { const m = calmLay.value?.moorings; return m ? stateOf(m, stage.value) : null; });
+export const mooredState = computed<MooredState | null>(() => { const m = shownLay.value?.moorings; return m ? mooredStateAt(m, stage.value) : null; });
+/** The same, at the update rate of panels. */
+export const calmState = computed<MooredState | null>(() => { const m = calmLay.value?.moorings; return m ? mooredStateAt(m, stage.value) : null; });
 
-/** The lines with the largest tensions of the run that is looked at; null without a run in time. */
+/** Lines with the maximum tensions of the selected run; null without a dynamic run. */
 export const linesOfRun = computed<MooringLine[] | null>(() => {
   const lines = calmState.value?.moorings, run = runSummary.value?.dynamic?.moorings;
   return selectedId.value && lines && run?.length && stage.value < 0 ? largestOfRun(lines, run) : null;
 });
 
-/** The lines by themselves in the run that is looked at; null without a run in time. */
+/** Lines other than moorings in the selected run; null without a dynamic run. */
 export const aloneInTime = computed(() => (selectedId.value ? runSummary.value?.dynamic?.lines ?? null : null));
 
-/** Another model, another run: its rest is shown. */
+/** For another model or run its equilibrium is shown. */
 export function startMoorings(): void {
   effect(() => { void opened.value; void selectedId.value; untracked(() => { stage.value = -1; chosenLine.value = null; }); });
 }

@@ -1,4 +1,4 @@
-// The way back from a state that does not solve: the nearest value that does, between the last solved state and this one.
+// Recovery from a state without a solution: the nearest value with a solution, between the last solved state and the present one.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { post } from '../api/client';
 import type { StaticAnswer } from '../api/types';
@@ -16,13 +16,13 @@ const fieldNumbers = (): Numbers => Object.fromEntries([...base.value.fields.val
 
 interface Way { from: Numbers; to: Numbers; names: string[]; tried: boolean }
 
-/** Numbers that led from what was solved to what is not: those tried out, else those that the last changes of the model set. */
+/** Values that differ from the solved state: trial values, otherwise those of the last changes of the model. */
 const way = computed<Way | null>(() => {
   const solved = lastSolved.value;
   if (!failure.value || !solved || errors.value.length > 0) return null;
   if (solved.revision === revision.value) {
-    const to = values.value, at = (id: string): number | undefined => solved.values[id] ?? findVariable(id, base.value)?.si;
-    const from = Object.fromEntries(Object.keys(to).map((id) => [id, at(id)]));
+    const to = values.value, startValue = (id: string): number | undefined => solved.values[id] ?? findVariable(id, base.value)?.si;
+    const from = Object.fromEntries(Object.keys(to).map((id) => [id, startValue(id)]));
     return Object.values(from).every((v) => v !== undefined) && Object.keys(to).length ? { from: from as Numbers, to, names: Object.keys(to), tried: true } : null;
   }
   const to = fieldNumbers(), names = differing(solved.fields, to);
@@ -39,17 +39,17 @@ async function solves(state: Numbers): Promise<boolean> {
   return answer.status === 'converged';
 }
 
-/** Finds it and takes it: on the sliders where values were tried out, else into the model as one step of undo. */
+/** Finds and applies it: to the sliders for trial values, otherwise to the model as one undo step. */
 export async function takeNearest(): Promise<void> {
-  const at = way.value, asked = revision.value;
-  if (!at) return;
+  const start = way.value, asked = revision.value;
+  if (!start) return;
   findingNearest.value = true;
   try {
-    const found = await nearestSolved(at.from, at.to, solves);
+    const found = await nearestSolved(start.from, start.to, solves);
     if (asked !== revision.value) return;
-    if (at.tried) for (const [id, si] of Object.entries(found)) setLive(id, si);
+    if (start.tried) for (const [id, si] of Object.entries(found)) setLive(id, si);
     else await setKeys(liveChanges(base.value, found));
-    say(`Nearest that solves: ${Object.entries(found).slice(0, 3).map(([id, si]) => {
+    say(`Nearest solution: ${Object.entries(found).slice(0, 3).map(([id, si]) => {
       const variable = findVariable(id, base.value);
       return `${variableName(id, base.value.fields)} ${variable ? variableText(variable, si) : si}`;
     }).join(', ')}`);

@@ -1,4 +1,4 @@
-// What the histories of a run say of vessel and moorings: the track of midship, and the extremes of every line.
+// Histories of vessel and moorings in a run: the track of midship, and the extremes of every line.
 import { effect, signal, untracked } from '@preact/signals';
 import type { Column } from '../api/types';
 import { scatter, type Scatter } from '../logic/plan';
@@ -8,15 +8,15 @@ import { shownDrawn } from './shown';
 export interface OffsetsInTime { track: [number, number][]; scatter: Scatter }
 export interface Extremes { min: number; max: number }
 
-/** Midship from where it is drawn, east and north; null where the run has no such histories. */
+/** Midship relative to its nominal position, east and north; null if the run has no such histories. */
 export const offsetsInTime = signal<OffsetsInTime | null>(null);
 /** By history, from t = 0 on. */
 export const extremes = signal<Record<string, Extremes>>({});
 
-const most = 20000; // points: more are thinned out by the program
-const told = /^(mooring\/.*|thrust\/.*|vessel\/(surge|sway|heave|roll|pitch|yaw))$/;
+const most = 20000; // points: longer histories are reduced by the program
+const recorded = /^(mooring\/.*|thrust\/.*|vessel\/(surge|sway|heave|roll|pitch|yaw))$/;
 
-/** Shifts forward and to port as shifts east and north. */
+/** Converts offsets forward and to port to offsets east and north. */
 export function eastNorth(drawn: readonly number[], surge: readonly number[], sway: readonly number[]): [number, number][] {
   const heading = Math.atan2(drawn[6]!, drawn[3]!), c = Math.cos(heading), s = Math.sin(heading);
   return surge.map((u, i) => [c * u - s * sway[i]!, s * u + c * sway[i]!]);
@@ -26,7 +26,7 @@ let count = 0;
 
 async function load(id: string, list: Column[], drawn: number[] | null): Promise<void> {
   const mine = ++count;
-  const names = list.map((c) => c.name).filter((name) => told.test(name));
+  const names = list.map((c) => c.name).filter((name) => recorded.test(name));
   const whole = names.length ? await fetchSeries(id, names, 0, null, 50) : {};
   if (mine !== count) return;
   const found: Record<string, Extremes> = {};

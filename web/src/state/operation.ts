@@ -1,4 +1,4 @@
-// The operation on the line: its table of stages, and the stage whose line picture and diagrams show.
+// The operation on the line: its table of stages, and the stage shown in picture and diagrams.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { get, post } from '../api/client';
 import type { Diagnostic, Lay, Operation, OperationStage } from '../api/types';
@@ -16,26 +16,26 @@ type Answer = Solved | { status: 'overtaken' } | { status: 'invalid'; diagnostic
 export interface StageEvent { done: number; of: number; name: string; stands: boolean }
 
 export const typeName = computed(() => String(byPath.value.get('operation.type')?.value ?? ''));
-/** An operation on the line; others are of vessel and moorings. */
+/** An operation on the line, as opposed to one of vessel and moorings. */
 export const hasOperation = computed(() => operationTypes.some((type) => type.id === typeName.value));
 
 export const operation = signal<Solved | null>(null);
-/** While stages are being solved: the last that is done. */
+/** The last solved stage, while stages are being solved. */
 export const progress = signal<StageEvent | null>(null);
 export const solving = signal(false);
 /** The model has changed since the stages were solved. */
 export const outdated = computed(() => operation.value !== null && operation.value.revision !== revision.value);
 
-/** The solved stages in the order of the model's list: a recovery is done in reverse. */
+/** The solved stages in the order of the model's list: a recovery is solved in reverse. */
 export const listedStages = computed<OperationStage[]>(() => { const stages = operation.value?.stages ?? []; return typeName.value === 'recovery' ? [...stages].reverse() : stages; });
 
-/** Number of the stage from 0; -1 none: the lay as the model describes it. */
+/** Index of the stage from 0; -1: the lay of the model. */
 export const chosenStage = signal(-1);
 export const stageLay = signal<Lay | null>(null);
 export const shownStage = computed<OperationStage | null>(() => (stageLay.value ? operation.value?.stages[chosenStage.value] ?? null : null));
 export const playing = signal(false);
 
-/** Lines of stages that have been asked for. */
+/** Requested lines of stages. */
 let known = new Map<number, Lay>();
 let askedFor = 0;
 
@@ -54,7 +54,7 @@ export async function solveOperation(): Promise<void> {
   } catch (error) { sayError(error); } finally { solving.value = false; progress.value = null; }
 }
 
-/** Null where the lay of the model as it is written is not solved: an operation cannot be sized then. */
+/** Null if the lay of the model as written has no solution: an operation cannot be sized then. */
 function laySize(): LaySize | null {
   const lay = calm.value, around = scene.value, { key, touchdown, pipe } = lay ?? {};
   if (!lay || !around || !key || !touchdown || !pipe?.s.length || failure.value || changes.value.length || lay.revision !== revision.value) return null;
@@ -68,7 +68,7 @@ function laySize(): LaySize | null {
   };
 }
 
-/** The names that an item has, or gets where it has none: "tank 1". */
+/** Name of an item, or the default name: "tank 1". */
 function firstName(list: RegExp, unnamed: string): string {
   const item = [...byPath.value.values()].find((f) => f.given && list.test(f.path));
   if (!item) return '';
@@ -76,7 +76,7 @@ function firstName(list: RegExp, unnamed: string): string {
   return String(byPath.value.get(`${path}.name`)?.value ?? '') || unnamed;
 }
 
-/** What the model has for operations of structures, tanks and davits. */
+/** Structures, tanks and davits of the model for operations. */
 export const operationParts = computed<OperationParts>(() => {
   const text = (path: string): string => String(byPath.value.get(path)?.value ?? '');
   const davits: OperationParts['davits'] = [];
@@ -87,22 +87,22 @@ export const operationParts = computed<OperationParts>(() => {
   return { structure: firstName(/^pipe\.structures\[0\]/, 'structure 1'), tank: firstName(/^supports\.stinger\.(?:sections\[\d+\]\.)?tanks\[0\]/, 'tank 1'), davits };
 });
 
-/** Writes an operation of this type with first values into the model, in the place of any other. */
+/** Writes an operation of this type with default values into the model, replacing any other. */
 export async function addOperation(type: FirstOperation): Promise<void> {
   const lay = laySize();
   if (!lay && needsLay(type)) {
-    say('No operation was added: it is sized by the lay of the model, which has no solution yet. Wait for the solution, correct the model, or apply or reset the values on the sliders.');
+    say('No operation was added: its values depend on the lay of the model, which has no solution yet. Wait for the solution, correct the model, or apply or reset the slider values.');
     return;
   }
   const clear = byPath.value.get('operation')?.given ? [{ path: 'operation', value: null }] : [];
   try { await setKeys([...clear, ...firstOperation(type, lay, operationParts.value)]); } catch (error) { sayError(error); }
 }
 
-/** How often a procedure is shortened: the steps become finer each time. */
+/** Number of times that a procedure is shortened, with finer steps each time. */
 const maxShortenings = 3;
 
-/** Tensions are sought that keep the limits, and all stages are solved. With less tension less cable reaches the bed: stages
- * that would only pay out cable onto the bed are left out. */
+/** Seeks tensions within the limits, and solves all stages. At lower tension less cable is needed to reach the seabed: stages
+ * that would only pay out cable onto the seabed are left out. */
 export async function designProcedure(): Promise<void> {
   const next = designChanges(byPath.value);
   if (next.length === 0) return;
@@ -117,7 +117,7 @@ export async function designProcedure(): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-/** The stages that are solved as a list in the model, to be changed one by one. */
+/** The solved stages as a list in the model, to be edited individually. */
 export async function listStages(): Promise<void> {
   if (!operation.value || outdated.value) return;
   try { if (await setKeys(listChanges(typeName.value, operation.value.stages))) await solveOperation(); } catch (error) { sayError(error); }
@@ -136,7 +136,7 @@ export async function chooseStage(i: number): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-/** The next stage that stands, the first again after the last; the same one where there is no other. */
+/** The next stage with a solution, cyclically; the same one if there is no other. */
 export function nextStage(from: number, step: 1 | -1): number {
   const stages = operation.value?.stages ?? [];
   for (let k = 1; k <= stages.length; ++k) {
@@ -149,9 +149,9 @@ export function nextStage(from: number, step: 1 | -1): number {
 export function stageEvent(event: StageEvent): void { if (solving.value) progress.value = event; }
 
 export function startOperation(): void {
-  // another model, or none of its stages left
+  // another model, or it has no stages left
   effect(() => { void opened.value; void hasOperation.value; untracked(() => { operation.value = null; known = new Map(); void chooseStage(-1); }); });
-  // what changes the model, tries values out or shows a run goes back to the lay
+  // changes of the model, trial values or a run return to the lay
   effect(() => { void revision.value; void selectedId.value; void values.value; untracked(() => { if (chosenStage.value >= 0) void chooseStage(-1); }); });
   effect(() => {
     if (!playing.value) return undefined;

@@ -1,11 +1,11 @@
-// The picture: which view is shown, the ruler, and the moment of a run as drawings need it.
+// The picture: the view, the ruler, and the instant of a run for drawings.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { Scene } from '../api/types';
 import type { DrawnMoment } from '../logic/elevation';
 import { poseAt, sceneAt } from '../logic/moorings';
 import { measure, withPoint, type RulerPoint } from '../logic/ruler';
 import { shipAxes } from '../logic/shipAxes';
-import { drawingsOf, type DrawingName } from '../logic/views';
+import { availableDrawings, type DrawingName } from '../logic/views';
 import { histories, peakAt, shown as frame } from './animation';
 import { opened } from './model';
 import { mooredState, stage } from './moorings';
@@ -13,7 +13,7 @@ import { calmLay, shownDrawn, shownScene } from './shown';
 
 export const mode = signal<'3d' | DrawingName>('3d');
 
-/** Points of the ruler; null while it is not in use. */
+/** Points of the ruler; null while it is inactive. */
 export const ruler = signal<readonly RulerPoint[] | null>(null);
 export const measured = computed(() => {
   const points = ruler.value, scene = shownScene.value;
@@ -31,13 +31,13 @@ export function reactionsAt(t: number): Map<string, number> {
   return out;
 }
 
-/** A moment of the run that is played; null for statics. */
+/** An instant of the run shown; null for statics. */
 export const drawnMoment = computed<DrawnMoment | null>(() => {
   const f = frame.value;
   return f && { pose: f.pose, places: f.places, lines: f.lines, reactions: reactionsAt(f.time) };
 });
 
-/** The scene with the vessel where it lies in the stage shown. */
+/** The scene with the vessel at its position in the stage shown. */
 export const drawnScene = computed<Scene | null>(() => {
   const scene = shownScene.value, state = mooredState.value, drawn = shownDrawn.value;
   return scene?.vessel && state && drawn && stage.value >= 0 ? sceneAt(scene, poseAt(drawn, state.vessel)) : scene;
@@ -45,5 +45,5 @@ export const drawnScene = computed<Scene | null>(() => {
 
 export function startPicture(): void {
   effect(() => { void opened.value; untracked(() => { ruler.value = null; }); });
-  effect(() => { const lay = calmLay.value, now = mode.value; if (lay && now !== '3d' && !drawingsOf(lay).includes(now)) mode.value = '3d'; });
+  effect(() => { const lay = calmLay.value, current = mode.value; if (lay && current !== '3d' && !availableDrawings(lay).includes(current)) mode.value = '3d'; });
 }

@@ -1,10 +1,10 @@
-// Pinned keys: sliders under the picture, kept for each model from one visit to the next.
+// Pinned keys: sliders under the picture, stored in the browser for each model.
 import { computed, signal } from '@preact/signals';
 import { findVariable, usualVariables, variableEnds, type Variable } from '../logic/variables';
 import { base } from './live';
 import { fileName, title } from './model';
 
-/** `ends`: of the slider, SI; the usual ones about the model's value where left out. */
+/** `ends`: range of the slider, SI; the default about the value of the model if omitted. */
 export interface Pin { id: string; ends?: [number, number] }
 
 const store = 'overbend.pins';
@@ -28,7 +28,7 @@ function keep(list: Pin[]): void {
 
 export interface Slider { variable: Variable; low: number; high: number }
 
-/** Pins that the open model has. */
+/** Pins available for the open model. */
 export const sliders = computed<Slider[]>(() => pins.value.flatMap(({ id, ends }) => {
   const variable = findVariable(id, base.value);
   if (!variable) return [];

@@ -1,5 +1,5 @@
-// Of each pinned key the range in which every check passes, found in the background while nothing else is to do. One
-// request at a time; any change ends the search, and what no longer belongs to the state shown is dropped.
+// Passing range of each pinned key, found in the background when the program is idle. One
+// request at a time; any change ends the search, and outdated results are dropped.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { post } from '../api/client';
 import type { StaticAnswer } from '../api/types';
@@ -11,29 +11,29 @@ import { errors, hasModel, revision } from './model';
 import { sliders, type Slider } from './pins';
 import { workspace } from './workspace';
 
-/** Rest before a search begins [ms]. */
+/** Delay before a search begins [ms]. */
 const idle = 700;
 
 interface Found { state: string; intervals: PassInterval[] | null }
 const found = signal<Record<string, Found>>({});
 
-interface Context { own: Set<string>; rest: string }
+interface Context { keys: Set<string>; rest: string }
 
-/** By slider: the keys that it sets, and all the others of the model. */
+/** For each slider: its keys, and all other values of the model. */
 const contexts = computed<Map<string, Context>>(() => new Map(sliders.value.map(({ variable, low, high }) => {
   const trial = variable.si + Math.max(0.01 * Math.abs(variable.si), 0.1 * variable.scale);
-  const own = new Set(liveChanges(base.value, { [variable.id]: trial }).map((change) => change.path));
-  const rest = [...base.value.fields.values()].filter((field) => field.given && field.value != null && !own.has(field.path));
-  return [variable.id, { own, rest: JSON.stringify([low, high, rest.map((field) => [field.path, field.value])]) }];
+  const keys = new Set(liveChanges(base.value, { [variable.id]: trial }).map((change) => change.path));
+  const rest = [...base.value.fields.values()].filter((field) => field.given && field.value != null && !keys.has(field.path));
+  return [variable.id, { keys, rest: JSON.stringify([low, high, rest.map((field) => [field.path, field.value])]) }];
 })));
 
-/** Everything that a slider's range depends on: the model with what is tried out, but for the slider's own keys. */
+/** All inputs of a slider's range: the model with trial values, except the keys of the slider. */
 function stateAround(id: string): string {
   const context = contexts.value.get(id);
-  return context ? context.rest + JSON.stringify(changes.value.filter((change) => !context.own.has(change.path))) : '';
+  return context ? context.rest + JSON.stringify(changes.value.filter((change) => !context.keys.has(change.path))) : '';
 }
 
-/** The range of a pinned key; undefined while it is not known, null where no check judges the model. */
+/** Range of a pinned key; undefined while unknown, null if the model has no check. */
 export function passRange(id: string): PassInterval[] | null | undefined {
   const entry = found.value[id];
   return entry && entry.state === stateAround(id) ? entry.intervals : undefined;
@@ -51,9 +51,9 @@ async function judge(slider: Slider, si: number, stop: () => boolean): Promise<J
 
 async function search(slider: Slider, state: string, stop: () => boolean): Promise<void> {
   const { variable, low, high } = slider;
-  const own = values.value[variable.id] ?? variable.si;
+  const start = values.value[variable.id] ?? variable.si;
   const inside = (si: number): number => onStep(variable, si, variableStep(variable) / 10);
-  const intervals = await findPassIntervals((si) => judge(slider, inside(si), stop), low, high, own);
+  const intervals = await findPassIntervals((si) => judge(slider, inside(si), stop), low, high, start);
   found.value = { ...found.value, [variable.id]: { state, intervals } };
 }
 
@@ -71,7 +71,7 @@ export function startRanges(): void {
         if (!slider.variable.integer && found.value[slider.variable.id]?.state !== state) await search(slider, state, () => stopped || document.hidden);
       }
     };
-    // an error ends the search as well: what the program has to say, the live statics say
+    // an error ends the search as well: the live statics report it
     const timer = setTimeout(() => untracked(() => { work().catch(() => undefined); }), idle);
     return () => { stopped = true; clearTimeout(timer); };
   });

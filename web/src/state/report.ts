@@ -1,4 +1,4 @@
-// The workspace of reports: what is reported, whether the model has changed since, and how it is printed.
+// The report workspace: the reported results, whether they are outdated, and print settings.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { address, post } from '../api/client';
 import type { Run } from '../api/types';
@@ -7,26 +7,26 @@ import { errors, opened, revision } from './model';
 import { sayError } from './notices';
 import { fetchRuns, reportAddress, reportToShow, runs, tableAddress } from './runs';
 
-/** The statics of the open model, the stages of its operation, or the id of a run. */
+/** Statics of the open model, stages of its operation, or the id of a run. */
 export type Subject = 'statics' | 'operation' | { run: string };
 
 const chosen = signal<Subject | null>(null);
-/** Stages where the model has an operation, else its statics. */
+/** Stages if the model has an operation, otherwise its statics. */
 export const subject = computed<Subject>(() => chosen.value ?? (hasOperation.value ? 'operation' : 'statics'));
 export const chooseSubject = (next: Subject): void => { chosen.value = next; };
 
-/** The static run that was made for the report, and the revision of the model that it is of. */
+/** The static run made for the report, and the revision of its model. */
 const statics = signal<{ id: string; revision: number } | null>(null);
 const stagesMade = signal(0);
 export const making = signal(false);
-/** Sections that are left out when it is printed, by their headings. */
+/** Sections omitted in print, by their headings. */
 export const leftOut = signal<readonly string[]>([]);
 export const paper = signal<'own' | 'A4' | 'letter'>('own');
 
-/** Revision of the model at which a run of this session was started. */
+/** Revision of the model at the start of a run of this session. */
 const startedAt = new Map<string, number>();
 
-/** Runs with a report of their own. */
+/** Runs with a separate report. */
 export const reported = computed<Run[]>(() => runs.value.filter((r) => r.has_results && r.kind !== 'seeds'));
 const subjectRun = computed<Run | null>(() => {
   const id = subject.value === 'statics' ? statics.value?.id : typeof subject.value === 'object' ? subject.value.run : undefined;
@@ -38,7 +38,7 @@ export interface ReportFiles { show: string; html: string; csv: string | null; n
 /** Addresses of the report; null before it is made. */
 export const files = computed<ReportFiles | null>(() => {
   if (subject.value === 'operation') {
-    // counted, so that a report that was made again is loaded again
+    // counted, so that a new report is reloaded
     return operation.value ? { show: address(`operation/report.html?show=1&made=${stagesMade.value}`), html: address('operation/report.html'), csv: null, name: 'operation' } : null;
   }
   const run = subjectRun.value;
@@ -47,7 +47,7 @@ export const files = computed<ReportFiles | null>(() => {
 
 export const busy = computed(() => making.value || (subject.value === 'operation' && solving.value));
 
-/** The model has changed since; of runs of an earlier session it is not known. */
+/** The model has changed since; unknown for runs of an earlier session. */
 export const outdated = computed(() => {
   if (!files.value) return false;
   if (subject.value === 'operation') return stagesOutdated.value;
@@ -55,12 +55,12 @@ export const outdated = computed(() => {
   return made !== undefined && made !== revision.value;
 });
 
-/** The report of the model as it is now can be made; that of a run is there. */
+/** True if the report can be made, or is that of a run. */
 export const canMake = computed(() => typeof subject.value === 'string' && errors.value.length === 0);
 
 const ended = (run: Run | undefined): boolean => run !== undefined && run.state !== 'queued' && run.state !== 'running';
 
-/** Waits for the end of a run, of which the events tell. */
+/** Waits for the end of a run, reported by the events. */
 function whenEnded(id: string): Promise<Run> {
   return new Promise((done) => {
     const stop = effect(() => {
@@ -80,7 +80,7 @@ async function makeStatics(): Promise<void> {
   statics.value = { id, revision: asked };
 }
 
-/** Makes the report of the model as it is now. */
+/** Makes the report of the present model. */
 export async function makeReport(): Promise<void> {
   if (!canMake.value || busy.value) return;
   making.value = true;
@@ -89,7 +89,7 @@ export async function makeReport(): Promise<void> {
   } catch (error) { sayError(error); } finally { making.value = false; }
 }
 
-/** Runs that were started while this page was open are of the model as it was then. */
+/** Runs started while this page was open belong to the model at that time. */
 const pageOpened = Date.now() / 1000;
 
 export function startReport(): void {

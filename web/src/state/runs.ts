@@ -1,4 +1,4 @@
-// Runs: the list, the one that is looked at, and what diagrams and animation need of it.
+// Runs: the list, the selected run, and its data for diagrams and animation.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { address, finishReads, get, post } from '../api/client';
 import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Study } from '../api/types';
@@ -13,18 +13,18 @@ export const selected = computed(() => runs.value.find((r) => r.id === selectedI
 export const envelopes = signal<Envelopes | null>(null);
 export const columns = signal<Column[]>([]);
 export const impacts = signal<Impact[]>([]);
-/** Of the run that is looked at, null until it has them: the static state it began with, what stood still, its summary. */
+/** Data of the selected run, null until available: its static state, fixed scene, summary. */
 export const runLay = signal<Lay | null>(null);
 export const runScene = signal<Scene | null>(null);
 export const runSummary = signal<RunSummary | null>(null);
-/** Of a study: what its cases gave. */
+/** Results of the cases of a study. */
 export const study = signal<Study | null>(null);
-/** Its code checks. */
+/** Code checks of the run. */
 export const runChecks = computed<Check[] | null>(() => { const s = runSummary.value; return (s?.dynamic ?? s)?.checks?.list ?? null; });
-/** Runs that have come to an end since the list was last looked at. */
+/** Runs that have ended since the list was last viewed. */
 export const newRuns = signal<readonly string[]>([]);
-/** When a run was first seen running: for the time to finish. */
-const begun = new Map<string, { at: number; progress: number }>();
+/** Time at which a run was first seen running, to estimate its end. */
+const begun = new Map<string, { time: number; progress: number }>();
 
 export async function fetchRuns(): Promise<void> {
   try { const list = await get<Run[]>('runs'); runs.value = newerList(runs.value, list); } catch (error) { sayError(error); }
@@ -45,10 +45,10 @@ export const runName = (run: Run): string => names.value.get(run.id) ?? (run.nam
 
 let annotated: Promise<boolean> = Promise.resolve(true);
 
-/** One after another, so that no earlier words arrive after later ones. Gives whether they were taken. */
-export function annotate(id: string, words: { name?: string; note?: string }): Promise<boolean> {
+/** Sequential, so that earlier texts do not arrive after later ones. Returns true if they were accepted. */
+export function annotate(id: string, texts: { name?: string; note?: string }): Promise<boolean> {
   annotated = annotated.then(async () => {
-    try { await post(`runs/${id}/annotate`, words); } catch (error) { sayError(error); return false; }
+    try { await post(`runs/${id}/annotate`, texts); } catch (error) { sayError(error); return false; }
     await fetchRuns();
     return true;
   });
@@ -57,7 +57,7 @@ export function annotate(id: string, words: { name?: string; note?: string }): P
 
 export async function deleteRuns(ids: readonly string[]): Promise<void> {
   if (selected.value && ids.some((id) => id === selected.value?.id || id === selected.value?.parent)) select(null);
-  await finishReads(); // of the run that was shown
+  await finishReads(); // of the deleted run
   for (const id of ids) {
     try { await post(`runs/${id}/delete`); forget(id); } catch (error) { sayError(error); return; }
   }
@@ -95,7 +95,7 @@ export function select(id: string | null): void {
   if (id) void load(id);
 }
 
-/** Another model is opened: the page shows that one. */
+/** Another model is opened: the page shows it. */
 export function startRuns(): void {
   effect(() => { void opened.value; untracked(() => { if (selectedId.value) select(null); }); });
   effect(() => { if (workspace.value === 'runs' && newRuns.value.length) newRuns.value = []; });
@@ -120,10 +120,10 @@ async function load(id: string): Promise<void> {
       if (current()) study.value = gathered;
       return;
     }
-    const at = `runs/${id}`;
+    const base = `runs/${id}`;
     const [e, i, lay, scene, summary] = await Promise.all([
-      get<Envelopes>(`${at}/envelopes`), run.kind === 'dynamic' ? get<{ impacts: Impact[] }>(`${at}/impacts`) : { impacts: [] },
-      get<Lay>(`${at}/statics`), get<Scene>(`${at}/scene`), get<RunSummary>(`${at}/summary`),
+      get<Envelopes>(`${base}/envelopes`), run.kind === 'dynamic' ? get<{ impacts: Impact[] }>(`${base}/impacts`) : { impacts: [] },
+      get<Lay>(`${base}/statics`), get<Scene>(`${base}/scene`), get<RunSummary>(`${base}/summary`),
     ]);
     if (current()) batch(() => { envelopes.value = e; impacts.value = i.impacts; runLay.value = lay; runScene.value = scene; runSummary.value = summary; });
   } catch (error) { if (current()) sayError(error); }
@@ -133,7 +133,7 @@ export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
   if (run.state === 'deleted') { forget(run.id); return; }
   const old = runs.value.find((r) => r.id === run.id);
   runs.value = old ? runs.value.map((r) => (r.id === run.id ? { ...r, ...run } : r)) : run.parent ? [...runs.value, run] : [run, ...runs.value];
-  if (run.state === 'running' && !begun.has(run.id)) begun.set(run.id, { at: Date.now(), progress: run.progress });
+  if (run.state === 'running' && !begun.has(run.id)) begun.set(run.id, { time: Date.now(), progress: run.progress });
   if (old?.state !== run.state) {
     if (run.id === selectedId.value) void load(run.id);
     if (run.state === 'done' && old && !run.parent) say(`${runName(run)}: done`);
@@ -141,18 +141,18 @@ export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
   } else if (run.id === selectedId.value && run.state === 'running' && !run.parent && run.time !== undefined && columns.value.length === 0) void load(run.id);
 }
 
-/** Seconds to the end, judged by the pace so far; null before there is one. */
+/** Estimated seconds to the end; null if unknown. */
 export function timeToFinish(run: Run): number | null {
   const b = begun.get(run.id);
   if (!b || run.progress - b.progress < 0.005) return null;
-  return ((Date.now() - b.at) / 1000) * ((1 - run.progress) / (run.progress - b.progress));
+  return ((Date.now() - b.time) / 1000) * ((1 - run.progress) / (run.progress - b.progress));
 }
 
 export const tableAddress = (id: string): string => address(`runs/${id}/table.csv`);
 export const reportAddress = (id: string): string => address(`runs/${id}/report.html`);
 export const reportToShow = (id: string): string => address(`runs/${id}/report.html?show=1`);
 
-/** Values of histories around one time, for the animation: a coarse whole that is fetched once. */
+/** Values of histories around one time, for the animation: a coarse set that is fetched once. */
 export async function fetchSeries(id: string, names: string[], t0: number | null, t1: number | null, px: number): Promise<Record<string, { t: number[]; min: number[]; max: number[] }>> {
   const query = [...names.map((n) => `name=${encodeURIComponent(n)}`), ...(t0 === null ? [] : [`t0=${t0}`]), ...(t1 === null ? [] : [`t1=${t1}`]), `px=${Math.max(50, Math.round(px))}`].join('&');
   const answer = await get<{ series: Record<string, { t: number[]; min: number[]; max: number[] }> } | { t: number[]; min: number[]; max: number[] }>(`runs/${id}/series?${query}`);

@@ -1,13 +1,13 @@
-// What the search finds: commands, objects and keys of the model, findings and errors, examples. Pages of the guide are
-// not served by the program and so not among them.
+// Entries of the search: commands, objects and keys of the model, findings and errors, examples. Pages of the guide are
+// not served by the program and therefore not included.
 import { tree } from '../logic/formTree';
-import { isItem, isObject, objectTitle, tellingValue, type FieldNode } from '../logic/modelTree';
+import { isItem, isObject, objectTitle, summaryValue, type FieldNode } from '../logic/modelTree';
 import type { SearchEntry } from '../logic/search';
 import { variableName } from '../logic/variables';
 import { commands } from './commands';
 import { followFinding } from './findingPlace';
 import { shownFindings } from './findings';
-import { leadTo, leadToFault } from './lead';
+import { leadTo, leadToDiagnostic } from './lead';
 import { asking } from './look';
 import { byPath, diagnostics, fields, info, openExample, unsaved } from './model';
 import { drawer, selectObject } from './workspace';
@@ -23,7 +23,7 @@ function objectPlaces(): Place[] {
     id: `object ${node.path}`,
     name: itemName(node),
     more: node.path,
-    detail: tellingValue(node, byPath.value),
+    detail: summaryValue(node, byPath.value),
     kind: 'object' as const,
     weight: 8,
     act: () => { drawer.value = 'model'; selectObject(node.path); },
@@ -31,7 +31,7 @@ function objectPlaces(): Place[] {
   return places(tree(fields.value));
 }
 
-/** Items without a name of their own are counted: "stinger 3". */
+/** Items without a name are numbered: "stinger 3". */
 function itemName(node: FieldNode): string {
   if (!isItem(node) || byPath.value.get(`${node.path}.name`)?.value) return objectTitle(node);
   return variableName(node.path, byPath.value);
@@ -50,7 +50,7 @@ function keyPlaces(): Place[] {
 }
 
 function findingPlaces(): Place[] {
-  const ofModel = diagnostics.value.map((d, i): Place => ({ id: `diagnostic ${i}`, name: d.message, more: `${d.key} ${d.severity}`, detail: `line ${d.line}`, kind: 'finding', act: () => leadToFault(d) }));
+  const ofModel = diagnostics.value.map((d, i): Place => ({ id: `diagnostic ${i}`, name: d.message, more: `${d.key} ${d.severity}`, detail: `line ${d.line}`, kind: 'finding', act: () => leadToDiagnostic(d) }));
   const ofLay = shownFindings.value.filter((b) => !b.key).map((b, i): Place => {
     const name = b.name || b.object;
     return { id: `finding ${i}`, name: name ? `${name}: ${b.full}` : b.full, more: b.code, detail: b.severity, kind: 'finding', act: () => followFinding(b) };

@@ -1,4 +1,4 @@
-// What is sought in the dialog "Find a value": a result, a key, or both.
+// Request of the goal seek dialog: a result, a key, or both.
 import { signal } from '@preact/signals';
 import { seekGoals, type SeekTarget } from '../logic/seek';
 import { calm } from './live';
@@ -7,10 +7,10 @@ import { dialog } from './look';
 export interface Sought { goal: SeekTarget; key: string }
 export const sought = signal<Sought | null>(null);
 
-/** Without a goal the largest utilisation; without a key the usual one. */
-export function openSeek(wish: { goal?: SeekTarget; key?: string } = {}): void {
-  const goal = wish.goal ?? (calm.value ? seekGoals(calm.value)[0] : undefined);
+/** By default the maximum utilisation and the usual key. */
+export function openSeek(start: { goal?: SeekTarget; key?: string } = {}): void {
+  const goal = start.goal ?? (calm.value ? seekGoals(calm.value)[0] : undefined);
   if (!goal) return;
-  sought.value = { goal, key: wish.key ?? '' };
+  sought.value = { goal, key: start.key ?? '' };
   dialog.value = 'seek';
 }

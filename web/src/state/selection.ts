@@ -1,4 +1,4 @@
-// The object of the model that is shown as selected: the one chosen, else the first that matters.
+// The selected object of the model, or the default one.
 import { computed } from '@preact/signals';
 import { tree } from '../logic/formTree';
 import { findNode, firstObject } from '../logic/modelTree';

@@ -1,4 +1,4 @@
-// Sensitivities of the key results, asked for when they are wanted.
+// Sensitivities of the key results, computed on request.
 import { effect, signal } from '@preact/signals';
 import { post } from '../api/client';
 import type { Change, SensitivityAnswer } from '../api/types';
@@ -22,5 +22,5 @@ export async function findSensitivities(): Promise<void> {
   }
 }
 
-// The text of the model is another one: they are not its own.
+// The model text has changed: the sensitivities do not belong to it.
 effect(() => { void revision.value; sensitivities.value = null; });

@@ -1,5 +1,5 @@
-// What picture, diagrams and results show, by the workspace: Lay and Study the live statics of the open model, Operation the
-// stage that is chosen, Storm and Runs the run that is looked at. So results of a run are never mixed with another model.
+// Results shown in picture, diagrams and tables for each workspace: Lay and Study the live statics of the open model, Operation the
+// selected stage, Storm and Runs the selected run. Results of a run are so never mixed with another model.
 import { computed } from '@preact/signals';
 import type { Lay, OperationStage, Scene } from '../api/types';
 import { settled } from '../logic/moorings';
@@ -18,10 +18,10 @@ export const shownStage = computed<OperationStage | null>(() => (ofStages.value 
 const stageLay = computed<Lay | null>(() => (ofStages.value ? chosenLay.value : null));
 
 export const shownLay = computed<Lay | null>(() => (ofRun.value ? runLay.value : stageLay.value ?? solution.value));
-/** The same, at the pace of panels and diagrams. */
+/** The same, at the update rate of panels and diagrams. */
 export const calmLay = computed<Lay | null>(() => (ofRun.value ? runLay.value : stageLay.value ?? calm.value));
-/** With the vessel as it lies in statics. */
+/** With the vessel at its static position. */
 export const shownScene = computed<Scene | null>(() => settled(ofRun.value ? runScene.value : scene.value, shownLay.value));
-/** Where the vessel is drawn: offsets of statics count from there. */
+/** Nominal position of the vessel, the reference of its static offsets. */
 export const shownDrawn = computed<number[] | null>(() => (ofRun.value ? runScene.value : scene.value)?.vessel?.pose ?? null);
 export const shownFailure = computed(() => (ofRun.value || stageLay.value ? null : failure.value));

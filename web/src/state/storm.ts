@@ -1,4 +1,4 @@
-// The storm workspace: setting one up and starting it, the time that it will take, and whether results are of the model.
+// The storm workspace: setting up and starting a storm, its expected time, and whether results are outdated.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { get, post } from '../api/client';
 import type { Run, RunSummary, Study } from '../api/types';
@@ -9,7 +9,7 @@ import { sayError } from './notices';
 import { runs, select, selected, startRun, type Order } from './runs';
 import { workspace } from './workspace';
 
-/** What Run starts: the storm of the model, or a comparison of variants of it. */
+/** Target of Run: the storm of the model, or a comparison of variants of it. */
 export type StormKind = 'storm' | 'tensioner' | 'contact' | 'impacts';
 export const stormKinds: readonly [StormKind, string, string][] = [
   ['storm', 'run this storm', 'Run'],
@@ -23,19 +23,19 @@ export const missing = computed(() => (hasModel.value ? missingInStorm(byPath.va
 export const seeds = computed(() => modelSeeds(byPath.value));
 export const duration = computed(() => seconds(String(byPath.value.get('analysis.dynamic.duration')?.value ?? '')));
 
-/** Writes the RAOs of the library hull for the vessel of the model; gives the name of the file. */
+/** Writes the RAOs of the library hull for the vessel of the model and returns the name of the file. */
 export async function scaleHull(): Promise<string> {
   const length = byPath.value.get('vessel.length')?.si, beam = byPath.value.get('vessel.beam')?.si;
   if (typeof length !== 'number' || typeof beam !== 'number') {
-    throw new Error('Give the length and the beam of the vessel first: the library hull is scaled to them.');
+    throw new Error('Enter the length and the beam of the vessel first: the library hull is scaled to them.');
   }
   return (await post<{ name: string }>('hull', { length, beam })).name;
 }
 
-/** Everything that is missing, in one step of undo. */
+/** Adds all missing input, in one undo step. */
 export async function setUpStorm(): Promise<void> {
   try {
-    const hull = missing.value.includes('motion of the vessel') ? await scaleHull() : null;
+    const hull = missing.value.includes('vessel motion') ? await scaleHull() : null;
     await setKeys(firstStorm(byPath.value, hull));
   } catch (error) { sayError(error); }
 }
@@ -47,26 +47,26 @@ function order(): Order {
 
 export const startStorm = (): Promise<void> => startRun(order());
 
-/** Runs in time of this folder, newest first, each study as one. */
+/** Dynamic runs of this folder, newest first, each study as one. */
 export const storms = computed(() => runs.value.filter((run) => !run.parent && (run.kind === 'dynamic' || isStudy(run))));
-/** The study that the selected run is, or is a case of. */
+/** The study that the selected run is, or belongs to. */
 export const stormStudy = computed<Run | null>(() => {
   const run = selected.value;
   if (!run) return null;
   if (isStudy(run)) return run;
-  return run.parent ? runs.value.find((other) => other.id === run.parent) ?? null : null;
+  return run.parent ? runs.value.find((item) => item.id === run.parent) ?? null : null;
 });
 export const stormCases = computed<Run[]>(() => (stormStudy.value ? runs.value.filter((run) => run.parent === stormStudy.value!.id) : []));
 
-/** Histories shown in the dock, in order; an empty name leaves the choice to the page. */
+/** Histories shown in the dock, in order; an empty name is filled with a default. */
 export const stormHistories = signal<string[]>([]);
 
 /** Results across the cases of that study. */
 export const acrossCases = signal<Study | null>(null);
 
-/** Of the last run that has ended; null where the folder has none. */
+/** Speed of the last completed run; null if the folder has none. */
 export const pace = signal<Pace | null>(null);
-/** Runs whose pace is known. */
+/** Runs whose speed is known. */
 const paces = new Map<string, number>();
 
 async function findPace(run: Run): Promise<void> {
@@ -79,18 +79,18 @@ async function findPace(run: Run): Promise<void> {
       paces.set(run.id, ratio);
     }
     pace.value = { ratio, sideBySide: Math.max(1, (navigator.hardwareConcurrency || 2) - 1) };
-  } catch { /* a run whose files are gone has no pace */ }
+  } catch { /* a run with deleted files has no known speed */ }
 }
 
-/** The run to take the pace from: of the same title, else the newest. */
+/** Reference run for the speed: with the same title, otherwise the newest. */
 function paceRun(): Run | null {
   const done = runs.value.filter((run) => run.kind === 'dynamic' && run.state === 'done' && run.has_results);
   const titles = new Map(runs.value.map((run) => [run.id, run.title]));
-  const own = String(byPath.value.get('title')?.value ?? '');
-  return done.find((run) => titles.get(run.parent || run.id) === own) ?? done[0] ?? null;
+  const ownTitle = String(byPath.value.get('title')?.value ?? '');
+  return done.find((run) => titles.get(run.parent || run.id) === ownTitle) ?? done[0] ?? null;
 }
 
-/** Keys in which the open model differs from that of the selected run; empty where it does not. */
+/** Keys in which the open model differs from that of the selected run; empty if there is none. */
 export const staleKeys = signal('');
 let staleCount = 0;
 
@@ -114,17 +114,17 @@ async function loadAcross(study: Run): Promise<void> {
 }
 
 export function startStorms(): void {
-  let paceOf = '', staleOf = '', acrossOf = '', timer = 0;
+  let paceKey = '', staleKey = '', acrossKey = '', timer = 0;
   effect(() => {
     const run = workspace.value === 'storm' ? paceRun() : null;
-    untracked(() => { if (run && run.id !== paceOf) { paceOf = run.id; void findPace(run); } });
+    untracked(() => { if (run && run.id !== paceKey) { paceKey = run.id; void findPace(run); } });
   });
   effect(() => {
     const id = selected.value?.id ?? '', key = `${id} ${revision.value}`;
     untracked(() => {
-      if (key === staleOf) return;
-      if (!staleOf.startsWith(`${id} `)) staleKeys.value = '';
-      staleOf = key;
+      if (key === staleKey) return;
+      if (!staleKey.startsWith(`${id} `)) staleKeys.value = '';
+      staleKey = key;
       clearTimeout(timer);
       if (id) timer = window.setTimeout(() => void findStale(id), 200);
       else { ++staleCount; staleKeys.value = ''; }
@@ -133,18 +133,18 @@ export function startStorms(): void {
   effect(() => {
     const study = stormStudy.value, key = study?.has_results ? `${study.id} ${study.state}` : '';
     untracked(() => {
-      if (key === acrossOf) return;
-      acrossOf = key;
+      if (key === acrossKey) return;
+      acrossKey = key;
       ++studyCount;
       acrossCases.value = null;
       if (key) void loadAcross(study!);
     });
   });
-  // A study is looked at case by case: the first that has results.
+  // A study is shown case by case: first the first one with results.
   effect(() => {
     const run = selected.value;
     if (workspace.value !== 'storm' || !run || !isStudy(run)) return;
-    const first = stormCases.value.find((one) => one.has_results);
+    const first = stormCases.value.find((item) => item.has_results);
     if (first) untracked(() => select(first.id));
   });
 }

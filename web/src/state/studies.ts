@@ -1,12 +1,12 @@
-// The workspace of studies: what is asked for, and the study that is shown, which may still be running.
+// The study workspace: the request, and the study shown, which may still be running.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { ApiError, get, post } from '../api/client';
 import type { LayTable, LayTableAnswer, Matrix, MatrixCase, Run, Study } from '../api/types';
-import { gridFault, gridYaml, kDepth, kTension, usualGrid, usualLimits, type GridWish, type LayLimits } from '../logic/layGrid';
-import { layWishFault, rangeText, usualRange, type LayTableWish } from '../logic/laytable';
+import { findGridError, gridYaml, kDepth, kTension, usualGrid, usualLimits, type GridRequest, type LayLimits } from '../logic/layGrid';
+import { findLayTableError, rangeText, usualRange, type LayTableRequest } from '../logic/laytable';
 import { variableKeys } from '../logic/seek';
 import { kUtilisation } from '../logic/studies';
-import { emptyAxis, caseCount, firstAxis, studyFault, studyYaml, type ModelKeys, type StudyKind, type StudyWish } from '../logic/studyFile';
+import { emptyAxis, caseCount, firstAxis, findStudyError, studyYaml, type ModelKeys, type StudyKind, type StudyRequest } from '../logic/studyFile';
 import { parseQuantity, toSi } from '../logic/units';
 import { findVariable } from '../logic/variables';
 import { base, solution, values } from './live';
@@ -15,52 +15,52 @@ import { say, sayError } from './notices';
 import { fetchRuns, runs } from './runs';
 import { goTo } from './workspace';
 
-/** Of a lay table: depths by tensions, or one of the three. */
-export type TableOver = 'grid' | LayTableWish['vary'];
+/** Type of a lay table: depths by tensions, or over one of the three keys. */
+export type TableOver = 'grid' | LayTableRequest['vary'];
 
 const chosenKind = signal<StudyKind | null>(null);
 const hasLay = computed(() => byPath.value.get(kTension)?.given === true);
-/** A lay table where the model has a lay. */
+/** A lay table if the model has a lay. */
 export const kind = computed<StudyKind>(() => chosenKind.value ?? (hasLay.value ? 'table' : 'study'));
 export const tableOver = signal<TableOver>('grid');
-const gridWish = signal<GridWish | null>(null);
-const layWish = signal<LayTableWish | null>(null);
-const studyWish = signal<StudyWish | null>(null);
-/** The text of the study file, where it was edited by hand. */
+const gridRequest = signal<GridRequest | null>(null);
+const layTableRequest = signal<LayTableRequest | null>(null);
+const studyRequest = signal<StudyRequest | null>(null);
+/** Text of the study file, if edited by hand. */
 export const editedFile = signal<string | null>(null);
 
 export const limits = signal<LayLimits>(usualLimits);
 export const output = signal(kUtilisation);
 export const fixed = signal<Record<number, number>>({});
-/** The number of the case that is chosen. */
+/** Number of the selected case. */
 export const chosenCase = signal<number | null>(null);
-/** The picture stands beside the table. */
+/** The picture is shown next to the table. */
 export const pictureShown = signal(false);
 export const busy = signal(false);
-export const refused = signal('');
+export const rejection = signal('');
 
-const firstStudy = (): StudyWish => {
+const firstStudy = (): StudyRequest => {
   const key = hasLay.value ? byPath.value.get(kTension) : variableKeys(fields.value)[0];
   return { analysis: 'static', axes: [key ? firstAxis(key) : emptyAxis()], seeds: '', duration: '', gather: '', over: '', resolution: '' };
 };
-const usualLay = (vary: LayTableWish['vary']): LayTableWish =>
+const usualLay = (vary: LayTableRequest['vary']): LayTableRequest =>
   usualRange(vary, solution.value?.key ?? null, byPath.value.get(kDepth)?.si ?? null);
 
-export const grid = computed<GridWish>(() => gridWish.value ?? usualGrid(byPath.value));
-export const lay = computed<LayTableWish>(() => layWish.value ?? usualLay(tableOver.value === 'grid' ? 'tension' : tableOver.value));
-export const wish = computed<StudyWish>(() => studyWish.value ?? firstStudy());
+export const grid = computed<GridRequest>(() => gridRequest.value ?? usualGrid(byPath.value));
+export const lay = computed<LayTableRequest>(() => layTableRequest.value ?? usualLay(tableOver.value === 'grid' ? 'tension' : tableOver.value));
+export const request = computed<StudyRequest>(() => studyRequest.value ?? firstStudy());
 
-/** What was asked for is another question now: no refusal and no edited text belongs to it. */
-const ask = (change: () => void): void => batch(() => { refused.value = ''; editedFile.value = null; change(); });
+/** The request has changed: its rejection and the edited text no longer apply. */
+const ask = (change: () => void): void => batch(() => { rejection.value = ''; editedFile.value = null; change(); });
 
 export const setKind = (next: StudyKind): void => ask(() => {
   chosenKind.value = next;
-  if (next === 'operability' && !wish.value.over) setStudy({ over: wish.value.axes[0]?.key ?? '' });
+  if (next === 'operability' && !request.value.over) setStudy({ over: request.value.axes[0]?.key ?? '' });
 });
-export const setTableOver = (next: TableOver): void => ask(() => { tableOver.value = next; layWish.value = null; });
-export const setGrid = (part: Partial<GridWish>): void => ask(() => { gridWish.value = { ...grid.value, ...part }; });
-export const setLay = (part: Partial<LayTableWish>): void => ask(() => { layWish.value = { ...lay.value, ...part }; });
-export const setStudy = (part: Partial<StudyWish>): void => ask(() => { studyWish.value = { ...wish.value, ...part }; });
+export const setTableOver = (next: TableOver): void => ask(() => { tableOver.value = next; layTableRequest.value = null; });
+export const setGrid = (part: Partial<GridRequest>): void => ask(() => { gridRequest.value = { ...grid.value, ...part }; });
+export const setLay = (part: Partial<LayTableRequest>): void => ask(() => { layTableRequest.value = { ...lay.value, ...part }; });
+export const setStudy = (part: Partial<StudyRequest>): void => ask(() => { studyRequest.value = { ...request.value, ...part }; });
 
 const model: ModelKeys = {
   unit: (key) => parseQuantity(String(byPath.value.get(key)?.value ?? ''))?.unit || (byPath.value.get(key)?.unit ?? ''),
@@ -68,53 +68,53 @@ const model: ModelKeys = {
 };
 export const modelKeys = model;
 
-/** A lay table over one key is made by the program at once; everything else is a study. */
+/** A lay table over one key is computed at once; everything else is a study. */
 export const isPlainTable = computed(() => kind.value === 'table' && tableOver.value !== 'grid');
 
-export const fault = computed<string | null>(() => {
+export const inputError = computed<string | null>(() => {
   if (errors.value.length) return 'the model has errors: correct them first';
   if (editedFile.value !== null) return editedFile.value.trim() ? null : 'the study file is empty';
-  if (kind.value !== 'table') return studyFault(kind.value, wish.value, model);
-  return tableOver.value === 'grid' ? gridFault(grid.value, model) : layWishFault(lay.value);
+  if (kind.value !== 'table') return findStudyError(kind.value, request.value, model);
+  return tableOver.value === 'grid' ? findGridError(grid.value, model) : findLayTableError(lay.value);
 });
 
-/** As the program writes it from what is asked for. */
+/** Study file generated from the request. */
 export const plainFile = computed(() => {
   const base = fileName.value || 'model.yaml';
-  return kind.value === 'table' ? gridYaml(grid.value, base, model) : studyYaml(kind.value, wish.value, base, model);
+  return kind.value === 'table' ? gridYaml(grid.value, base, model) : studyYaml(kind.value, request.value, base, model);
 });
 export const file = computed(() => editedFile.value ?? plainFile.value);
 
 export const count = computed(() => {
   if (isPlainTable.value) return Number(lay.value.steps) + 1;
   if (kind.value === 'table') return caseCount('study', { ...firstStudy(), axes: [{ ...grid.value.rows, key: kDepth }, { ...grid.value.columns, key: kTension }] });
-  return caseCount(kind.value, wish.value);
+  return caseCount(kind.value, request.value);
 });
 
-/** Seconds of a case by analysis, from studies of this session. */
+/** Seconds per case by analysis, from studies of this session. */
 const pace = signal<Record<string, number>>({});
 
-/** Expected time in seconds; null where nothing is known. */
+/** Expected time in seconds; null if unknown. */
 export const expected = computed<number | null>(() => {
-  const analysis = kind.value === 'table' ? 'static' : wish.value.analysis, known = pace.value[analysis];
+  const analysis = kind.value === 'table' ? 'static' : request.value.analysis, known = pace.value[analysis];
   if (kind.value === 'operability' || editedFile.value !== null) return null;
   if (known !== undefined) return known * count.value;
   return analysis === 'static' && solution.value ? solution.value.solve_ms / 1000 * count.value : null;
 });
 
 export const layTable = signal<{ of: LayTable; revision: number } | null>(null);
-/** The study that is shown; null: the lay table, or nothing. */
+/** The study shown; null: the lay table, or none. */
 export const shownId = signal<string | null>(null);
 export const matrix = signal<Matrix | null>(null);
-/** Of several seeds or a comparison. */
+/** Results of several seeds or of a comparison. */
 export const gathered = signal<Study | null>(null);
-const madeOf = new Map<string, number>();
+const revisions = new Map<string, number>();
 
 export const studies = computed<Run[]>(() => runs.value.filter((r) => !r.parent && (r.kind === 'study' || r.kind === 'seeds' || r.kind === 'comparison')));
 export const shownRun = computed<Run | null>(() => studies.value.find((r) => r.id === shownId.value) ?? null);
-/** The model has changed since; of studies of an earlier session it is not known. */
+/** The model has changed since; unknown for studies of an earlier session. */
 export const outdated = computed(() => {
-  const made = shownId.value === null ? layTable.value?.revision : madeOf.get(shownId.value);
+  const made = shownId.value === null ? layTable.value?.revision : revisions.get(shownId.value);
   return made !== undefined && made !== revision.value;
 });
 
@@ -125,36 +125,36 @@ export function showStudy(id: string | null): void {
   });
 }
 
-/** From elsewhere in the page. */
+/** Opened from another part of the page. */
 export function openStudy(id: string): void { showStudy(id); goTo('study'); }
 
 async function makeTable(): Promise<void> {
   const asked = revision.value, of = opened.value;
   const answer = await post<LayTableAnswer>('lay-table', { vary: lay.value.vary, range: rangeText(lay.value) });
   if (of !== opened.value) return;
-  if (answer.status !== 'ok') { refused.value = answer.diagnostics[0]?.message ?? 'the model has errors'; return; }
+  if (answer.status !== 'ok') { rejection.value = answer.diagnostics[0]?.message ?? 'the model has errors'; return; }
   batch(() => { showStudy(null); layTable.value = { of: answer, revision: asked }; });
 }
 
 async function startStudy(): Promise<void> {
   const asked = revision.value;
   const { id } = await post<{ id: string }>('runs', { kind: 'study', study: file.value });
-  madeOf.set(id, asked);
+  revisions.set(id, asked);
   await fetchRuns();
   showStudy(id);
 }
 
-const errorWords = (error: unknown): string => (error instanceof ApiError ? [error.message, error.hint].filter(Boolean).join('; ') : String(error));
+const errorText = (error: unknown): string => (error instanceof ApiError ? [error.message, error.hint].filter(Boolean).join('; ') : String(error));
 
 export async function solveStudy(): Promise<void> {
-  if (busy.value || fault.value) return;
+  if (busy.value || inputError.value) return;
   busy.value = true;
-  refused.value = '';
-  try { await (isPlainTable.value ? makeTable() : startStudy()); } catch (error) { refused.value = errorWords(error); }
+  rejection.value = '';
+  try { await (isPlainTable.value ? makeTable() : startStudy()); } catch (error) { rejection.value = errorText(error); }
   busy.value = false;
 }
 
-/** Values in SI of keys by their texts; null where one of them cannot be tried out. */
+/** SI values of keys from their texts; null if one of them cannot be tried out. */
 export function triedValues(keys: readonly { key: string; text: string }[]): Record<string, number> | null {
   const out: Record<string, number> = {};
   for (const { key, text } of keys) {
@@ -167,12 +167,12 @@ export function triedValues(keys: readonly { key: string; text: string }[]): Rec
 
 export const caseKeys = (m: Matrix, c: MatrixCase): { key: string; text: string }[] => m.inputs.map(({ key }, i) => ({ key, text: c.words[i]! }));
 
-/** Shows a case in the live statics, without a change of the model. */
+/** Shows a case in the live statics, without changing the model. */
 export function tryValues(set: Record<string, number>): void { values.value = set; }
 
 export function openInLay(set: Record<string, number>): void { tryValues(set); goTo('lay'); }
 
-/** Writes the values of a case into the model, which one undo takes back. */
+/** Writes the values of a case into the model, as one undo step. */
 export async function takeIntoModel(keys: readonly { key: string; text: string }[], name: string): Promise<void> {
   try {
     await setKeys(keys.map(({ key, text }) => ({ path: key, value: text })));
@@ -196,7 +196,7 @@ async function load(run: Run): Promise<void> {
   } catch (error) { if (current() && run.has_results) sayError(error); }
 }
 
-/** The table is asked for this often while cases come in [ms]; a large one less often. */
+/** Interval of table requests while cases are computed [ms]; longer for a large table. */
 const pause = (): number => ((matrix.value?.cases.length ?? 0) > 500 ? 3000 : 700);
 
 function notePace(run: Run, since: number): void {
@@ -205,18 +205,18 @@ function notePace(run: Run, since: number): void {
   if (run.state === 'done' && m && done && !m.operability) pace.value = { ...pace.value, [m.analysis]: (performance.now() - since) / 1000 / done };
 }
 
-/** Follows the study that is shown. */
+/** Follows the study shown. */
 export function startStudies(): void {
   let followed = '', timer = 0, began = 0;
   // another model has other keys
   effect(() => {
     void opened.value;
     untracked(() => batch(() => {
-      chosenKind.value = null; gridWish.value = null; layWish.value = null; studyWish.value = null; editedFile.value = null;
-      layTable.value = null; limits.value = usualLimits; refused.value = '';
+      chosenKind.value = null; gridRequest.value = null; layTableRequest.value = null; studyRequest.value = null; editedFile.value = null;
+      layTable.value = null; limits.value = usualLimits; rejection.value = '';
       showStudy(null);
     }));
-    madeOf.clear();
+    revisions.clear();
   });
   effect(() => {
     const run = shownRun.value, key = run ? `${run.id} ${run.state}` : '';

@@ -1,4 +1,4 @@
-// The verdict on what is shown, and the checks that it rests on.
+// The verdict on the results shown, and its checks.
 import { computed, signal } from '@preact/signals';
 import type { Check, Verdict } from '../api/types';
 import { calmLay, shownRun } from './shown';

@@ -1,18 +1,18 @@
-// Where the user is: the workspace, the object of the model that is selected, and the tab of the dock. Workspace and
-// object are kept in the address, so that reload and back return there.
+// Navigation state: workspace, selected object of the model, and tab of the dock. Workspace and
+// object are stored in the address, so that reload and back restore them.
 import { batch, effect, signal } from '@preact/signals';
 import type { WorkspaceId } from '../workspaces/workspace';
 import { kept } from './look';
 
 export const workspaceIds: readonly WorkspaceId[] = ['lay', 'operation', 'storm', 'study', 'runs', 'report'];
 export const workspace = signal<WorkspaceId>('lay');
-/** Path of the selected object in the model, like "supports.stinger" or "supports.stinger.boxes[2]"; empty: none. */
+/** Path of the selected object in the model, such as "supports.stinger" or "supports.stinger.boxes[2]"; empty: none. */
 export const object = signal('');
-/** The tab of the dock that each workspace shows. */
+/** Dock tab of each workspace. */
 export const dockTabs = kept<Partial<Record<WorkspaceId, string>>>('docktabs', {});
-/** Picture and dock side by side, or the one that fills the middle. */
+/** Picture and dock together, or the one that is maximised. */
 export const middle = kept<'both' | 'picture' | 'dock'>('middle', 'both');
-/** On narrow screens the side columns are drawers: the one that is open. */
+/** The open drawer: side columns are drawers on narrow screens. */
 export const drawer = signal<'model' | 'results' | null>(null);
 
 export function goTo(id: WorkspaceId): void { workspace.value = id; }
@@ -26,7 +26,7 @@ export function showDockTab(id: WorkspaceId, tab: string): void {
   });
 }
 
-const addressOf = (): string => `#/${workspace.value}${object.value ? `/${encodeURI(object.value)}` : ''}`;
+const pageAddress = (): string => `#/${workspace.value}${object.value ? `/${encodeURI(object.value)}` : ''}`;
 
 function readAddress(): void {
   const [, id, path] = /^#\/(\w+)(?:\/(.*))?$/.exec(location.hash) ?? [];
@@ -42,8 +42,8 @@ export function startWorkspace(): void {
   addEventListener('hashchange', readAddress);
   let last = workspace.value;
   effect(() => {
-    const address = addressOf();
-    // a step back leads to the workspace before; objects on the way do not count as steps
+    const address = pageAddress();
+    // back leads to the previous workspace; selected objects are not history entries
     if (address !== location.hash) history[workspace.value === last ? 'replaceState' : 'pushState'](null, '', address);
     last = workspace.value;
   });

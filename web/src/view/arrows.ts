@@ -1,4 +1,4 @@
-// Arrows: the current at its depths, and the way the pipe goes through the tensioner.
+// Arrows: the current at its depths, and the movement of the pipe through the tensioner.
 import * as THREE from 'three';
 import type { Lay, Scene } from '../api/types';
 import { members, vec } from './members';
@@ -6,7 +6,7 @@ import { members, vec } from './members';
 const currentPaint = new THREE.MeshStandardMaterial({ color: '#1b9ab8', roughness: 0.7 });
 const up = new THREE.Vector3(0, 1, 0);
 
-/** `low`, `high`: corners of the part of the sea that is shown. */
+/** `low`, `high`: corners of the visible part of the sea. */
 export function currentArrows(scene: Scene, low: THREE.Vector2, high: THREE.Vector2): THREE.Object3D[] {
   const fastest = Math.max(0, ...scene.current.map((c) => Math.hypot(...c.velocity)));
   if (fastest === 0) return [];
@@ -28,7 +28,7 @@ export function currentArrows(scene: Scene, low: THREE.Vector2, high: THREE.Vect
   return out;
 }
 
-/** What the tensioner does: +1 pays out, -1 hauls in, 0 holds; at its limit it cannot go on. */
+/** Tensioner state: +1 pays out, -1 hauls in, 0 holds; or at its limit. */
 export interface Machine { way: number; limit: boolean; travel: number }
 
 export class TensionerArrow {
@@ -43,7 +43,7 @@ export class TensionerArrow {
     this.group.visible = false;
   }
 
-  /** Beside the tensioner, the way the pipe is going through it. */
+  /** Next to the tensioner, in the direction of the pipe movement. */
   point(machine: Machine | null, solution: Lay | null): void {
     this.group.visible = machine !== null && (machine.way !== 0 || machine.limit);
     if (!machine || !solution?.tensioner) return;

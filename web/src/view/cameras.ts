@@ -1,4 +1,4 @@
-// Where to look from, for each of the view buttons.
+// Camera positions of the view buttons.
 import * as THREE from 'three';
 import type { Lay, Scene, Vessel } from '../api/types';
 import { onLines, type ViewName } from '../logic/views';
@@ -11,7 +11,7 @@ export function axes(vessel: Vessel): { forward: THREE.Vector3; port: THREE.Vect
   return { forward: new THREE.Vector3(p[3], p[6], 0).normalize(), port: new THREE.Vector3(p[4], p[7], 0).normalize() };
 }
 
-/** Eye for a set of points: so far away that all are within the picture, seen from a direction. */
+/** Camera position for a set of points: far enough to show all of them from a direction. */
 function around(points: THREE.Vector3[], from: THREE.Vector3, camera: THREE.PerspectiveCamera, margin = 1.08): Shot {
   const box = new THREE.Box3().setFromPoints(points);
   const target = box.getCenter(new THREE.Vector3());
@@ -20,7 +20,7 @@ function around(points: THREE.Vector3[], from: THREE.Vector3, camera: THREE.Pers
   const up = back.clone().cross(right);
   const tv = Math.tan((camera.fov * Math.PI) / 360), th = tv * camera.aspect;
   let distance = 4;
-  // near points look larger than far ones, so the middle of the picture is found in a few rounds
+  // near points look larger than far ones, so the centre of the picture is found iteratively
   for (let round = 0; round < 6; ++round) {
     distance = 4;
     for (const p of points) {
@@ -56,14 +56,14 @@ function vesselShot(vessel: Vessel, camera: THREE.PerspectiveCamera): Shot {
   return around([...ends, ...ends.map((p) => p.clone().add(up))], port.clone().negate().addScaledVector(forward, 0.5).addScaledVector(up, 0.45 / vessel.height), camera, 1.15);
 }
 
-/** Null where there is nothing to look at: a scene without a vessel may come before the solution that belongs to it. */
+/** Null if there is nothing to show: a scene without a vessel may arrive before its solution. */
 export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.PerspectiveCamera): Shot | null {
   const { vessel } = scene;
   if (name === 'lines' || !vessel) {
     const all = places(s.lines.flatMap((l) => l.shape));
     if (!all.length) return null;
     const box = new THREE.Box3().setFromPoints(all), size = box.getSize(new THREE.Vector3());
-    // across the way they run, a little from above
+    // across their direction, slightly from above
     const across = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
     return around(all, across.add(new THREE.Vector3(-0.2, -0.05, 0.3)), camera, 1.25);
   }

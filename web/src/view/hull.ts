@@ -1,5 +1,5 @@
-// The barge: its outline from the side drawn out over the beam, with a slot aft where the ramp lies lower than the deck.
-// The model gives main dimensions only; bow rake, house and crane stand there so that one sees which way is forward.
+// The barge: its profile extruded over the beam, with a slot aft in which the ramp is lower than the deck.
+// The model gives main dimensions only; bow rake, house and crane show the forward direction.
 import * as THREE from 'three';
 import type { Scene, Vessel } from '../api/types';
 import { vec } from './members';
@@ -22,7 +22,7 @@ function strip(outline: Point[], from: number, to: number, material: THREE.Mater
   if (outline.length < 3 || to - from < 1e-3) return null;
   const shape = new THREE.Shape(outline.map(([x, z]) => new THREE.Vector2(x, z)));
   const geometry = new THREE.ExtrudeGeometry(shape, { depth: to - from, bevelEnabled: false });
-  // the outline lies in the x-z plane and is drawn out to port (+y)
+  // the outline lies in the x-z plane and is extruded to port (+y)
   geometry.applyMatrix4(new THREE.Matrix4().set(1, 0, 0, 0, 0, 0, -1, -from, 0, 1, 0, 0, 0, 0, 0, 1));
   return new THREE.Mesh(geometry, material);
 }
@@ -36,14 +36,14 @@ const paint = {
   edge: new THREE.LineBasicMaterial({ color: '#1b2f41', transparent: true, opacity: 0.55 }),
 };
 
-/** From close by the hull is seen through, for ramp and rollers stand in its slot. */
+/** At close range the hull is transparent, to show ramp and rollers in its slot. */
 export function seeThrough(on: boolean): boolean {
   if (paint.side.transparent === on) return false;
   for (const m of [paint.side, paint.bottom]) { m.transparent = on; m.opacity = on ? 0.3 : 1; m.depthWrite = !on; m.needsUpdate = true; }
   return true;
 }
 
-/** In the vessel's frame. `lowest`: for x forward, how high the middle of the deck may reach below the pipe, or null. */
+/** In the vessel frame. `lowest`: for x forward, the maximum height of the middle of the deck below the pipe, or null. */
 export function hull(vessel: Vessel, lowest: (x: number) => number | null): THREE.Group {
   const group = new THREE.Group();
   const { length, beam, height, draught } = vessel;
@@ -94,9 +94,9 @@ export function hull(vessel: Vessel, lowest: (x: number) => number | null): THRE
   return group;
 }
 
-/** How high the deck may reach under the pipe, at a place along the vessel: a metre and more below the rollers. */
-export function slotDepth(scene: Scene, still: THREE.Matrix4): (x: number) => number | null {
-  const inverse = still.clone().invert();
+/** Maximum deck height below the pipe at a position along the vessel: just over a metre below the rollers. */
+export function slotDepth(scene: Scene, restPose: THREE.Matrix4): (x: number) => number | null {
+  const inverse = restPose.clone().invert();
   const list = [...(scene.tensioner ? [scene.tensioner] : []), ...scene.ramp.map((b) => b.place), ...scene.stinger.slice(0, 1).map((b) => b.place)]
     .map((p) => vec(p).applyMatrix4(inverse)).sort((a, b) => a.x - b.x);
   return (x) => {

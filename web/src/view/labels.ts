@@ -1,4 +1,4 @@
-// Names over the picture; where they are placed see logic/labelPlaces.ts.
+// Names over the picture; for their positions see logic/labelPlaces.ts.
 import * as THREE from 'three';
 import type { Lay, Scene } from '../api/types';
 import { labelHeight, placeNames, type Rect, type Wanted } from '../logic/labelPlaces';
@@ -7,14 +7,14 @@ import { vec } from './members';
 
 export interface Label { text: string; place: THREE.Vector3; weight: number }
 
-/** A name as it stands in the picture [px]. */
+/** A placed name in the picture [px]. */
 export interface ShownName { text: string; x: number; middle: number; top: number; leader: number; chosen: boolean }
 
 const heaviest = 100;
 
 export class Labels {
   shown: ShownName[] = [];
-  /** Of what stands over the picture [px]. */
+  /** Cards over the picture [px]. */
   taken: Rect[] = [];
   chosen = '';
   private pool: HTMLSpanElement[] = [];
@@ -59,8 +59,8 @@ export class Labels {
   }
 }
 
-/** Names of what is in the picture; where they collide the heavier one stays. */
-export function labelsOf(scene: Scene, solution: Lay): Label[] {
+/** Names of objects in the picture; if names overlap, the one of higher weight is kept. */
+export function makeLabels(scene: Scene, solution: Lay): Label[] {
   const list: Label[] = [];
   if (solution.tensioner) list.push({ text: 'tensioner', place: vec(solution.tensioner.place), weight: 5 });
   if (solution.touchdown) list.push({ text: 'touchdown', place: vec(solution.touchdown.place), weight: 6 });

@@ -1,4 +1,4 @@
-// Many straight round members (chords, braces, posts) as one instanced cylinder.
+// Straight round members (chords, braces, posts) as one instanced cylinder.
 import * as THREE from 'three';
 
 export type Member = [THREE.Vector3, THREE.Vector3, number];

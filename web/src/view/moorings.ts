@@ -1,4 +1,4 @@
-// Mooring lines with their anchors and fairleads, and lines by themselves: tubes drawn thick enough to be seen from far.
+// Mooring lines with their anchors and fairleads, and other lines: tubes drawn thick enough to be visible from far.
 import * as THREE from 'three';
 import { valueScale } from '../components/colourScale';
 import type { LineAtRest, MooredState, Vector } from '../api/types';
@@ -7,7 +7,7 @@ import type { Label } from './labels';
 import { dispose, vec } from './members';
 import { PipeView } from './pipe';
 
-const wire = 0.05; // m, drawn; far away it is a few pixels thick all the same
+const wire = 0.05; // m, drawn; at a distance at least a few pixels
 const anchorPaint = new THREE.MeshStandardMaterial({ color: '#3a2f28', roughness: 0.7 });
 const sheavePaint = new THREE.MeshStandardMaterial({ color: '#c2452d', roughness: 0.6 });
 
@@ -15,14 +15,14 @@ export interface DrawnLine { name: string; points: Float32Array; colour: string;
 
 const flat = (points: readonly Vector[]): Float32Array => new Float32Array(points.flat());
 
-/** A line that has parted is not there. */
+/** A parted line is not drawn. */
 export const ofMoorings = (state: MooredState): DrawnLine[] =>
   state.moorings.filter((l) => !l.parted && l.shape.length > 1).map((l) => ({ name: l.name, points: flat(l.shape), colour: levelColours[lineLevel(l)], values: null }));
 
 export const ofLines = (lines: readonly LineAtRest[]): DrawnLine[] =>
   lines.map((l) => ({ name: l.name, points: flat(l.shape), colour: '#0b66c2', values: l.tension }));
 
-/** The same lines where a run has recorded them; tensions are those of rest and are left out. */
+/** The same lines as recorded in a run; without tensions, which are static ones. */
 export function recordedLines(lines: readonly DrawnLine[], recorded: ReadonlyMap<string, Float32Array> | null): DrawnLine[] {
   return lines.flatMap((l) => {
     const points = recorded?.get(l.name);
@@ -61,7 +61,7 @@ export class MooringsView {
     this.setPixel(this.pixel);
   }
 
-  /** Fairleads and anchors of a spread; none for lines by themselves. */
+  /** Fairleads and anchors of a mooring spread; none for other lines. */
   mark(state: MooredState | null): void {
     dispose(this.marks);
     this.anchors = [];
@@ -82,7 +82,7 @@ export class MooringsView {
     for (const tube of this.tubes) tube.setPixel(size);
   }
 
-  /** Anchors are seen from afar. */
+  /** Anchors are visible from afar. */
   face(camera: THREE.Camera): void {
     for (const anchor of this.anchors) anchor.scale.setScalar(Math.max(2, 7 * this.pixel * camera.position.distanceTo(anchor.position)));
   }

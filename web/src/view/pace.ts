@@ -1,20 +1,20 @@
-// Sharpness of the picture: coarser pixels while pictures follow each other too slowly, full sharpness when it stands still.
+// Resolution of the picture: coarser pixels while frames are slow, full resolution at rest.
 
 const lowest = 0.45;
 
 export class Pace {
-  /** Pixels drawn over those of the screen. */
+  /** Drawn pixels per screen pixel. */
   coarse = 1;
   private slow = 0;
   private last = -Infinity;
 
   /** Milliseconds since the last picture. */
-  since(now: number): number { return now - this.last; }
+  since(time: number): number { return time - this.last; }
 
-  /** A picture is drawn; true where its pixels have changed. */
-  next(now: number): boolean {
-    const gap = now - this.last;
-    this.last = now;
+  /** Records a frame; true if the pixel ratio has changed. */
+  next(time: number): boolean {
+    const gap = time - this.last;
+    this.last = time;
     if (gap > 400) { this.slow = 0; return false; }
     this.slow = gap > 45 ? this.slow + 1 : Math.max(0, this.slow - 1);
     if (this.slow < 3 || this.coarse <= lowest) return false;
@@ -23,16 +23,16 @@ export class Pace {
     return true;
   }
 
-  /** Coarser for as long as a value is dragged. */
+  /** Coarser during a drag. */
   lower(to: number): boolean {
     if (this.coarse <= to) return false;
     this.coarse = to;
     return true;
   }
 
-  /** Nothing has moved for a while: true where the picture is to be drawn sharply once more. */
-  rest(now: number): boolean {
-    if (this.coarse === 1 || now - this.last < 350) return false;
+  /** At rest for a while: true if the picture is to be drawn once more at full resolution. */
+  rest(time: number): boolean {
+    if (this.coarse === 1 || time - this.last < 350) return false;
     this.coarse = 1;
     this.last = -Infinity;
     return true;

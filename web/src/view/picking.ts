@@ -1,4 +1,4 @@
-// What lies under the pointer: looked for on the screen, so that thin things can be hit.
+// Objects under the pointer: found on the screen, so that thin objects can be hit.
 import * as THREE from 'three';
 import type { RollerRef } from './rollers';
 
@@ -7,18 +7,18 @@ export type Picked = { kind: 'station'; index: number } | { kind: 'roller'; roll
 export interface Target {
   camera: THREE.PerspectiveCamera;
   width: number; height: number;
-  /** Places of the pipe's stations, three numbers each. */
+  /** Positions of the pipe stations, three numbers each. */
   points: ArrayLike<number>;
   rollers: RollerRef[];
-  /** Mooring lines, and lines by themselves. */
+  /** Mooring lines and other lines. */
   lines: readonly { name: string; points: ArrayLike<number> }[];
-  /** Where the vessel has moved to. */
+  /** Pose of the moved vessel. */
   afloat: THREE.Matrix4;
 }
 
 const reach = 14; // px
-const lineReach = 8; // px: lines are long, and lie beside other things
-const farthest = 60; // m: rollers farther away are too small to be meant
+const lineReach = 8; // px: lines are long, and pass other objects
+const farthest = 60; // m: more distant rollers are too small to be selected
 
 export function pick(t: Target, x: number, y: number): Picked {
   const p = new THREE.Vector3();
@@ -40,7 +40,7 @@ export function pick(t: Target, x: number, y: number): Picked {
   return best;
 }
 
-/** Where a click on the picture lies in the world: on a roller or the pipe, else on an upright plane through the pipe or lines, else on the water. */
+/** World position of a click: on a roller or the pipe, otherwise on a vertical plane through the pipe or lines, otherwise on the water. */
 export function placeUnder(t: Target, x: number, y: number, plane: { point: THREE.Vector3; normal: THREE.Vector3 } | null): THREE.Vector3 | null {
   const hit = pick(t, x, y);
   if (hit?.kind === 'roller') return hit.roller.center.clone().applyMatrix4(t.afloat);
@@ -50,13 +50,13 @@ export function placeUnder(t: Target, x: number, y: number, plane: { point: THRE
   const far = 20 * Math.max(100, t.camera.position.length());
   const upright = plane && Math.abs(plane.normal.dot(ray.ray.direction)) > 0.12 ? new THREE.Plane().setFromNormalAndCoplanarPoint(plane.normal, plane.point) : null;
   for (const surface of [upright, new THREE.Plane(new THREE.Vector3(0, 0, 1), 0)]) {
-    const at = surface && ray.ray.intersectPlane(surface, new THREE.Vector3());
-    if (at && at.distanceTo(t.camera.position) < far) return at;
+    const crossing = surface && ray.ray.intersectPlane(surface, new THREE.Vector3());
+    if (crossing && crossing.distanceTo(t.camera.position) < far) return crossing;
   }
   return null;
 }
 
-/** Lines have few points far apart: the way between them counts as well. */
+/** Lines have few, distant points: the segments between them count as well. */
 function pickLine(t: Target, x: number, y: number): Picked {
   const p = new THREE.Vector3();
   let best: Picked = null;
@@ -65,33 +65,33 @@ function pickLine(t: Target, x: number, y: number): Picked {
     let before: [number, number] | null = null;
     for (let i = 0; i + 2 < line.points.length; i += 3) {
       p.set(line.points[i]!, line.points[i + 1]!, line.points[i + 2]!).project(t.camera);
-      const now: [number, number] | null = p.z < 1 ? [((p.x + 1) / 2) * t.width, ((1 - p.y) / 2) * t.height] : null;
-      if (now && before) {
-        const d = toSegment([x, y], before, now);
+      const projected: [number, number] | null = p.z < 1 ? [((p.x + 1) / 2) * t.width, ((1 - p.y) / 2) * t.height] : null;
+      if (projected && before) {
+        const d = toSegment([x, y], before, projected);
         if (d < closest) { closest = d; best = { kind: 'line', name: line.name }; }
       }
-      before = now;
+      before = projected;
     }
   }
   return best;
 }
 
-/** Distance of a point from the way between two others. */
+/** Distance of a point from a segment. */
 export function toSegment(p: readonly [number, number], a: readonly [number, number], b: readonly [number, number]): number {
   const ux = b[0] - a[0], uy = b[1] - a[1], size = ux * ux + uy * uy;
   const f = size > 0 ? Math.min(1, Math.max(0, ((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / size)) : 0;
   return Math.hypot(a[0] + f * ux - p[0], a[1] + f * uy - p[1]);
 }
 
-/** A click is a press that did not drag; moving tells at most some thirty times a second. */
+/** A click is a press without a drag; moves are reported at most about thirty times a second. */
 export function followPointer(canvas: HTMLElement, click: (x: number, y: number) => void, move: (x: number, y: number) => void, leave: () => void): void {
   let down: [number, number] | null = null;
   let last = 0;
   const local = (e: PointerEvent): [number, number] => { const r = canvas.getBoundingClientRect(); return [e.clientX - r.left, e.clientY - r.top]; };
   canvas.addEventListener('pointerdown', (e) => { down = local(e); });
   canvas.addEventListener('pointerup', (e) => {
-    const at = local(e);
-    if (down && Math.hypot(at[0] - down[0], at[1] - down[1]) < 4) click(...at);
+    const released = local(e);
+    if (down && Math.hypot(released[0] - down[0], released[1] - down[1]) < 4) click(...released);
     down = null;
   });
   canvas.addEventListener('pointermove', (e) => {

@@ -1,4 +1,4 @@
-// The pipe: a tube with its true radius, drawn thicker only where it would be thinner than a few pixels on the screen.
+// The pipe: a tube with its true radius, drawn thicker only if it would be thinner than a few pixels on the screen.
 import * as THREE from 'three';
 import { valueShares, type Rgb, type ValueScale } from '../components/colourScale';
 import type { PartName } from '../logic/operation';
@@ -29,7 +29,7 @@ export class PipeView {
     this.mesh.frustumCulled = false;
   }
 
-  /** The pipe ends where the sea that is drawn ends: nothing hangs in the void. */
+  /** The pipe ends at the edge of the drawn sea. */
   setBounds(low: THREE.Vector2, high: THREE.Vector2): void {
     const plane = (x: number, y: number, c: number): THREE.Plane => new THREE.Plane(new THREE.Vector3(x, y, 0), c);
     (this.mesh.material as THREE.Material).clippingPlanes = [plane(1, 0, -low.x), plane(-1, 0, high.x), plane(0, 1, -low.y), plane(0, -1, high.y)];
@@ -38,7 +38,7 @@ export class PipeView {
   /** World size of a pixel at unit distance. */
   setPixel(size: number): void { this.uniforms.pixel.value = size; }
   setRadius(radius: number): void { this.uniforms.radius.value = radius; }
-  /** Least radius on the screen, in pixels. */
+  /** Minimum radius on the screen, in pixels. */
   setLeast(pixels: number): void { this.uniforms.least.value = pixels; }
 
   setPlaces(points: Float32Array): void {
@@ -46,7 +46,7 @@ export class PipeView {
     const old = this.shape;
     this.shape = tube(points, sides, old);
     if (this.shape !== old) {
-      // with room to grow: the number of stations differs a little from one solution to the next
+      // with spare capacity: the number of stations varies slightly between solutions
       const room = Math.ceil(1.25 * this.shape.stations);
       const grown = { centres: new Float32Array(3 * room * sides), normals: new Float32Array(3 * room * sides), stations: room, sides };
       this.shape = tube(points, sides, grown);
@@ -67,7 +67,7 @@ export class PipeView {
     this.geometry.setDrawRange(0, Math.max(0, this.shape.stations - 1) * sides * 6);
   }
 
-  /** How thick the line is at every station, of the pipe's radius; null: as the pipe. */
+  /** Thickness at every station, relative to the pipe radius; null: 1. */
   setThickness(of: ((i: number) => number) | null): void {
     const n = this.shape?.stations ?? 0;
     for (let i = 0; i < n; ++i) this.thickness.fill(of ? of(i) : 1, i * sides, (i + 1) * sides);
@@ -75,21 +75,21 @@ export class PipeView {
     if (attribute) attribute.needsUpdate = true;
   }
 
-  /** The same colour all along. */
+  /** A uniform colour. */
   setColour(colour: string): void {
-    const one = new THREE.Color(colour);
+    const uniform = new THREE.Color(colour);
     const n = (this.shape?.stations ?? 0) * sides;
-    for (let i = 0; i < n; ++i) one.toArray(this.colours, 3 * i);
+    for (let i = 0; i < n; ++i) uniform.toArray(this.colours, 3 * i);
     const attribute = this.geometry.getAttribute('color');
     if (attribute) attribute.needsUpdate = true;
   }
 
-  setColours(values: ArrayLike<number> | null, scale: ValueScale, parts: { at: (i: number) => PartName; colours: Record<'head' | 'cable', string> } | null = null): void {
+  setColours(values: ArrayLike<number> | null, scale: ValueScale, parts: { partAt: (i: number) => PartName; colours: Record<'head' | 'cable', string> } | null = null): void {
     const n = this.shape?.stations ?? 0;
     const rgb: Rgb = [0, 0, 0];
     const linear = new THREE.Color();
     for (let i = 0; i < n; ++i) {
-      const part = parts?.at(i) ?? 'pipe';
+      const part = parts?.partAt(i) ?? 'pipe';
       if (part !== 'pipe') linear.set(parts!.colours[part]);
       else if (values) linear.setRGB(...valueShares(scale, values[i]!, rgb), THREE.SRGBColorSpace);
       else linear.setRGB(0.55, 0.58, 0.61, THREE.SRGBColorSpace);

@@ -1,4 +1,4 @@
-// Ramp, stinger and tensioner, drawn from the places of the roller boxes: what stands between them is schematic.
+// Ramp, stinger and tensioner, drawn from the positions of the roller boxes: the structure between them is schematic.
 import * as THREE from 'three';
 import type { Lay, Scene, Support, TensionerPlace } from '../api/types';
 import { members, vec, type Member } from './members';
@@ -17,23 +17,23 @@ function frames(supports: Support[], scene: Scene, structure: 'ramp' | 'stinger'
   return list.map((s, i) => {
     const place = vec(s.place);
     const before = vec((list[i - 1] ?? s).place), after = vec((list[i + 1] ?? s).place);
-    const still = fixed.get(s.name);
-    // a dragged box stands elsewhere than in the still scene: its neighbours then tell the direction
-    const moved = !still || vec(still.place).distanceTo(place) > 1e-3;
-    const along = (moved && list.length > 1 ? after.clone().sub(before) : still ? vec(still.direction) : new THREE.Vector3(-1, 0, 0)).normalize();
+    const fixedBox = fixed.get(s.name);
+    // a dragged box has left its position in the fixed scene: its direction then follows from its neighbours
+    const moved = !fixedBox || vec(fixedBox.place).distanceTo(place) > 1e-3;
+    const along = (moved && list.length > 1 ? after.clone().sub(before) : fixedBox ? vec(fixedBox.direction) : new THREE.Vector3(-1, 0, 0)).normalize();
     const side = new THREE.Vector3(0, 0, 1).cross(along).normalize();
     return { place, along, side, up: along.clone().cross(side).normalize(), length: fixed.get(s.name)?.length || 1 };
   });
 }
 
-const at = (f: Frame, along: number, side: number, up: number): THREE.Vector3 =>
+const pointAt = (f: Frame, along: number, side: number, up: number): THREE.Vector3 =>
   f.place.clone().addScaledVector(f.along, along).addScaledVector(f.side, side).addScaledVector(f.up, up);
 
 function truss(list: Frame[], half: number, top: number, deep: number): Member[] {
   const out: Member[] = [];
   const sections = list.flatMap((f) => [-0.5, 0.5].map((k) => {
     const a = k * f.length;
-    return [at(f, a, half, top), at(f, a, -half, top), at(f, a, half * 0.8, -deep), at(f, a, -half * 0.8, -deep)];
+    return [pointAt(f, a, half, top), pointAt(f, a, -half, top), pointAt(f, a, half * 0.8, -deep), pointAt(f, a, -half * 0.8, -deep)];
   }));
   sections.forEach((s, i) => {
     out.push([s[0]!, s[1]!, 0.09], [s[0]!, s[2]!, 0.07], [s[1]!, s[3]!, 0.07], [s[2]!, s[3]!, 0.07]);
@@ -57,8 +57,8 @@ export function rig(solution: Lay, scene: Scene): THREE.Group {
     const first = stinger[0]!;
     const shoe = vec(scene.stern_shoe);
     const hitch: Member[] = [-1, 1].flatMap((k): Member[] => [
-      [at(first, -first.length / 2, 0.95 * k, -0.55), shoe.clone().addScaledVector(first.side, 1.5 * k).add(new THREE.Vector3(0, 0, -1)), 0.16],
-      [at(first, -first.length / 2, 0.76 * k, -2.1), shoe.clone().addScaledVector(first.side, 1.5 * k).add(new THREE.Vector3(0, 0, -3.2)), 0.13],
+      [pointAt(first, -first.length / 2, 0.95 * k, -0.55), shoe.clone().addScaledVector(first.side, 1.5 * k).add(new THREE.Vector3(0, 0, -1)), 0.16],
+      [pointAt(first, -first.length / 2, 0.76 * k, -2.1), shoe.clone().addScaledVector(first.side, 1.5 * k).add(new THREE.Vector3(0, 0, -3.2)), 0.13],
     ]);
     group.add(members(hitch, steel));
   }
@@ -66,14 +66,14 @@ export function rig(solution: Lay, scene: Scene): THREE.Group {
   for (const f of frames(solution.supports, scene, 'ramp')) {
     for (const a of [-0.5, 0.5]) {
       for (const k of [-0.75, 0.75]) {
-        const head = at(f, a * f.length, k, -0.45);
+        const head = pointAt(f, a * f.length, k, -0.45);
         const foot = head.clone();
         foot.z = Math.min(deck, head.z - 0.7);
         posts.push([head, foot, 0.11]);
       }
-      posts.push([at(f, a * f.length, -0.75, -0.45), at(f, a * f.length, 0.75, -0.45), 0.1]);
+      posts.push([pointAt(f, a * f.length, -0.75, -0.45), pointAt(f, a * f.length, 0.75, -0.45), 0.1]);
     }
-    for (const k of [-0.75, 0.75]) posts.push([at(f, -f.length / 2, k, -0.45), at(f, f.length / 2, k, -0.45), 0.1]);
+    for (const k of [-0.75, 0.75]) posts.push([pointAt(f, -f.length / 2, k, -0.45), pointAt(f, f.length / 2, k, -0.45), 0.1]);
   }
   if (posts.length) group.add(members(posts, grey));
   if (solution.tensioner) group.add(tensioner(solution.tensioner, scene, deck));

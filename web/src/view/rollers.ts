@@ -1,4 +1,4 @@
-// Every roller at its true place: solid and coloured by its reaction where the pipe rests on it, an outline where it is clear.
+// Rollers at their true positions: solid and coloured by the reaction if in contact, an outline if clear.
 import * as THREE from 'three';
 import type { Support } from '../api/types';
 import { loadShares } from '../logic/colour';
@@ -11,9 +11,9 @@ const up = new THREE.Vector3(0, 1, 0);
 function outline(): THREE.Vector3[] {
   const out: THREE.Vector3[] = [];
   const n = 14;
-  const at = (k: number, y: number): THREE.Vector3 => new THREE.Vector3(Math.cos((2 * Math.PI * k) / n), y, Math.sin((2 * Math.PI * k) / n));
-  for (const y of [-0.5, 0.5]) for (let k = 0; k < n; ++k) out.push(at(k, y), at(k + 1, y));
-  for (let k = 0; k < 4; ++k) { const a = (k * n) / 4; out.push(at(a, -0.5), at(a, 0.5)); }
+  const vertex = (k: number, y: number): THREE.Vector3 => new THREE.Vector3(Math.cos((2 * Math.PI * k) / n), y, Math.sin((2 * Math.PI * k) / n));
+  for (const y of [-0.5, 0.5]) for (let k = 0; k < n; ++k) out.push(vertex(k, y), vertex(k + 1, y));
+  for (let k = 0; k < 4; ++k) { const a = (k * n) / 4; out.push(vertex(a, -0.5), vertex(a, 0.5)); }
   return out;
 }
 const lines = outline();
@@ -41,7 +41,7 @@ export class RollersView {
     this.group.add(this.clear, this.chosen);
   }
 
-  /** The rollers of the selected box in outline, over everything. */
+  /** Outline of the rollers of the selected box, over everything. */
   choose(name: string | null): void {
     this.chosenName = name;
     this.outlineChosen();
@@ -82,12 +82,12 @@ export class RollersView {
     const colour = new THREE.Color();
     let clear = 0;
     this.list = [];
-    const rowOf = new Map<Support, number>();
+    const nextRow = new Map<Support, number>();
     all.forEach(({ s, r }, i) => {
       turn.setFromUnitVectors(up, vec(r.axis).normalize());
       matrix.compose(vec(r.center), turn, new THREE.Vector3(r.radius, r.face, r.radius));
       const touches = r.reaction > 0;
-      // an instance of no size is not seen: contact decides which of the two is drawn
+      // an instance of zero size is invisible: contact decides which of the two is drawn
       this.solid!.setMatrixAt(i, matrix);
       if (!touches) {
         this.ghost!.setMatrixAt(clear++, matrix);
@@ -96,8 +96,8 @@ export class RollersView {
       }
       colour.setRGB(...loadShares(r.reaction / (largest || 1)), THREE.SRGBColorSpace);
       this.solid!.setColorAt(i, colour);
-      if (r.position === 'bottom') rowOf.set(s, (rowOf.get(s) ?? -1) + 1);
-      this.list.push({ support: s, row: rowOf.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center), matrix: matrix.clone() });
+      if (r.position === 'bottom') nextRow.set(s, (nextRow.get(s) ?? -1) + 1);
+      this.list.push({ support: s, row: nextRow.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center), matrix: matrix.clone() });
     });
     this.solid!.count = all.length;
     this.ghost!.count = clear;
@@ -112,7 +112,7 @@ export class RollersView {
 
   private largestShown = 1;
 
-  /** While a run is animated: each box in the colour of its reaction at the moment, grey where that is not known. */
+  /** In an animation: each box in the colour of its present reaction, grey if unknown. */
   setReactions(of: Map<string, number>, largest: number): void {
     if (!this.solid) return;
     this.shownReactions = of;
@@ -131,7 +131,7 @@ export class RollersView {
     this.ghost!.visible = this.clear.visible = false;
   }
 
-  /** Back to the reactions of statics; `set` follows. */
+  /** Returns to the static reactions; `set` follows. */
   endReactions(): void {
     this.shownReactions = null;
     if (this.ghost) this.ghost.visible = true;

@@ -8,9 +8,9 @@ import { axes } from './cameras';
 import { dispose, vec } from './members';
 
 const cells = 72;
-const grain = 20; // m: whole cells, so that the water does not creep while a value is dragged
+const grain = 20; // m: whole cells, so that the water does not creep during a drag
 
-/** Corners of the part of the sea that is shown: from ahead of the bow to a little behind touchdown. */
+/** Corners of the visible part of the sea: from ahead of the bow to slightly beyond touchdown. */
 export function seaCorners(scene: Scene, solution: Lay): [THREE.Vector2, THREE.Vector2] {
   const touch = solution.touchdown?.s ?? Infinity;
   const { vessel } = scene;
@@ -35,7 +35,7 @@ export function widerCorners([low, high]: [THREE.Vector2, THREE.Vector2], soluti
   return [new THREE.Vector2(down(low.x, box.min.x), down(low.y, box.min.y)), new THREE.Vector2(up(high.x, box.max.x), up(high.y, box.max.y))];
 }
 
-/** Lines of the grid of the water, most of them where the vessel is. */
+/** Grid lines of the water, densest at the vessel. */
 export function waterGrid(low: number, high: number, from: number, to: number): number[] {
   if (high - low < 1.5 * (to - from)) return Array.from({ length: cells + 1 }, (_, i) => low + ((high - low) * i) / cells);
   const outer = low < from && high > to ? cells / 6 : cells / 3;
@@ -52,7 +52,7 @@ export class SeaView {
   private readonly bed = new THREE.Group();
   private readonly arrows = new THREE.Group();
   private readonly water: THREE.Mesh;
-  // Only the far walls of the body of water are seen: they tell water from air behind what is drawn.
+  // Only the far walls of the body of water are visible: they separate water from air behind the objects.
   private readonly body = new THREE.Mesh(new THREE.BoxGeometry(1, 1, 1), new THREE.MeshBasicMaterial({ color: '#3f8fbf', transparent: true, opacity: 0.16, side: THREE.BackSide, depthWrite: false }));
   private xs: number[] = [];
   private ys: number[] = [];
@@ -68,7 +68,7 @@ export class SeaView {
     this.group.add(this.body, this.bed, this.arrows, this.water);
   }
 
-  /** `low`, `high`: corners of the part of the sea that is shown; `core`: those of its part about vessel and pipe. */
+  /** `low`, `high`: corners of the visible part of the sea; `core`: those of its part about vessel and pipe. */
   set(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, core: [THREE.Vector2, THREE.Vector2], dark: boolean): void {
     this.waves = scene.waves;
     this.xs = waterGrid(low.x, high.x, core[0].x, core[1].x);
@@ -83,7 +83,7 @@ export class SeaView {
     for (const arrow of currentArrows(scene, ...core)) this.arrows.add(arrow);
   }
 
-  /** Waves at a time; null is the still water that statics sees. */
+  /** Waves at a time; null is the still water of statics. */
   setTime(t: number | null): void {
     if (t === null || this.waves.length === 0) this.heights.fill(0);
     else surface(this.waves, this.xs, this.ys, t, this.heights);
@@ -109,9 +109,9 @@ export class SeaView {
     const lines: number[] = [];
     const step = Math.max(high.x - low.x, high.y - low.y) > 1500 ? 100 : 20;
     const line = (x0: number, y0: number, x1: number, y1: number): void => {
-      const at = (k: number): [number, number] => [x0 + ((x1 - x0) * k) / parts, y0 + ((y1 - y0) * k) / parts];
+      const pointAt = (k: number): [number, number] => [x0 + ((x1 - x0) * k) / parts, y0 + ((y1 - y0) * k) / parts];
       for (let k = 0; k < parts; ++k) {
-        const [a, b] = at(k), [c, d] = at(k + 1);
+        const [a, b] = pointAt(k), [c, d] = pointAt(k + 1);
         lines.push(a, b, z(a, b), c, d, z(c, d));
       }
     };

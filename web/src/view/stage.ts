@@ -1,11 +1,11 @@
-// Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
+// Contents of the picture: updated to a scene, a solution, and an instant of a run.
 import * as THREE from 'three';
 import type { ValueScale } from '../components/colourScale';
 import type { Lay, LineParts, MooredState, Scene, Vessel } from '../api/types';
 import { partAt, partColours, type PartName } from '../logic/operation';
 import { TensionerArrow, type Machine } from './arrows';
 import { hull, slotDepth } from './hull';
-import { labelsOf, type Label } from './labels';
+import { makeLabels, type Label } from './labels';
 import { dispose } from './members';
 import { MooringsView, ofLines, recordedLines, ofMoorings } from './moorings';
 import { PipeView } from './pipe';
@@ -14,23 +14,23 @@ import { RollersView } from './rollers';
 import { seaCorners, SeaView, widerCorners } from './sea';
 
 export interface Colouring { values: ArrayLike<number> | null; scale: ValueScale }
-/** A stage of an operation, and the pose of the vessel in it. */
+/** A stage of an operation, and its vessel pose. */
 export interface MooredStage { state: MooredState; pose: number[] }
 
-/** What of the line is head and cable, and how thick the cable is, of the pipe's diameter. */
+/** Head and cable parts of the line, and the cable diameter relative to the pipe diameter. */
 export interface DrawnParts { parts: LineParts; cable: number }
 
 export interface Moment {
   time: number; pose: number[]; places: Float32Array;
   flashes: { support: string; row: number; position: string; strength: number }[];
-  /** Reactions of the boxes at the moment, as far as they are known; the largest of the run. */
+  /** Reactions of the boxes at the instant, as far as known; the maximum of the run. */
   reactions: Map<string, number>; largest: number;
   tensioner: Machine | null;
-  /** Points of the lines by name, where the run has recorded them. */
+  /** Points of the lines by name, if the run has recorded them. */
   lines?: Map<string, Float32Array> | null;
 }
 
-/** A pose of the program as a matrix: the place, then the axes row by row. */
+/** A pose of the program as a matrix: the position, then the axes row by row. */
 export function poseMatrix(p: number[]): THREE.Matrix4 {
   return new THREE.Matrix4().set(p[3]!, p[4]!, p[5]!, p[0]!, p[6]!, p[7]!, p[8]!, p[1]!, p[9]!, p[10]!, p[11]!, p[2]!, 0, 0, 0, 1);
 }
@@ -49,15 +49,15 @@ export class Stage {
   dark = false;
   private readonly hullGroup = new THREE.Group();
   private readonly rigGroup = new THREE.Group();
-  private readonly bodiesGroup = new THREE.Group(); // hulls besides the vessel
+  private readonly bodiesGroup = new THREE.Group(); // hulls other than the vessel
   private readonly arrow = new TensionerArrow();
-  private still = new THREE.Matrix4();
+  private restPose = new THREE.Matrix4();
   private colouring: Colouring | null = null;
   private moment: Moment | null = null;
   private stage: MooredStage | null = null;
   private chosen: string | null = null;
   private parts: DrawnParts | null = null;
-  private stale = false; // scene, solution or colours have changed since they were drawn
+  private stale = false; // scene, solution or colours have changed since the last drawing
   private hullKey = '';
   private rigKey = '';
   private bodiesKey = '';
@@ -72,13 +72,13 @@ export class Stage {
     this.group.visible = false;
   }
 
-  /** There is something to be seen. */
+  /** True if there is something to show. */
   get ready(): boolean { return this.scene !== null && this.solution !== null; }
 
   take(part: { scene?: Scene; solution?: Lay }): void {
     if (part.scene) {
       this.scene = part.scene;
-      if (part.scene.vessel) this.still = poseMatrix(part.scene.vessel.pose);
+      if (part.scene.vessel) this.restPose = poseMatrix(part.scene.vessel.pose);
       this.pipe.setRadius(part.scene.pipe.outer_radius);
     }
     if (part.solution) this.solution = part.solution;
@@ -86,7 +86,7 @@ export class Stage {
     this.group.visible = this.ready;
   }
 
-  /** Another model: nothing of the old one is shown. */
+  /** Another model: clears the previous one. */
   clear(): void {
     this.scene = null;
     this.solution = null;
@@ -97,7 +97,7 @@ export class Stage {
 
   spoil(): void { this.stale = true; }
 
-  /** Brings what is drawn up to the newest solution: once a picture, however many solutions came since the last. */
+  /** Updates the contents to the latest solution: once per frame, for any number of solutions. */
   refresh(dragging: boolean): void {
     if (!this.stale || !this.solution || !this.scene) return;
     this.stale = false;
@@ -116,9 +116,9 @@ export class Stage {
     const c = this.colouring;
     const { parts, solution, moment } = this;
     const drawn = parts && solution && !moment ? parts : null;
-    const at = (i: number): PartName => partAt(drawn!.parts, solution!.pipe.s[i] ?? 0);
-    this.pipe.setThickness(drawn ? (i) => ({ pipe: 1, head: 1.6, cable: drawn.cable })[at(i)] : null);
-    if (c) this.pipe.setColours(c.values, c.scale, drawn ? { at, colours: partColours(this.dark) } : null);
+    const findPart = (i: number): PartName => partAt(drawn!.parts, solution!.pipe.s[i] ?? 0);
+    this.pipe.setThickness(drawn ? (i) => ({ pipe: 1, head: 1.6, cable: drawn.cable })[findPart(i)] : null);
+    if (c) this.pipe.setColours(c.values, c.scale, drawn ? { partAt: findPart, colours: partColours(this.dark) } : null);
   }
 
   private setPipe(s: Lay): void {
@@ -128,14 +128,14 @@ export class Stage {
     this.pipe.setPlaces(points);
   }
 
-  /** A stage of the operation and where the vessel lies in it; null shows the rest. */
+  /** A stage of the operation and its vessel pose; null shows the equilibrium. */
   setStage(stage: MooredStage | null): void {
     this.stage = stage;
     if (!this.moment) this.float();
     this.stale = true;
   }
 
-  /** Of a stage of an operation on the line; null: all is pipe. */
+  /** Line parts of a stage of an operation on the line; null: all is pipe. */
   setParts(parts: DrawnParts | null): void {
     this.parts = parts;
     this.stale = true;
@@ -146,14 +146,14 @@ export class Stage {
     this.stale = true;
   }
 
-  /** The vessel as in statics: at rest, or in a stage. */
+  /** The static vessel pose: in equilibrium, or in a stage. */
   private float(): void {
-    if (this.stage) this.afloat.matrix.multiplyMatrices(poseMatrix(this.stage.pose), this.still.clone().invert());
+    if (this.stage) this.afloat.matrix.multiplyMatrices(poseMatrix(this.stage.pose), this.restPose.clone().invert());
     else this.afloat.matrix.identity();
     this.afloat.matrixWorldNeedsUpdate = true;
   }
 
-  /** Lines are drawn as they were found: at rest, in a stage, or as a run has recorded them. */
+  /** Lines are drawn as computed: in equilibrium, in a stage, or as recorded in a run. */
   private drawLines(): void {
     const rest = this.solution?.moorings?.rest;
     const state = this.stage?.state ?? rest;
@@ -161,11 +161,11 @@ export class Stage {
     if (this.moment) this.moorings.set(recordedLines([...(rest ? ofMoorings(rest) : []), ...alone], this.moment.lines ?? null), this.chosen);
     else this.moorings.set([...(state ? ofMoorings(state) : []), ...alone], this.chosen);
     this.moorings.mark(this.moment ? null : state ?? null);
-    // results of the pipe are those of the rest
+    // results of the pipe are those of the equilibrium
     this.pipe.mesh.visible = (this.solution?.pipe.s.length ?? 0) > 1 && (this.moment !== null || this.stage === null);
   }
 
-  /** A moment of a run; null goes back to statics. False where nothing has changed. */
+  /** An instant of a run; null returns to statics. False if nothing has changed. */
   setMoment(moment: Moment | null): boolean {
     if (moment && !this.scene) return false;
     dispose(this.flashGroup);
@@ -179,7 +179,7 @@ export class Stage {
       this.sea.setTime(null);
     } else {
       this.pipe.setPlaces(moment.places);
-      this.afloat.matrix.multiplyMatrices(poseMatrix(moment.pose), this.still.clone().invert());
+      this.afloat.matrix.multiplyMatrices(poseMatrix(moment.pose), this.restPose.clone().invert());
       this.sea.setTime(moment.time);
       this.drawLines();
       this.rollers.setReactions(moment.reactions, moment.largest);
@@ -211,15 +211,15 @@ export class Stage {
     if (key !== this.hullKey) {
       this.hullKey = key;
       dispose(this.hullGroup);
-      if (scene.vessel) this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.still)));
+      if (scene.vessel) this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.restPose)));
     }
     this.buildBodies(scene.bodies ?? []);
-    this.hullGroup.matrix.copy(this.still);
+    this.hullGroup.matrix.copy(this.restPose);
     this.hullGroup.matrixWorldNeedsUpdate = true;
     if (!dragging || this.seaKey === '' || scene.waves !== this.waves) this.placeSea();
     if (!dragging) {
       const moored = this.stage?.state ?? solution.moorings?.rest;
-      this.labels = [...labelsOf(scene, solution), ...(moored ? this.moorings.labels(moored) : [])];
+      this.labels = [...makeLabels(scene, solution), ...(moored ? this.moorings.labels(moored) : [])];
     }
   }
 

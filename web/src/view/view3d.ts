@@ -34,8 +34,8 @@ export class View3D {
   private readonly sharpness = new Pace();
   private lastLabels = -Infinity;
   private dragging = false;
-  private drawn = false; // in the turn before
-  private cost = 0; // of a picture: ms from its drawing to the next turn of the page
+  private drawn = false; // in the previous turn
+  private cost = 0; // of a frame: ms from its drawing to the next turn of the page
   private readonly byProcessor = drawnByProcessor();
 
   constructor(private readonly box: HTMLElement) {
@@ -56,18 +56,18 @@ export class View3D {
     this.observer.observe(box);
     this.resize();
     this.listen();
-    const loop = (now: number): void => {
+    const loop = (time: number): void => {
       if (!this.running) return;
       requestAnimationFrame(loop);
       if (this.paused) return;
-      this.flight.fly(now);
-      if (!this.dirty) { this.rest(now); return; }
-      // Where the processor draws, the page stands still meanwhile: while dragging it is left more than half of the time.
-      if (this.drawn) { this.cost = this.sharpness.since(now); this.drawn = false; }
-      if (this.dragging && this.byProcessor && this.cost > 25 && this.sharpness.since(now) < Math.min(160, 2.5 * this.cost)) return;
+      this.flight.fly(time);
+      if (!this.dirty) { this.rest(time); return; }
+      // With software rendering the page is blocked meanwhile: during a drag it gets more than half of the time.
+      if (this.drawn) { this.cost = this.sharpness.since(time); this.drawn = false; }
+      if (this.dragging && this.byProcessor && this.cost > 25 && this.sharpness.since(time) < Math.min(160, 2.5 * this.cost)) return;
       this.drawn = true;
       this.dirty = false;
-      if (this.sharpness.next(now)) this.setPixels();
+      if (this.sharpness.next(time)) this.setPixels();
       this.draw();
     };
     requestAnimationFrame(loop);
@@ -75,10 +75,10 @@ export class View3D {
 
   redraw(): void { this.dirty = true; }
 
-  /** While a drawing stands in its place nothing is drawn. */
+  /** Not drawn while a drawing replaces it. */
   setPaused(on: boolean): void { this.paused = on; if (!on) this.redraw(); }
 
-  /** Rectangles over the picture that names keep clear of [px]. */
+  /** Rectangles over the picture that names avoid [px]. */
   keepClear(taken: Rect[]): void { this.labels.taken = taken; this.lastLabels = -Infinity; this.redraw(); }
 
   /** Marks a box. */
@@ -97,10 +97,10 @@ export class View3D {
     if (box) this.flight.approach(vec(box.place).applyMatrix4(this.stage.afloat.matrix), 16);
   }
 
-  /** Place in the world of a point of the picture. */
+  /** World position of a point of the picture. */
   placeUnder(x: number, y: number): Vector | null {
     const { scene, solution } = this.stage;
-    const at = solution?.tensioner?.place ?? scene?.vessel?.pose, point = at ? vec(at) : null;
+    const place = solution?.tensioner?.place ?? scene?.vessel?.pose, point = place ? vec(place) : null;
     const normal = scene?.vessel ? axes(scene.vessel).port : new THREE.Vector3(0, 1, 0);
     return placeUnder(this.target, x, y, point && { point, normal })?.toArray() ?? null;
   }
@@ -123,7 +123,7 @@ export class View3D {
   setScene(scene: Scene): void { this.taken({ scene }); }
   setSolution(solution: Lay): void { this.taken({ solution }); }
 
-  /** Scene and solution come in any order: whichever is the second makes the picture. */
+  /** Scene and solution arrive in any order: the second one makes the picture. */
   private taken(part: { scene?: Scene; solution?: Lay }): void {
     this.stage.take(part);
     this.redraw();
@@ -131,7 +131,7 @@ export class View3D {
     if (scene && solution) this.flight.follow(solution, scene, this.dragging);
   }
 
-  /** While a value is dragged the camera stands still and only what moves is drawn, with coarser pixels. */
+  /** During a drag the camera is fixed and only moving parts are drawn, with coarser pixels. */
   setDragging(on: boolean): void {
     if (on === this.dragging) return;
     this.dragging = on;
@@ -146,7 +146,7 @@ export class View3D {
     this.redraw();
   }
 
-  /** Another model: nothing of the old one is shown, and the new one is looked at afresh. */
+  /** Another model: the previous one is cleared, and the view is reset. */
   reset(): void {
     this.stage.clear();
     this.marker.visible = false;
@@ -167,7 +167,7 @@ export class View3D {
   setParts(parts: DrawnParts | null): void { this.stage.setParts(parts); this.redraw(); }
   choose(line: string | null): void { this.stage.choose(line); this.redraw(); }
 
-  /** A moment of a run; null goes back to statics. */
+  /** An instant of a run; null returns to statics. */
   setMoment(moment: Moment | null): void { if (this.stage.setMoment(moment)) this.redraw(); }
 
   go(name: ViewName, smooth = true): void {
@@ -175,14 +175,14 @@ export class View3D {
     if (scene && solution) this.flight.go(name, solution, scene, smooth);
   }
 
-  /** Full sharpness again when the picture stands still. */
-  private rest(now: number): void {
-    if (this.dragging || !this.sharpness.rest(now)) return;
+  /** Full resolution when the picture is at rest. */
+  private rest(time: number): void {
+    if (this.dragging || !this.sharpness.rest(time)) return;
     this.setPixels();
     this.draw();
   }
 
-  /** 1 where the picture is sharp. */
+  /** 1 if the picture is at full resolution. */
   get coarse(): number { return this.sharpness.coarse; }
 
   private setPixels(): void {
@@ -218,19 +218,19 @@ export class View3D {
     }
     this.ruler.face(this.camera, pixel);
     this.renderer.render(this.world, this.camera);
-    // moving names costs a layout of the page: a few times a second are enough while a value is dragged
-    const now = performance.now();
-    if (!this.dragging || now - this.lastLabels > 200) {
-      this.lastLabels = now;
+    // moving names requires a page layout: a few times a second are enough during a drag
+    const time = performance.now();
+    if (!this.dragging || time - this.lastLabels > 200) {
+      this.lastLabels = time;
       this.labels.draw(this.stage.labels, this.camera, this.width, this.height);
     }
     ++this.frames;
   }
 
   private listen(): void {
-    const at = (x: number, y: number): Picked => pick(this.target, x, y);
-    followPointer(this.renderer.domElement, (x, y) => this.onPick(at(x, y), x, y), (x, y) => {
-      const hit = at(x, y);
+    const pickAt = (x: number, y: number): Picked => pick(this.target, x, y);
+    followPointer(this.renderer.domElement, (x, y) => this.onPick(pickAt(x, y), x, y), (x, y) => {
+      const hit = pickAt(x, y);
       this.onHover(hit?.kind === 'station' ? hit.index : null);
     }, () => this.onHover(null));
   }

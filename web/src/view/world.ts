@@ -1,7 +1,7 @@
-// What every picture has: lights, the mark of the cursor, and whether the processor draws it.
+// Common parts of the pictures: lights, mark of the cursor, and detection of software rendering.
 import * as THREE from 'three';
 
-/** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
+/** Without a graphics card every sample of a pixel is expensive: antialiasing is then disabled for a higher frame rate. */
 export function drawnByProcessor(): boolean {
   const gl = document.createElement('canvas').getContext('webgl2');
   const names = gl?.getExtension('WEBGL_debug_renderer_info');

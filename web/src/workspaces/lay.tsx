@@ -17,7 +17,7 @@ import type { DockTab, WorkspaceParts } from './workspace';
 
 const laid = (): boolean => calmLay.value === null || calmLay.value.pipe.s.length > 0;
 
-/** What lies on the seabed, and the route. */
+/** Results on the seabed, and the route. */
 function Ground() {
   const { seabed, route } = calmLay.value ?? {};
   return <div class="padded">{seabed ? <LaidPipe bed={seabed} /> : null}{route ? <Route route={route} /> : null}</div>;

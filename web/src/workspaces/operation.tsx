@@ -1,4 +1,4 @@
-// Operations on the line: head, cable and stages above the picture, their results below.
+// Operations on the line: settings and stages above the picture, their results below.
 import { CableTab } from '../panels/operation/CableTab';
 import { LiftTab } from '../panels/operation/LiftTab';
 import { OperationStrip } from '../panels/operation/OperationStrip';

@@ -1,4 +1,4 @@
-// The workspace of reports: what goes to others, as it will be.
+// The workspace of reports: preview, print and download.
 import { ReportMiddle } from '../panels/report/ReportMiddle';
 import { ReportStrip } from '../panels/report/ReportStrip';
 import type { WorkspaceParts } from './workspace';

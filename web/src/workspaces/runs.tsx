@@ -1,4 +1,4 @@
-// Runs: those of this folder, and up to four of them compared.
+// Runs of this folder, and comparison of up to four of them.
 import { Differences } from '../panels/runs/Differences';
 import { RunDiagrams } from '../panels/runs/RunDiagrams';
 import { RunNotes } from '../panels/runs/RunNotes';

@@ -1,4 +1,4 @@
-// What a workspace of the page is made of; the frame (panels/App.tsx) places the parts.
+// Parts of a workspace of the page; the frame (panels/App.tsx) places them.
 import type { ComponentType } from 'preact';
 import type { ReadonlySignal } from '@preact/signals';
 
@@ -7,7 +7,7 @@ export type WorkspaceId = 'lay' | 'operation' | 'storm' | 'study' | 'runs' | 're
 export interface DockTab {
   id: string;
   title: string;
-  /** Whether the open model, or what is shown of it, has any of this; always without. */
+  /** True if the open model or its results have content for this part; always if omitted. */
   shown?: () => boolean;
   View: ComponentType;
 }
@@ -17,12 +17,12 @@ export interface WorkspaceParts {
   title: string;
   /** Settings and commands above the picture. */
   Strip?: ComponentType;
-  /** Takes the place of the picture. */
+  /** Replaces the picture. */
   Middle?: ComponentType;
-  /** Whether the picture stands beside the workspace's own middle; without it never. */
+  /** True if the picture is shown next to the workspace's own middle; never if omitted. */
   picture?: ReadonlySignal<boolean>;
-  /** Under the picture: sliders, play-back. */
+  /** Under the picture: sliders, playback. */
   Bar?: ComponentType;
-  /** Below; without any the middle has the whole height. */
+  /** Below; without any the middle uses the whole height. */
   tabs: DockTab[];
 }

@@ -19,7 +19,7 @@ std::vector<double> bending_numbers(const std::vector<BendingMemory>& memories) 
   std::vector<double> out;
   for (const BendingMemory& m : memories) {
     out.insert(out.end(), {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(),
-                           m.center.x(), m.center.y(), m.slack, m.largest, m.held.x(), m.held.y(),
+                           m.center.x(), m.center.y(), m.slack, m.max_curvature, m.held.x(), m.held.y(),
                            static_cast<double>(m.held_mix.lower), m.held_mix.share, static_cast<double>(m.stamp >> 32U),
                            static_cast<double>(m.stamp & 0xffffffffU), m.stored});
     out.insert(out.end(), m.slip.begin(), m.slip.end());
@@ -33,7 +33,7 @@ BendingMemory bending_memory(const double* v) {
   m.axis = Vec3(v[3], v[4], v[5]);
   m.center = Vec2(v[6], v[7]);
   m.slack = v[8];
-  m.largest = v[9];
+  m.max_curvature = v[9];
   m.held = Vec2(v[10], v[11]);
   m.held_mix = {static_cast<int>(v[12]), v[13]};
   m.stamp = (static_cast<std::uint64_t>(v[14]) << 32U) | static_cast<std::uint64_t>(v[15]);
@@ -42,7 +42,7 @@ BendingMemory bending_memory(const double* v) {
   return m;
 }
 
-Slip slip_of(double value) {
+Slip make_slip(double value) {
   return static_cast<Slip>(static_cast<int>(value));
 }
 
@@ -63,8 +63,8 @@ void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const Lin
   put(checkpoint, name + "q", line.q);
   put(checkpoint, name + "v", line.v);
   put(checkpoint, name + "acc", line.acc);
-  put(checkpoint, name + "alg", line.alg);
-  put(checkpoint, name + "foresight", {line.foresight});
+  put(checkpoint, name + "alg", line.algorithmic_acceleration);
+  put(checkpoint, name + "foresight", {line.acceleration_extrapolation});
   put(checkpoint, name + "bed_slip", {line.bed_slip.begin(), line.bed_slip.end()});
   std::vector<double> contacts;
   for (const ContactMemory& c : line.contacts) {
@@ -83,21 +83,21 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   line.q = checkpoint_array(checkpoint, name + "q");
   line.v = checkpoint_array(checkpoint, name + "v");
   line.acc = checkpoint_array(checkpoint, name + "acc");
-  line.alg = checkpoint_array(checkpoint, name + "alg");
-  line.foresight = checkpoint_array(checkpoint, name + "foresight").at(0);
+  line.algorithmic_acceleration = checkpoint_array(checkpoint, name + "alg");
+  line.acceleration_extrapolation = checkpoint_array(checkpoint, name + "foresight").at(0);
   const std::vector<double>& slip = checkpoint_array(checkpoint, name + "bed_slip");
   line.bed_slip.assign(slip.begin(), slip.end());
   const std::vector<double>& contacts = checkpoint_array(checkpoint, name + "contacts");
   for (std::size_t i = 0; i < line.contacts.size(); ++i) {
     const double* v = &contacts.at(kContactNumbers * i);
     line.contacts[i] = {
-        v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6], static_cast<int>(v[7]),
+        v[0], v[1], v[2] != 0.0, make_slip(v[3]), make_slip(v[4]), static_cast<int>(v[5]), v[6], static_cast<int>(v[7]),
         v[8], v[9]};
   }
   if (!line.bending.empty()) {
     const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");
     std::vector<BendingMemory> memories;
-    for (std::size_t i = 0; i < bending.size() / kBendingNumbers; ++i) {  // as many as there are elements
+    for (std::size_t i = 0; i < bending.size() / kBendingNumbers; ++i) {  // one memory per element
       memories.push_back(bending_memory(&bending.at(kBendingNumbers * i)));
     }
     line.bending = BendingMemories(memories);
@@ -105,64 +105,65 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   }
 }
 
-std::vector<double> attachment_numbers(const AttachmentState& at) {
-  const TensionerMachine& m = at.machine;
-  return {at.guide.q,
-          at.guide.v,
-          at.guide.acc,
-          at.guide.alg,
-          at.travel.q,
-          at.travel.v,
-          at.travel.acc,
-          at.travel.alg,
+std::vector<double> attachment_numbers(const AttachmentState& attachment) {
+  const TensionerMachine& m = attachment.machine;
+  return {attachment.guide.q,
+          attachment.guide.v,
+          attachment.guide.acc,
+          attachment.guide.algorithmic_acceleration,
+          attachment.travel.q,
+          attachment.travel.v,
+          attachment.travel.acc,
+          attachment.travel.algorithmic_acceleration,
           static_cast<double>(m.state),
           static_cast<double>(m.drive),
           static_cast<double>(m.side),
           m.timer,
           m.tension,
-          at.parted ? 1.0 : 0.0,
-          at.way.moved,
-          at.way.rate,
-          at.way.last_element,
-          at.way.dragged.x(),
-          at.way.dragged.y(),
-          at.way.dragged.z(),
-          at.way.drag_rate.x(),
-          at.way.drag_rate.y(),
-          at.way.drag_rate.z(),
-          static_cast<double>(at.way.how),
-          at.way.stiffness,
-          at.way.gave_way,
-          at.way.held_up_for,
+          attachment.parted ? 1.0 : 0.0,
+          attachment.payout.moved,
+          attachment.payout.rate,
+          attachment.payout.last_element,
+          attachment.payout.dragged.x(),
+          attachment.payout.dragged.y(),
+          attachment.payout.dragged.z(),
+          attachment.payout.drag_rate.x(),
+          attachment.payout.drag_rate.y(),
+          attachment.payout.drag_rate.z(),
+          static_cast<double>(attachment.payout.mode),
+          attachment.payout.stiffness,
+          attachment.payout.rendered_length,
+          attachment.payout.stalled_time,
           m.commanded ? 1.0 : 0.0,
           m.commanded.value_or(0.0),
           m.returning ? 1.0 : 0.0};
 }
 
-AttachmentState attachment_of(const std::vector<double>& v) {
-  AttachmentState at;
-  at.guide = {v.at(0), v.at(1), v.at(2), v.at(3)};
-  at.travel = {v.at(4), v.at(5), v.at(6), v.at(7)};
-  at.machine = {static_cast<TensionerState>(std::lround(v.at(8))), static_cast<TensionerDrive>(std::lround(v.at(9))),
-                static_cast<int>(std::lround(v.at(10))), v.at(11), v.at(12)};
-  at.parted = v.at(13) != 0.0;
-  at.way.moved = v.at(14);
-  at.way.rate = v.at(15);
-  at.way.last_element = v.at(16);
-  at.way.dragged = Vec3(v.at(17), v.at(18), v.at(19));
-  at.way.drag_rate = Vec3(v.at(20), v.at(21), v.at(22));
-  at.way.how = static_cast<Giving>(std::lround(v.at(23)));
-  at.way.stiffness = v.at(24);
-  at.way.gave_way = v.at(25);
-  at.way.held_up_for = v.at(26);
-  if (v.at(27) != 0.0) at.machine.commanded = v.at(28);
-  at.machine.returning = v.at(29) != 0.0;
-  return at;
+AttachmentState make_attachment(const std::vector<double>& v) {
+  AttachmentState attachment;
+  attachment.guide = {v.at(0), v.at(1), v.at(2), v.at(3)};
+  attachment.travel = {v.at(4), v.at(5), v.at(6), v.at(7)};
+  attachment.machine = {static_cast<TensionerState>(std::lround(v.at(8))),
+                        static_cast<TensionerDrive>(std::lround(v.at(9))), static_cast<int>(std::lround(v.at(10))),
+                        v.at(11), v.at(12)};
+  attachment.parted = v.at(13) != 0.0;
+  attachment.payout.moved = v.at(14);
+  attachment.payout.rate = v.at(15);
+  attachment.payout.last_element = v.at(16);
+  attachment.payout.dragged = Vec3(v.at(17), v.at(18), v.at(19));
+  attachment.payout.drag_rate = Vec3(v.at(20), v.at(21), v.at(22));
+  attachment.payout.mode = static_cast<PayoutMode>(std::lround(v.at(23)));
+  attachment.payout.stiffness = v.at(24);
+  attachment.payout.rendered_length = v.at(25);
+  attachment.payout.stalled_time = v.at(26);
+  if (v.at(27) != 0.0) attachment.machine.commanded = v.at(28);
+  attachment.machine.returning = v.at(29) != 0.0;
+  return attachment;
 }
 
 std::vector<double> body_numbers(const HullState& body) {
   std::vector<double> out;
-  for (const Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) {
+  for (const Vec6* part : {&body.h, &body.v, &body.acc, &body.algorithmic_acceleration}) {
     out.insert(out.end(), part->begin(), part->end());
   }
   for (const Vec3* part : {&body.slow.value, &body.slow.rate}) {
@@ -177,10 +178,10 @@ std::vector<double> body_numbers(const HullState& body) {
   return out;
 }
 
-/// Into a body whose memory has its size.
+/// Restores a body whose memory already has its size.
 void restore_body(const std::vector<double>& in, HullState& body) {
   std::size_t next = 0;
-  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) {
+  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.algorithmic_acceleration}) {
     for (double& value : *part) value = in.at(next++);
   }
   for (Vec3* part : {&body.slow.value, &body.slow.rate}) {
@@ -223,7 +224,7 @@ void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state) {
     restore_line(checkpoint, numbered("line ", i) + "/", state.lines[i]);
   }
   for (std::size_t i = 0; i < state.attachments.size(); ++i) {
-    state.attachments[i] = attachment_of(checkpoint_array(checkpoint, numbered("attachment ", i)));
+    state.attachments[i] = make_attachment(checkpoint_array(checkpoint, numbered("attachment ", i)));
   }
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     restore_body(checkpoint_array(checkpoint, numbered("body ", i)), state.bodies[i]);
@@ -278,8 +279,8 @@ void restore_water(const DynamicCheckpoint& checkpoint, std::vector<WaterMemory>
 void save_report(DynamicCheckpoint& checkpoint, const DynamicRunReport& report) {
   put(checkpoint, "report",
       {static_cast<double>(report.steps), static_cast<double>(report.rejected_steps),
-       static_cast<double>(report.newton_iterations), static_cast<double>(report.factorisations), report.smallest_step,
-       report.largest_step, report.wall_time});
+       static_cast<double>(report.newton_iterations), static_cast<double>(report.factorisations), report.min_step_taken,
+       report.max_step_taken, report.wall_time});
 }
 
 void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& report) {
@@ -288,8 +289,8 @@ void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& repor
   report.rejected_steps = std::llround(in.at(1));
   report.newton_iterations = std::llround(in.at(2));
   report.factorisations = std::llround(in.at(3));
-  report.smallest_step = in.at(4);
-  report.largest_step = in.at(5);
+  report.min_step_taken = in.at(4);
+  report.max_step_taken = in.at(5);
   report.wall_time = in.at(6);
 }
 

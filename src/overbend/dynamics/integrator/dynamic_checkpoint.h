@@ -1,4 +1,4 @@
-/// The state of a run as named arrays, bit for bit, and back.
+/// Saves the state of a run as named arrays and restores it bit for bit.
 #pragma once
 
 #include <string>
@@ -10,17 +10,20 @@
 
 namespace overbend {
 
-/// An array of a checkpoint. Throws std::runtime_error where there is none of the name.
+/// Returns the array of that name. Throws std::runtime_error if the checkpoint has none.
 const std::vector<double>& checkpoint_array(const DynamicCheckpoint& checkpoint, const std::string& name);
 
+/// Adds all lines, attachments and free bodies of `state` to the checkpoint.
 void save_state(DynamicCheckpoint& checkpoint, const SystemState& state);
-/// Into a state of the same line.
+/// Restores into a state of the same system.
 void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state);
 
+/// Adds the waves tabulated along each line.
 void save_water(DynamicCheckpoint& checkpoint, const std::vector<WaterMemory>& lines);
-/// `lines` has its size.
+/// Restores into `lines`, which must have the size of the saved run.
 void restore_water(const DynamicCheckpoint& checkpoint, std::vector<WaterMemory>& lines);
 
+/// Adds the counters of the run.
 void save_report(DynamicCheckpoint& checkpoint, const DynamicRunReport& report);
 void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& report);
 

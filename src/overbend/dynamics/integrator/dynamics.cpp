@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kShortElement = 5e3;  ///< Over the error of a step: 5 m.
+constexpr double kShortElement = 5e3;  ///< Minimum element length over the error tolerance of a step: 5 m.
 
 }  // namespace
 
@@ -26,9 +26,9 @@ DynamicOptions dynamic_options(const Model& model) {
   options.step.tolerance = settings.tolerance;
   options.impacts.captured = settings.impacts == ImpactTreatment::captured;
   options.impacts.steps = settings.impact_steps;
-  options.impacts.least_force = settings.impact_force.value_or(scales.force);
+  options.impacts.min_force = settings.impact_force.value_or(scales.force);
   if (const auto& hull = model.description.vessel.coupled) {
-    options.release << hull->released_shift, hull->released_turn;
+    options.release << hull->release_offset, hull->release_rotation;
   }
   return options;
 }

@@ -6,7 +6,7 @@
 namespace overbend {
 namespace {
 
-/// Every number of an instant in one order, to write and to read.
+/// Visits every number of an instant in a fixed order, for writing and reading.
 template <class Instant, class Visit>
 void visit(Instant& e, const Visit& visit_one) {
   visit_one(e.line.kinetic);
@@ -54,14 +54,14 @@ bool moves(const BodyEnergy& e) {
 
 }  // namespace
 
-void EnergyAccount::start(const Assembly& assembly, const SystemState& state, double least, bool free_bodies) {
-  start(assembly.energy(state), least, free_bodies);
-  find_ways(assembly, state);
+void EnergyAccount::start(const Assembly& assembly, const SystemState& state, double min_energy, bool free_bodies) {
+  start(assembly.energy(state), min_energy, free_bodies);
+  find_work_points(assembly, state);
   last_ends_ = ends_;
   last_points_ = points_;
 }
 
-void EnergyAccount::find_ways(const Assembly& assembly, const SystemState& state) {
+void EnergyAccount::find_work_points(const Assembly& assembly, const SystemState& state) {
   assembly.find_working_ends(state, ends_);
   points_.clear();
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
@@ -69,15 +69,15 @@ void EnergyAccount::find_ways(const Assembly& assembly, const SystemState& state
   }
 }
 
-void EnergyAccount::start(const InstantEnergy& first, double least, bool free_bodies) {
+void EnergyAccount::start(const InstantEnergy& first, double min_energy, bool free_bodies) {
   first_ = last_ = first;
   balance_ = {};
   if (free_bodies) balance_.bodies = balance_.on_bodies = 0.0;
-  balance_.throughput = least;
+  balance_.throughput = min_energy;
 }
 
-/// Work of what holds the last or the first ends, by the way they went, beyond that of the trapezoidal rule.
-double EnergyAccount::along_the_way(bool last, double h) const {
+/// Work on the last or the first ends along their displacement, in excess of the trapezoidal rule.
+double EnergyAccount::work_along_displacement(bool last, double h) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const WorkingEnd &from = last_ends_[i], &to = ends_[i];
@@ -90,8 +90,8 @@ double EnergyAccount::along_the_way(bool last, double h) const {
   return sum;
 }
 
-/// What damping takes by the way that strains went, beyond that of the trapezoidal rule.
-double EnergyAccount::strained(double h) const {
+/// Internal damping loss along the change of strains, in excess of the trapezoidal rule.
+double EnergyAccount::damping_loss_along_strain(double h) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const StrainPoint &from = last_points_[i], &to = points_[i];
@@ -101,49 +101,49 @@ double EnergyAccount::strained(double h) const {
 }
 
 void EnergyAccount::add(const Assembly& assembly, const SystemState& state, double h) {
-  find_ways(assembly, state);
+  find_work_points(assembly, state);
   add(assembly.energy(state), h);
   std::swap(last_ends_, ends_);
   std::swap(last_points_, points_);
 }
 
-void EnergyAccount::add(const InstantEnergy& now, double h) {
+void EnergyAccount::add(const InstantEnergy& instant, double h) {
   EnergyBalance& b = balance_;
-  b.kinetic = now.line.kinetic - first_.line.kinetic;
-  b.strain = now.line.strain - first_.line.strain;
-  b.gravity = now.line.gravity - first_.line.gravity;
-  b.contact = now.contact - first_.contact;
-  b.seabed = now.line.seabed - first_.line.seabed;
+  b.kinetic = instant.line.kinetic - first_.line.kinetic;
+  b.strain = instant.line.strain - first_.line.strain;
+  b.gravity = instant.line.gravity - first_.line.gravity;
+  b.contact = instant.contact - first_.contact;
+  b.seabed = instant.line.seabed - first_.line.seabed;
   const auto integrate = [&](double& sum, double before, double after, double beyond = 0.0) {
     const double part = 0.5 * h * (before + after) + beyond;
     sum += part;
     b.throughput += std::abs(part);
   };
-  integrate(b.fluid, last_.line.fluid_power, now.line.fluid_power);
-  integrate(b.rollers, last_.roller_power, now.roller_power);
-  integrate(b.top, last_.top_power, now.top_power, along_the_way(true, h));
-  integrate(b.anchor, last_.anchor_power, now.anchor_power, along_the_way(false, h));
-  // Whoever has energy is free, also where it was not told at the start.
-  if (!b.bodies && moves(now.bodies)) b.bodies = b.on_bodies = 0.0;
+  integrate(b.fluid, last_.line.fluid_power, instant.line.fluid_power);
+  integrate(b.rollers, last_.roller_power, instant.roller_power);
+  integrate(b.top, last_.top_power, instant.top_power, work_along_displacement(true, h));
+  integrate(b.anchor, last_.anchor_power, instant.anchor_power, work_along_displacement(false, h));
+  // A body that has energy is free, even if not declared so at the start.
+  if (!b.bodies && moves(instant.bodies)) b.bodies = b.on_bodies = 0.0;
   if (b.bodies && b.on_bodies) {
-    b.bodies = now.bodies.kinetic + now.bodies.stored - first_.bodies.kinetic - first_.bodies.stored;
-    integrate(*b.on_bodies, last_.bodies.power, now.bodies.power);
+    b.bodies = instant.bodies.kinetic + instant.bodies.stored - first_.bodies.kinetic - first_.bodies.stored;
+    integrate(*b.on_bodies, last_.bodies.power, instant.bodies.power);
   }
-  integrate(b.contact_loss, last_.contact_loss, now.contact_loss);
-  integrate(b.friction_loss, last_.friction_loss, now.friction_loss);
-  integrate(b.seabed_loss, last_.line.seabed_loss, now.line.seabed_loss);
-  integrate(b.line_loss, last_.line.line_loss, now.line.line_loss, strained(h));
-  b.yielding_loss = now.bending_heat - first_.bending_heat;
-  b.throughput += now.bending_heat - last_.bending_heat;
+  integrate(b.contact_loss, last_.contact_loss, instant.contact_loss);
+  integrate(b.friction_loss, last_.friction_loss, instant.friction_loss);
+  integrate(b.seabed_loss, last_.line.seabed_loss, instant.line.seabed_loss);
+  integrate(b.line_loss, last_.line.line_loss, instant.line.line_loss, damping_loss_along_strain(h));
+  b.yielding_loss = instant.bending_heat - first_.bending_heat;
+  b.throughput += instant.bending_heat - last_.bending_heat;
   b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss +
             b.yielding_loss + b.line_loss - b.fluid - b.rollers - b.top - b.anchor +
             (b.bodies.value_or(0.0) - b.on_bodies.value_or(0.0));
-  last_ = now;
+  last_ = instant;
 }
 
 void EnergyAccount::carry(const InstantEnergy& before, const Assembly& assembly, const SystemState& state) {
   carry(before, assembly.energy(state));
-  find_ways(assembly, state);
+  find_work_points(assembly, state);
   for (std::size_t i = 0; i < ends_.size(); ++i) last_ends_[i].place = ends_[i].place;
   last_points_ = points_;
 }
@@ -156,8 +156,8 @@ void EnergyAccount::carry(const InstantEnergy& before, const InstantEnergy& afte
   first_.contact += after.contact - before.contact;
   first_.bending_heat += after.bending_heat - before.bending_heat;
   last_ = after;
-  // What holds the ends goes on with what it does: at the instant itself a kink between the pipe and what comes in has
-  // forces there that no step has brought into balance yet.
+  // Keep the power at the end: at the instant itself a kink between the pipe and the incoming material causes forces
+  // there that no step has balanced yet.
   last_.top_power = before.top_power;
   last_.anchor_power = before.anchor_power;
 }

@@ -1,4 +1,4 @@
-/// The balance of energy over a run.
+/// Energy balance of a run.
 #pragma once
 
 #include <vector>
@@ -9,31 +9,32 @@
 
 namespace overbend {
 
-/// Of the lines and, where bodies are free, of these with them. Stored energies are exact at each instant; powers are
-/// integrated by the trapezoidal rule, but for what ends do that no free body holds, and what the internal damping of
-/// lines takes: that is the mean force of a step times the way, exact for a constant force. What the time integrator
-/// damps appears as error.
+/// Energy balance of the lines and, if bodies are free, of the bodies. Stored energies are exact at each instant.
+/// Powers are integrated by the trapezoidal rule, except for the work on ends not held by a free body and the internal
+/// damping of lines: these use the mean force of a step times the displacement, which is exact for a constant force.
+/// Numerical damping of the time integrator appears as error.
 class EnergyAccount {
  public:
-  void start(const Assembly& assembly, const SystemState& state, double least, bool free_bodies);
-  /// `least` energy counts as passed from the start, so that a pipe at rest does not drift by its rounding [J].
-  void start(const InstantEnergy& first, double least, bool free_bodies = false);
-  /// The state after a step of `h`. Does not allocate.
+  /// Starts the balance at `state`, to which the assembly has been evaluated.
+  void start(const Assembly& assembly, const SystemState& state, double min_energy, bool free_bodies);
+  /// `min_energy` is the initial energy throughput, so that round-off of a pipe at rest does not count as drift [J].
+  void start(const InstantEnergy& first, double min_energy, bool free_bodies = false);
+  /// Adds the state after a step of `h`. Does not allocate.
   void add(const Assembly& assembly, const SystemState& state, double h);
-  void add(const InstantEnergy& now, double h);
+  void add(const InstantEnergy& instant, double h);
   void carry(const InstantEnergy& before, const Assembly& assembly, const SystemState& state);
-  /// What the sums are at the instant of the last step once material has come in or gone, which is no work.
+  /// Adjusts the sums at the instant of the last step for material that was added or removed, which is no work.
   void carry(const InstantEnergy& before, const InstantEnergy& after);
   const EnergyBalance& balance() const { return balance_; }
 
   std::vector<double> save() const;
-  /// Of an account that was started on the same system.
+  /// Restores an account that was started on the same system.
   void restore(const std::vector<double>& saved);
 
  private:
-  void find_ways(const Assembly& assembly, const SystemState& state);
-  double along_the_way(bool last, double h) const;
-  double strained(double h) const;
+  void find_work_points(const Assembly& assembly, const SystemState& state);
+  double work_along_displacement(bool last, double h) const;
+  double damping_loss_along_strain(double h) const;
 
   InstantEnergy first_, last_;
   std::vector<WorkingEnd> last_ends_, ends_;

@@ -1,55 +1,58 @@
-/// What the integrator does with all freedoms of a line, one like the other. Compiled once per instruction set.
+/// Operations of the time integrator on all unknowns of a line alike. Compiled once per instruction set.
 #pragma once
 
 namespace overbend {
 
-/// Values, rates and accelerations of `count` freedoms that may be written to; none overlaps another.
+/// Writable values, rates and accelerations of `count` unknowns; the arrays do not overlap.
 struct FreedomsView {
   int count;
   double *q, *v, *acc;
 };
 
-/// A step's beginning: as above, with the algorithmic acceleration of the generalized-alpha method.
-struct FreedomsBefore {
-  const double *q, *v, *acc, *alg;
+/// Motion at the start of a step, with the algorithmic acceleration of the generalized-alpha method.
+struct FreedomsAtStart {
+  const double *q, *v, *acc, *algorithmic_acceleration;
 };
 
-/// A prediction that is linear in both accelerations: by how much each of them counts.
-struct PredictionShares {
+/// Coefficients of a prediction that is linear in both accelerations.
+struct PredictionCoefficients {
   double step;  ///< [s]
   double q_by_acc, q_by_alg, v_by_acc, v_by_alg, acc_by_acc, acc_by_alg;
 };
 
-/// What a correction of the values makes of rates and accelerations.
-struct CorrectionShares {
+/// Change of rates and accelerations per correction of the values.
+struct CorrectionCoefficients {
   double velocity, acceleration;
 };
 
-/// The algorithmic acceleration as a sum of three.
-struct EndShares {
-  double next_acc, acc, alg;
+/// Coefficients of the algorithmic acceleration, a sum of three terms.
+struct AccelerationCoefficients {
+  double next_acc, acc, algorithmic_acceleration;
 };
 
-/// How the true acceleration changed over a step, over what stood between the two accelerations before it: the sums of
-/// the products and of the squares.
+/// Change of the true acceleration over a step against the difference between the two accelerations before it: sums of
+/// products and of squares.
 struct ChangeSums {
   double product = 0.0, square = 0.0;
 };
 
 namespace isa_baseline {
-void predict_freedoms(const PredictionShares& shares, const FreedomsBefore& now, const FreedomsView& next);
-void correct_freedoms(const CorrectionShares& shares, const double* dq, const FreedomsView& next);
-ChangeSums end_freedoms(const EndShares& shares, const FreedomsBefore& now, int count, const double* acc, double* alg);
+void predict_freedoms(const PredictionCoefficients& shares, const FreedomsAtStart& start, const FreedomsView& next);
+void correct_freedoms(const CorrectionCoefficients& shares, const double* dq, const FreedomsView& next);
+ChangeSums end_freedoms(const AccelerationCoefficients& shares, const FreedomsAtStart& start, int count,
+                        const double* acc, double* algorithmic_acceleration);
 }  // namespace isa_baseline
 namespace isa_avx2 {
-void predict_freedoms(const PredictionShares& shares, const FreedomsBefore& now, const FreedomsView& next);
-void correct_freedoms(const CorrectionShares& shares, const double* dq, const FreedomsView& next);
-ChangeSums end_freedoms(const EndShares& shares, const FreedomsBefore& now, int count, const double* acc, double* alg);
+void predict_freedoms(const PredictionCoefficients& shares, const FreedomsAtStart& start, const FreedomsView& next);
+void correct_freedoms(const CorrectionCoefficients& shares, const double* dq, const FreedomsView& next);
+ChangeSums end_freedoms(const AccelerationCoefficients& shares, const FreedomsAtStart& start, int count,
+                        const double* acc, double* algorithmic_acceleration);
 }  // namespace isa_avx2
 namespace isa_avx512 {
-void predict_freedoms(const PredictionShares& shares, const FreedomsBefore& now, const FreedomsView& next);
-void correct_freedoms(const CorrectionShares& shares, const double* dq, const FreedomsView& next);
-ChangeSums end_freedoms(const EndShares& shares, const FreedomsBefore& now, int count, const double* acc, double* alg);
+void predict_freedoms(const PredictionCoefficients& shares, const FreedomsAtStart& start, const FreedomsView& next);
+void correct_freedoms(const CorrectionCoefficients& shares, const double* dq, const FreedomsView& next);
+ChangeSums end_freedoms(const AccelerationCoefficients& shares, const FreedomsAtStart& start, int count,
+                        const double* acc, double* algorithmic_acceleration);
 }  // namespace isa_avx512
 
 }  // namespace overbend

@@ -6,7 +6,8 @@
 namespace overbend {
 namespace {
 
-/// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
+/// Lumped mass for the error estimate: half of each element's mass at its nodes, and the share of the tangents from the
+/// cubic shape functions.
 std::vector<double> lumped_mass(const Line& line) {
   std::vector<double> mass(6 * static_cast<std::size_t>(line.mesh.nodes()), 0.0);
   for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
@@ -22,19 +23,19 @@ std::vector<double> lumped_mass(const Line& line) {
   return mass;
 }
 
-/// How much of a node's error counts. Of pipe all, but for what was added to it as laid behind the far end of statics.
-/// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the
-/// longer they are the less; up to `short_element` all of it counts. (Lines that may meet rollers are pipe.)
+/// Weights of the nodal errors. Pipe counts in full, except pipe that was added behind the far end of the static line.
+/// For that and for moorings, an error affects the forces by turning the elements next to the node, which matters less
+/// the longer they are; up to `short_element` it counts in full. (Lines that may touch rollers are pipe.)
 std::vector<double> error_weights(const Line& line, double short_element) {
   std::vector<double> weights;
   for (int node = 0; node < line.mesh.nodes(); ++node) {
     const bool pipe = line.on_rollers && line.mesh.s[static_cast<std::size_t>(node)] >= 0.0;
-    weights.push_back(pipe ? 1.0 : std::min(1.0, short_element / line.mesh.shortest_beside(node)));
+    weights.push_back(pipe ? 1.0 : std::min(1.0, short_element / line.mesh.min_neighbour_length(node)));
   }
   return weights;
 }
 
-/// Squared, of the bodies among the filtered errors [m2].
+/// Squared error of the bodies among the filtered errors [m2].
 double body_error(const Assembly& assembly, const Increments& dq) {
   double worst = 0.0;
   for (std::size_t i = 0; i < assembly.free_bodies(); ++i) {
@@ -54,13 +55,13 @@ StepError::StepError(const System& system, const GeneralizedAlpha& scheme, doubl
   }
 }
 
-double StepError::operator()(Assembly& assembly, const SystemState& now, const SystemState& next,
+double StepError::operator()(Assembly& assembly, const SystemState& start, const SystemState& next,
                              Increments& dq) const {
   const double h = next.last_step;
   const double factor = std::abs(1.0 / 6.0 - scheme_.beta) * h * h * scheme_.acceleration_share(h);
   for (std::size_t line = 0; line < next.lines.size(); ++line) {
     for (std::size_t i = 0; i < dq[line].size(); ++i) {
-      dq[line][i] = factor * lumped_mass_[line][i] * (next.lines[line].acc[i] - now.lines[line].acc[i]);
+      dq[line][i] = factor * lumped_mass_[line][i] * (next.lines[line].acc[i] - start.lines[line].acc[i]);
     }
   }
   for (const Attachment& held : assembly.system().attachments) {
@@ -69,7 +70,7 @@ double StepError::operator()(Assembly& assembly, const SystemState& now, const S
     std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
   }
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {
-    const Vec6 change = next.bodies[i].acc - now.bodies[i].acc;
+    const Vec6 change = next.bodies[i].acc - start.bodies[i].acc;
     Eigen::Map<Vec6>(dq.back().data() + 6 * i) = factor * assembly.free_body(i).inertia.cwiseProduct(change);
   }
   assembly.apply_factors(dq);

@@ -1,4 +1,4 @@
-/// Why a step in time could not be taken.
+/// Message for a time step that cannot be solved.
 #pragma once
 
 #include "dynamics/integrator/time_step.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// In words, with the place that is worst: of the shortest step, from `time` [s].
+/// Returns the failure of the minimum step from `time` [s], with the place of the largest residual.
 StaticFailure step_failure(const StepReport& report, const System& system, double time);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// How a step begins, before its forces are known, what corrections change, and what its accelerations are at last.
+/// Predictor of a step, effect of corrections, and final accelerations.
 #pragma once
 
 #include <vector>
@@ -10,23 +10,24 @@
 
 namespace overbend {
 
-/// How a tensioner moves in a step, and the speeds that it can reach.
+/// Drive mode of a tensioner in a step and its reachable speeds.
 struct MachineStep {
   TensionerDrive drive = TensionerDrive::brake;
   SpeedBounds bounds;
 };
 
-/// The state `next` after `h` as the state before foresees it, see GeneralizedAlpha::foreseen(), a line by as much of
-/// what stands between its accelerations as would have served the step before best; the travel of the tensioners of
-/// the assembly as they are driven by `moves`. Allocates where `next` has other sizes than `now`.
-void predict(const GeneralizedAlpha& scheme, const Assembly& assembly, const SystemState& now, double h,
+/// Sets `next` to the prediction after `h`, see GeneralizedAlpha. Each line uses the extrapolation factor
+/// that would have been best for its previous step; the tensioners of the assembly move as driven by `moves`. Allocates
+/// if the sizes of `next` differ from those of `start`.
+void predict(const GeneralizedAlpha& scheme, const Assembly& assembly, const SystemState& start, double h,
              const std::vector<MachineStep>& moves, SystemState& next);
 
-/// Adds a correction to the places of a line at the end of a step of `h`, and what follows to rates and accelerations.
+/// Adds a correction to the unknowns of a line at the end of a step of `h`, with the corresponding changes of rates and
+/// accelerations.
 void correct(const GeneralizedAlpha& scheme, double h, const std::vector<double>& dq, LineState& next);
 
-/// Algorithmic accelerations at the end of a step, of what has moved as it was led too, and what should have been
-/// foreseen.
-void end_accelerations(const GeneralizedAlpha& scheme, const SystemState& now, SystemState& next);
+/// Sets the algorithmic accelerations at the end of a step, including prescribed motions, and the best extrapolation
+/// factor of the step.
+void end_accelerations(const GeneralizedAlpha& scheme, const SystemState& start, SystemState& next);
 
 }  // namespace overbend

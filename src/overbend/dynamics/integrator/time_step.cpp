@@ -8,26 +8,28 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostFurther = 4.0;  ///< Iterations that cost less than new factors of all lines within a step.
-constexpr int kMostOnOldFactors = 7;  ///< Iterations of a step, all in all.
-constexpr int kOldestFactors = 20;    ///< Steps that factors may serve.
-constexpr int kSlowStep = 3;          ///< Iterations, beyond which the next step begins with new factors.
-constexpr int kMostRounds = 30;       ///< In which ends that give way find by how much.
+/// Maximum number of further iterations that cost less than new factors of all lines within a step.
+constexpr double kMaxFurtherIterations = 4.0;
+constexpr int kMaxIterationsOnOldFactors = 7;  ///< Maximum number of iterations of a step without new factors.
+constexpr int kMaxFactorAge = 20;              ///< Maximum age of factors in steps.
+constexpr int kSlowStepIterations = 3;  ///< Number of iterations beyond which the next step begins with new factors.
+constexpr int kMaxPayoutRounds = 30;    ///< Maximum number of rounds of the end payouts.
 
-/// What factors of a line cost, by its share of the nodes, in iterations of all lines; one more is needed anyway.
+/// Cost of factoring a line, by its share of the nodes, in iterations of all lines; one more iteration is needed in any
+/// case.
 std::vector<double> iterations_for_factors(const System& system) {
   int nodes = 0;
   for (const Line& line : system.lines) nodes += line.mesh.nodes();
   std::vector<double> iterations;
   for (const Line& line : system.lines) {
-    iterations.push_back(std::max(kMostFurther * line.mesh.nodes() / nodes, 1.0));
+    iterations.push_back(std::max(kMaxFurtherIterations * line.mesh.nodes() / nodes, 1.0));
   }
   return iterations;
 }
 
-/// Sees iterations that go to and fro between two states: a contact that opens in one and closes in the other, of a
-/// force that jumps, has no balance within this step, and more of them find none.
-class ToAndFro {
+/// Detects a two-cycle of the Newton iteration: a contact that opens in one state and closes in the other under a force
+/// that jumps has no equilibrium within this step, and further iterations find none.
+class ResidualCycleDetector {
  public:
   bool seen(double residual) {
     const bool again = same(residual, last_[1]) && same(last_[0], last_[2]);
@@ -37,14 +39,14 @@ class ToAndFro {
 
  private:
   static bool same(double a, double b) {
-    constexpr double kAlike = 0.01;
-    return std::abs(a - b) <= kAlike * a;
+    constexpr double kSameResidual = 0.01;
+    return std::abs(a - b) <= kSameResidual * a;
   }
-  std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; at first no two alike.
+  std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; initial values all different.
 };
 
-/// Whether a line runs back through its guide: the equations balance there as well, with its last element inside out.
-bool any_end_turned(const System& system, const SystemState& state) {
+/// True if a line runs back through its guide: the equations also balance there, with the last element inside out.
+bool any_end_inverted(const System& system, const SystemState& state) {
   for (std::size_t i = 0; i < state.attachments.size(); ++i) {
     if (system.attachments[i].hold_direction && state.attachments[i].guide.q <= 0.0) return true;
   }
@@ -57,11 +59,11 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
     : assembly_(&assembly),
       settings_(settings),
       scheme_(settings.spectral_radius),
-      giving_(assembly.system()),
+      end_payouts_(assembly.system()),
       moves_(assembly.tensioners().size()),
       factored_governed_(moves_.size()),
-      most_further_(iterations_for_factors(assembly.system())),
-      slow_lines_(most_further_.size()),
+      max_further_iterations_(iterations_for_factors(assembly.system())),
+      slow_lines_(max_further_iterations_.size()),
       dq_(assembly.increments()),
       error_(assembly.system(), scheme_, settings.short_element) {}
 
@@ -72,18 +74,18 @@ void TimeStepper::correct(SystemState& next, double h) const {
     overbend::correct(scheme_, h, dq_[line], next.lines[line]);
   }
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {
-    HullState& at = next.bodies[i];
+    HullState& body = next.bodies[i];
     const Vec6 dh = Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
-    at.h += dh;
-    at.v += velocity * dh;
-    at.acc += acceleration * dh;
+    body.h += dh;
+    body.v += velocity * dh;
+    body.acc += acceleration * dh;
   }
   const auto correct_values = [&](MotionValues& values, const Vec3& direction, const double* dq) {
     const double d = direction.x() * dq[0] + direction.y() * dq[1] + direction.z() * dq[2];
     values.q += d;
     values.v += velocity * d;
     values.acc += acceleration * d;
-    values.alg += algorithmic * d;
+    values.algorithmic_acceleration += algorithmic * d;
   };
   const System& system = assembly_->system();
   for (std::size_t i = 0; i < next.attachments.size(); ++i) {
@@ -99,10 +101,10 @@ void TimeStepper::correct(SystemState& next, double h) const {
 }
 
 bool TimeStepper::must_factor(double h) const {
-  return !factored_ || factored_step_ != h || factors_age_ >= kOldestFactors;
+  return !factored_ || factored_step_ != h || factors_age_ >= kMaxFactorAge;
 }
 
-/// Factors the tangent made last, of a step of `h`; false where it is singular.
+/// Factors the latest tangent for a step of `h`; returns false if it is singular.
 bool TimeStepper::make_factors(double h, StepReport& report) {
   ++report.factorisations;
   factored_ = assembly_->factor();
@@ -112,32 +114,32 @@ bool TimeStepper::make_factors(double h, StepReport& report) {
   return factored_;
 }
 
-/// Whether the rate at which the factors bring a part's residual down leads to the tolerance too late: a line's, or at
-/// the end the bodies'.
-bool TimeStepper::slow(std::size_t part, double most_further) const {
+/// True if the convergence rate with the present factors reaches the tolerance too late. `part`: a line or, last, the
+/// bodies.
+bool TimeStepper::converges_slowly(std::size_t part, double max_further_iterations) const {
   const double residual = assembly_->residuals()[part];
   return !(residual < settings_.tolerance) &&
-         !(std::log(settings_.tolerance / residual) >= most_further * std::log(residual / before_[part]));
+         !(std::log(settings_.tolerance / residual) >= max_further_iterations * std::log(residual / before_[part]));
 }
 
-/// Lines that need new factors. Those with contacts wait for another look where these have just been renewed. False
-/// where it is all lines or the bodies.
+/// Marks the lines that need new factors. Lines with contacts are deferred if their contacts have just been renewed.
+/// Returns false if all lines or the bodies need new factors.
 bool TimeStepper::find_slow_lines(bool contacts_renewed) {
   const std::size_t lines = slow_lines_.size();
   for (std::size_t i = 0; i < lines; ++i) {
     const bool renewed = contacts_renewed && assembly_->line(i).contacts().count() > 0;
-    slow_lines_[i] = !renewed && slow(i, most_further_[i]) ? 1 : 0;
+    slow_lines_[i] = !renewed && converges_slowly(i, max_further_iterations_[i]) ? 1 : 0;
   }
   const bool all = lines > 0 && std::find(slow_lines_.begin(), slow_lines_.end(), 0) == slow_lines_.end();
-  return !all && (contacts_renewed || before_.size() == lines || !slow(lines, kMostFurther));
+  return !all && (contacts_renewed || before_.size() == lines || !converges_slowly(lines, kMaxFurtherIterations));
 }
 
-/// Whether another correction may be made with the factors there are, brought up to the contacts and, of lines where
-/// they are slow, made anew. They are kept where the rate at which they bring the residual down leads to the tolerance
-/// soon enough: new ones cost less at the start of the next step, which is evaluated there anyway.
-bool TimeStepper::factors_serve(const StepReport& report, const SystemState& now, SystemState& next,
-                                const Weights& weights) {
-  if (report.iterations >= kMostOnOldFactors) {
+/// True if another correction can use the present factors, updated for the contacts and renewed for slow lines. Factors
+/// are kept while their convergence rate reaches the tolerance soon enough: new ones cost less at the start of the next
+/// step, which is evaluated there anyway.
+bool TimeStepper::can_reuse_factors(const StepReport& report, const SystemState& start, SystemState& next,
+                                    const Weights& weights) {
+  if (report.iterations >= kMaxIterationsOnOldFactors) {
     return false;
   }
   const bool contacts_changed = assembly_->contact_signature() != factored_contacts_;
@@ -145,57 +147,58 @@ bool TimeStepper::factors_serve(const StepReport& report, const SystemState& now
     factored_contacts_ = assembly_->contact_signature();
     if (!assembly_->renew_contacts(next, weights)) return false;
   }
-  return find_slow_lines(contacts_changed) && assembly_->renew_lines(next, now, weights, slow_lines_);
+  return find_slow_lines(contacts_changed) && assembly_->renew_lines(next, start, weights, slow_lines_);
 }
 
-StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
-  constexpr int kMostDrives = 4;  // of a machine; two that each ask for the other differ by nothing
-  const int most_tries = kMostDrives * std::max(1, static_cast<int>(moves_.size()));
+StepReport TimeStepper::step(const SystemState& start, double h, SystemState& next) {
+  // per machine; two drive modes that each request the other differ by a negligible amount
+  constexpr int kMaxDriveChanges = 4;
+  const int max_tries = kMaxDriveChanges * std::max(1, static_cast<int>(moves_.size()));
   const System& system = assembly_->system();
-  const double authority = tensioner_authority(system, now.time + 0.5 * h);
+  const double authority = tensioner_ramp_factor(system, start.time + 0.5 * h);
   for (std::size_t i = 0; i < moves_.size(); ++i) {
     const std::size_t attachment = assembly_->tensioners()[i].attachment;
-    const AttachmentState& held = now.attachments[attachment];
+    const AttachmentState& held = start.attachments[attachment];
     const TensionerLaw& law = *system.attachments[attachment].tensioner;
     const Travel travel{held.travel.q, held.travel.v, held.travel.acc};
     moves_[i] = {first_drive(law, held.machine), reachable_speeds(law, held.machine, travel, authority, h)};
   }
   StepReport report;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    const StepReport part = step_with_drives(now, h, next);
+  for (int tries = 0; tries < max_tries; ++tries) {
+    const StepReport part = step_with_drives(start, h, next);
     const int iterations = report.iterations + part.iterations,
               factorisations = report.factorisations + part.factorisations;
     report = part;
     report.iterations = iterations;
     report.factorisations = factorisations;
-    if (!report.converged() || !fit_drives(next)) break;
+    if (!report.converged() || !update_drives(next)) break;
   }
   return report;
 }
 
-/// Whether a tensioner has another drive than the step was taken with.
-bool TimeStepper::fit_drives(const SystemState& next) {
+/// True if a tensioner requires another drive mode than that of the step.
+bool TimeStepper::update_drives(const SystemState& next) {
   bool changed = false;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
     const std::size_t attachment = assembly_->tensioners()[i].attachment;
     const TensionerLaw& law = *assembly_->system().attachments[attachment].tensioner;
-    const TensionerDrive fitting = fitting_drive(law, moves_[i].bounds, moves_[i].drive,
-                                                 next.attachments[attachment].travel.v, assembly_->tension(i));
+    const TensionerDrive fitting = matching_drive(law, moves_[i].bounds, moves_[i].drive,
+                                                  next.attachments[attachment].travel.v, assembly_->tension(i));
     changed = changed || fitting != moves_[i].drive;
     moves_[i].drive = fitting;
   }
   return changed;
 }
 
-StepReport TimeStepper::step_with_drives(const SystemState& now, double h, SystemState& next) {
+StepReport TimeStepper::step_with_drives(const SystemState& start, double h, SystemState& next) {
   StepReport report;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
     const char governed = moves_[i].drive == TensionerDrive::governor ? 1 : 0;
     factored_ = factored_ && governed == factored_governed_[i];
     factored_governed_[i] = governed;
   }
-  predict(scheme_, *assembly_, now, h, moves_, next);
-  giving_.begin(now, h, next);
+  predict(scheme_, *assembly_, start, h, moves_, next);
+  end_payouts_.begin(start, h, next);
   int rounds = 0, earlier = 0;
   assembly_->set_time(next.time, next);
   for (std::size_t i = 0; i < moves_.size(); ++i) assembly_->set_drive(i, moves_[i].drive);
@@ -203,43 +206,43 @@ StepReport TimeStepper::step_with_drives(const SystemState& now, double h, Syste
   const Weights weights{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);
   before_.assign(slow_lines_.size() + (assembly_->free_bodies() > 0 ? 1 : 0), std::numeric_limits<double>::infinity());
-  ToAndFro to_and_fro;
+  ResidualCycleDetector cycle_detector;
   while (report.iterations <= settings_.max_iterations) {
     const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
-    assembly_->evaluate(next, now, weights, factor, contacts);
+    assembly_->evaluate(next, start, weights, factor, contacts);
     assembly_->hold(factor);
     report.residual = assembly_->relative_residual();
     report.worst_place = assembly_->worst_place();
     if (!(report.residual < 1e6)) {
-      report.end = StepEnd::lost;
+      report.end = StepStatus::lost;
       break;
     }
     if (report.residual < settings_.tolerance && assembly_->contacts_settled()) {
-      if (!giving_.empty() && rounds < kMostRounds && !giving_.settle(*assembly_, now, h, next)) {
+      if (!end_payouts_.empty() && rounds < kMaxPayoutRounds && !end_payouts_.settle(*assembly_, start, h, next)) {
         ++rounds;
         earlier += report.iterations;
         report.iterations = 0;
         std::fill(before_.begin(), before_.end(), std::numeric_limits<double>::infinity());
-        to_and_fro = {};  // what an end gives way by may put the same out of balance again
+        cycle_detector = {};  // payout of an end may unbalance the same contact again
         assembly_->impose_ends(next);
         continue;
       }
-      report.end = any_end_turned(assembly_->system(), next) ? StepEnd::lost
-                   : rounds < kMostRounds                    ? StepEnd::converged
-                                                             : StepEnd::too_many_iterations;
-      end_accelerations(scheme_, now, next);
-      assembly_->finish_step(now, h, next);
+      report.end = any_end_inverted(assembly_->system(), next) ? StepStatus::lost
+                   : rounds < kMaxPayoutRounds                 ? StepStatus::converged
+                                                               : StepStatus::too_many_iterations;
+      end_accelerations(scheme_, start, next);
+      assembly_->finish_step(start, h, next);
       break;
     }
-    if (!factor && !factors_serve(report, now, next, weights)) {
+    if (!factor && !can_reuse_factors(report, start, next, weights)) {
       factor = true;
       continue;
     }
-    if (to_and_fro.seen(report.residual)) break;
+    if (cycle_detector.seen(report.residual)) break;
     ++report.iterations;
     before_ = assembly_->residuals();
     if (factor && !make_factors(h, report)) {
-      report.end = StepEnd::singular;
+      report.end = StepStatus::singular;
       break;
     }
     factor = false;
@@ -249,7 +252,7 @@ StepReport TimeStepper::step_with_drives(const SystemState& now, double h, Syste
     assembly_->impose_ends(next);
   }
   ++factors_age_;
-  if (!report.converged() || report.iterations > kSlowStep) {
+  if (!report.converged() || report.iterations > kSlowStepIterations) {
     factored_ = false;
   }
   report.iterations += earlier;

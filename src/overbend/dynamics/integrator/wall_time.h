@@ -1,11 +1,11 @@
-/// How long a part of the program takes.
+/// Wall time of a scope.
 #pragma once
 
 #include <chrono>
 
 namespace overbend {
 
-/// Adds the wall time from its making to its end [s].
+/// Adds the wall time of its lifetime to a sum [s].
 class WallTime {
  public:
   explicit WallTime(double& sum) : sum_(sum) {}

@@ -9,16 +9,16 @@ namespace overbend {
 namespace {
 
 constexpr double kMomentsPerPeriod = 8.0;
-constexpr double kLongestInterval = 0.5;    ///< [s]
+constexpr double kMaxTableInterval = 0.5;   ///< [s]
 constexpr double kClosestStations = 1.5;    ///< [m]
 constexpr double kFarthestStations = 15.0;  ///< [m]
-constexpr double kSpacingByDepth = 0.1;     ///< Waves that reach a depth z are longer than about 2 z.
+constexpr double kSpacingByDepth = 0.1;     ///< Waves that reach depth z are longer than about 2 z.
 
 double spacing_at(double z) {
   return std::clamp(kSpacingByDepth * std::abs(z), kClosestStations, kFarthestStations);
 }
 
-/// The cubic in time through values and rates at both moments; the build-up is in both.
+/// Cubic in time through values and rates at both times; the build-up is included in both.
 Vec3 between(const Vec3& v0, const Vec3& a0, const Vec3& v1, const Vec3& a1, double x, double h) {
   const double x2 = x * x, x3 = x2 * x;
   return (1.0 - 3.0 * x2 + 2.0 * x3) * v0 + (h * (x - 2.0 * x2 + x3)) * a0 + (3.0 * x2 - 2.0 * x3) * v1 +
@@ -31,7 +31,8 @@ double water_interval(const Sea& sea, double output_step) {
   if (sea.calm()) {
     return output_step;
   }
-  const double wanted = std::min(kLongestInterval, 2.0 * std::numbers::pi / highest_frequency(sea) / kMomentsPerPeriod);
+  const double wanted =
+      std::min(kMaxTableInterval, 2.0 * std::numbers::pi / highest_frequency(sea) / kMomentsPerPeriod);
   return output_step / std::ceil(output_step / wanted - 1e-9);
 }
 
@@ -42,12 +43,12 @@ WaterField::WaterField(const Sea& sea, const LineMesh& mesh, const std::vector<d
     return;
   }
   const int nodes = mesh.nodes();
-  const auto z_of = [&](int node) { return q[static_cast<std::size_t>(6 * node + 2)]; };
+  const auto node_z = [&](int node) { return q[static_cast<std::size_t>(6 * node + 2)]; };
   stations_.push_back(0);
   for (int node = 1; node < nodes; ++node) {
     const double since = mesh.s[static_cast<std::size_t>(node)] - mesh.s[static_cast<std::size_t>(stations_.back())];
     const double next = node + 1 < nodes ? mesh.length[static_cast<std::size_t>(node)] : 0.0;
-    if (node == nodes - 1 || since + next > spacing_at(z_of(node))) {
+    if (node == nodes - 1 || since + next > spacing_at(node_z(node))) {
       stations_.push_back(node);
     }
   }
@@ -60,7 +61,7 @@ WaterField::WaterField(const Sea& sea, const LineMesh& mesh, std::vector<int> st
   if (!stations_.empty()) place_between(mesh);
 }
 
-/// The stations below and above every node.
+/// Sets the stations before and after every node.
 void WaterField::place_between(const LineMesh& mesh) {
   std::size_t below = 0;
   for (int node = 0; node < mesh.nodes(); ++node) {
@@ -93,11 +94,11 @@ void WaterField::start(WaterMemory& memory, double time, const std::vector<doubl
   evaluate(time + interval_, q, v, interval_, memory.second);
 }
 
-void WaterField::renew(WaterMemory& memory, double now, const std::vector<double>& q, const std::vector<double>& v) {
+void WaterField::renew(WaterMemory& memory, double time, const std::vector<double>& q, const std::vector<double>& v) {
   memory.first.resize(stations_.size());
   memory.second.resize(stations_.size());
-  evaluate(memory.time, q, v, memory.time - now, memory.first);
-  evaluate(memory.time + interval_, q, v, memory.time + interval_ - now, memory.second);
+  evaluate(memory.time, q, v, memory.time - time, memory.first);
+  evaluate(memory.time + interval_, q, v, memory.time + interval_ - time, memory.second);
 }
 
 void WaterField::advance(WaterMemory& memory, const std::vector<double>& q, const std::vector<double>& v) {
@@ -110,11 +111,11 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
   const double x = (time - memory.time) / interval_;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const WaterState &a = memory.first[i], &b = memory.second[i];
-    WaterValues& now = now_[i];
-    now.head<3>() = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
-    now.segment<3>(3) = (1.0 - x) * a.acceleration + x * b.acceleration;
-    now(6) = (1.0 - x) * a.elevation + x * b.elevation;
-    now(7) = (1.0 - x) * a.pressure_head + x * b.pressure_head;
+    WaterValues& values = now_[i];
+    values.head<3>() = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
+    values.segment<3>(3) = (1.0 - x) * a.acceleration + x * b.acceleration;
+    values(6) = (1.0 - x) * a.elevation + x * b.elevation;
+    values(7) = (1.0 - x) * a.pressure_head + x * b.pressure_head;
   }
   double* out = water.data();
   for (std::size_t node = 0; node < share_.size(); ++node) {

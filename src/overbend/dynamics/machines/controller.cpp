@@ -15,7 +15,7 @@ MachineCommand CompiledController::command(const MachineReading& seen) {
     case OVERBEND_TENSION:
       return {MachineCommand::Kind::tension, value};
     default:
-      throw std::runtime_error("it answered " + std::to_string(answer) + ", which is none of 0, 1 and 2");
+      throw std::runtime_error("it returned " + std::to_string(answer) + " instead of 0, 1 or 2");
   }
 }
 

@@ -1,4 +1,4 @@
-/// Controllers from outside that drive the tensioner, or the winches of mooring lines, of a simulation. See
+/// External controllers that command the tensioner or the mooring winches of a simulation. See
 /// docs/theory/tensioner.md, "Commands from outside".
 #pragma once
 
@@ -9,20 +9,21 @@
 
 namespace overbend {
 
-/// What a controller sees: what the instruments of its machine and of the vessel show.
+/// Readings of the instruments of the machine and the vessel.
 using MachineReading = overbend_reading;
 
-/// What a machine shall do until its controller is asked again.
+/// Command to a machine, valid until its controller is called again.
 struct MachineCommand {
   enum class Kind {
-    leave,   ///< Work by its own law, with the tension that it was set to last.
-    speed,   ///< Pay out at this speed, haul in where negative; within velocity, acceleration and travel [m/s].
-    tension  ///< Restore this tension by its own law [N].
+    leave,   ///< Work by the machine's own law, with its last set tension.
+    speed,   ///< Pay out at this speed, negative: haul in; within velocity, acceleration and travel [m/s].
+    tension  ///< Restore this tension by the machine's own law [N].
   };
   Kind kind = Kind::leave;
   double value = 0.0;
 };
 
+/// Interface of external controllers.
 class Controller {
  public:
   Controller() = default;
@@ -30,25 +31,25 @@ class Controller {
   Controller& operator=(const Controller&) = delete;
   virtual ~Controller() = default;
 
-  /// Asked for the multiples of its interval, in order. An exception (of std::exception) ends the run, which tells
-  /// what() of it.
+  /// Returns the command at the multiples of its interval, called in order. An exception (of std::exception) ends the
+  /// run with its what() as message.
   virtual MachineCommand command(const MachineReading& seen) = 0;
-  /// What it remembers from one call to the next, for checkpoints.
+  /// Returns the memory between calls, for checkpoints.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& /*saved*/) {}
 };
 
 inline constexpr const char* kTensionerMachine = "tensioner";
 
-/// A controller and what it drives.
+/// A controller and the machine it commands.
 struct ControllerUse {
-  std::string machine = kTensionerMachine;  ///< Or the name of a mooring line, whose winch it is.
-  /// Has to outlive the simulation. Null: the machine takes commands between steps alone, see Simulation::command.
+  std::string machine = kTensionerMachine;  ///< kTensionerMachine, or the name of the mooring line of a winch.
+  /// Must outlive the simulation. Null: the machine takes commands between steps only, see Simulation::command.
   Controller* controller = nullptr;
-  double interval = 0.1;  ///< For whose multiples it is asked [s].
+  double interval = 0.1;  ///< Interval between calls [s].
 };
 
-/// A compiled function with its memory.
+/// A controller in compiled code with its memory.
 class CompiledController : public Controller {
  public:
   explicit CompiledController(overbend_controller function, std::vector<double> memory = {})
@@ -56,8 +57,8 @@ class CompiledController : public Controller {
 
   MachineCommand command(const MachineReading& seen) override;
   std::vector<double> save() const override { return memory_; }
-  /// Throws std::runtime_error where the function would find another number of doubles than it was registered with. An
-  /// empty memory is one that was not saved: its own stays.
+  /// Throws std::runtime_error if the number of saved values differs from the registered one. An empty memory was not
+  /// saved and leaves the present one.
   void restore(const std::vector<double>& saved) override;
 
  private:

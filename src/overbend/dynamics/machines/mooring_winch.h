@@ -1,4 +1,4 @@
-/// The winch of a mooring line as the model describes it.
+/// Winch of a mooring line from its description.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace overbend {
 
-/// The law of a winch, of whatever mode. One that follows the lengths of an operation gets its table from that.
+/// Returns the law of a winch of any mode. A winch that follows the lengths of an operation gets its table later.
 WinchLaw winch_law(const WinchDescription& winch);
 
-/// The winch that a line names; null where it names none.
-const WinchDescription* winch_named_by(const MooringsDescription& moorings, const MooringLineDescription& line);
+/// Returns the winch named by a line; null if it names none.
+const WinchDescription* find_winch(const MooringsDescription& moorings, const MooringLineDescription& line);
 
-/// The law of the winch that a line names. None where the line has no winch, or one that holds its length whatever the
-/// tension.
-std::optional<WinchLaw> winch_of(const MooringsDescription& moorings, const MooringLineDescription& line);
+/// Returns the law of the winch named by a line. Empty if the line has no winch, or a winch that holds its length at
+/// any tension.
+std::optional<WinchLaw> find_winch_law(const MooringsDescription& moorings, const MooringLineDescription& line);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Tensioners in a run: what they do at the end of a step, and the instants that steps have to meet for them.
+/// Tensioners in a run: state changes at the end of a step, and events that steps must meet.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace overbend {
 
-/// Take the tension at the end of a step of `h`, at which the assembly stands evaluated, and stop or start the machines
-/// in `state`.
+/// Records the tensions at the end of a step of `h`, where the assembly has been evaluated, and stops or starts the
+/// tensioners in `state`.
 void observe_tensions(const Assembly& assembly, double h, SystemState& state);
 
-/// Until the delay of a controlled tensioner is over [s]; infinite where there is none to wait for. `least`: no
-/// shorter.
-double time_to_tensioner(const System& system, const SystemState& state, double least);
+/// Returns the time until the delay of a controlled tensioner ends [s], at least `min_step`; infinite if none is
+/// pending.
+double time_to_tensioner(const System& system, const SystemState& state, double min_step);
 
-/// How long a step of `h` from `from` to `to`, at which the assembly stands evaluated, may be to meet the instant at
-/// which its tension makes a controlled tensioner change [s]; `least` is the shortest. `tried`: of every tensioner the
-/// try before, which becomes this one.
+/// Returns the length of a step of `h` from `from` to `to`, where the assembly has been evaluated, that meets the first
+/// event of a controlled tensioner [s], at least `min_step`. `tried` holds per tensioner the previous attempt and
+/// receives this one.
 double step_to_tensioner(const Assembly& assembly, double h, const SystemState& from, const SystemState& to,
-                         double least, std::vector<EventTry>& tried);
+                         double min_step, std::vector<EventTry>& tried);
 
 }  // namespace overbend

@@ -11,17 +11,17 @@
 
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_checkpoint.h"
-#include "dynamics/machines/giving_ends.h"
+#include "dynamics/machines/end_payout.h"
 #include "dynamics/machines/mooring_winch.h"
 #include "dynamics/setup/mooring_lines.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSameInstant = 1e-9;       ///< [s]
-constexpr double kShortestInterval = 1e-3;  ///< [s]
-constexpr double kOfInterval = 1.25;        ///< No step is longer than this.
-constexpr double kNeverHappened = 1e300;    ///< In a checkpoint, in place of a time.
+constexpr double kSameInstant = 1e-9;        ///< [s]
+constexpr double kMinInterval = 1e-3;        ///< [s]
+constexpr double kMaxStepOfInterval = 1.25;  ///< Maximum step over the minimum controller interval.
+constexpr double kUnsetTime = 1e300;         ///< Saved in place of a time that is not set.
 
 std::string quoted(const std::vector<std::string>& names) {
   std::string list;
@@ -29,7 +29,7 @@ std::string quoted(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Of the winch where a line has one, else of the tensioner.
+/// Law of the winch if the line has one, else of the tensioner.
 TensionerLaw& machine_law(System& system, const CommandedMachine& machine) {
   Attachment& held = system.attachments[machine.attachment];
   return held.winch ? held.winch->tension : *held.tensioner;
@@ -40,8 +40,8 @@ const TensionerLaw& machine_law(const System& system, const CommandedMachine& ma
   return held.winch ? held.winch->tension : *held.tensioner;
 }
 
-double speed_of(const Attachment& held, const AttachmentState& at) {
-  return held.winch ? at.way.rate : at.travel.v;
+double payout_speed(const Attachment& held, const AttachmentState& state) {
+  return held.winch ? state.payout.rate : state.travel.v;
 }
 
 const MooringLineDescription& mooring_line(const Model& model, const std::string& name) {
@@ -49,9 +49,9 @@ const MooringLineDescription& mooring_line(const Model& model, const std::string
   return *std::find_if(lines.begin(), lines.end(), [&](const MooringLineDescription& l) { return l.name == name; });
 }
 
-/// The winch of a line as one that takes commands.
+/// Prepares the winch of a line for commands.
 void ready_winch(const Model& model, const std::string& name, System& system, std::size_t attachment) {
-  const WinchDescription* const described = winch_named_by(*model.description.moorings, mooring_line(model, name));
+  const WinchDescription* const described = find_winch(*model.description.moorings, mooring_line(model, name));
   if (described == nullptr) {
     throw std::invalid_argument("mooring line '" + name + "' has no winch to control: give moorings.lines[" + name +
                                 "].winch");
@@ -64,8 +64,8 @@ void ready_winch(const Model& model, const std::string& name, System& system, st
   winch.tension.limit = winch_range(system.lines[static_cast<std::size_t>(held.line)]);
 }
 
-/// The attachment of the fairlead of a mooring line.
-std::size_t fairlead_of(const std::string& name, const std::vector<std::string>& moorings, const System& system) {
+/// Attachment of the fairlead of a mooring line.
+std::size_t find_fairlead(const std::string& name, const std::vector<std::string>& moorings, const System& system) {
   if (std::ranges::find(moorings, name) == moorings.end()) {
     std::vector<std::string> machines;
     if (find_laid_pipe(system)) machines.push_back(kTensionerMachine);
@@ -84,12 +84,12 @@ std::size_t fairlead_of(const std::string& name, const std::vector<std::string>&
 CommandedMachine tensioner_machine(const LaidPipe& pipe) {
   CommandedMachine machine;
   machine.name = kTensionerMachine;
-  machine.words = "the tensioner";
+  machine.label = "the tensioner";
   machine.attachment = pipe.tensioner;
   return machine;
 }
 
-/// Place and motion of the vessel's freedoms, and of the line's end along the line.
+/// Reads position and motion of the vessel's freedoms, and the speed of the line's end along the line.
 void read_motion(const Assembly& assembly, const SystemState& state, std::size_t attachment, MachineReading& seen) {
   const RigidMotion& vessel = assembly.surroundings().bodies[kVessel];
   std::copy(vessel.freedoms.begin(), vessel.freedoms.end(), seen.vessel);
@@ -101,37 +101,38 @@ void read_motion(const Assembly& assembly, const SystemState& state, std::size_t
   seen.guide_speed = assembly.surroundings().ends[attachment].velocity.dot(along.normalized());
 }
 
-double line_length(const Line& line, const GivenWay& way) {
-  return line.mesh.total_length() + (way.last_element > 0.0 ? way.last_element - line.mesh.length.back() : 0.0);
+double line_length(const Line& line, const PayoutState& payout) {
+  return line.mesh.total_length() + (payout.last_element > 0.0 ? payout.last_element - line.mesh.length.back() : 0.0);
 }
 
-/// `paid_out`: by the tensioner [m].
-MachineReading reading_of(const Assembly& assembly, const SystemState& state, const CommandedMachine& machine,
-                          double paid_out) {
+/// `paid_out`: payout of the tensioner [m].
+MachineReading make_reading(const Assembly& assembly, const SystemState& state, const CommandedMachine& machine,
+                            double paid_out) {
   const Attachment& held = assembly.system().attachments[machine.attachment];
-  const AttachmentState& at = state.attachments[machine.attachment];
+  const AttachmentState& attachment = state.attachments[machine.attachment];
   const TensionerLaw& law = machine_law(assembly.system(), machine);
   MachineReading seen{};
   seen.time = state.time;
-  seen.tension = at.machine.tension;
-  seen.speed = speed_of(held, at);
+  seen.tension = attachment.machine.tension;
+  seen.speed = payout_speed(held, attachment);
   seen.set_tension = law.mode == TensionerMode::locked ? 0.0 : law.wanted;
-  seen.paid_out = held.winch ? at.way.moved : paid_out;
-  seen.length =
-      held.winch ? line_length(assembly.system().lines[static_cast<std::size_t>(held.line)], at.way) : paid_out;
+  seen.paid_out = held.winch ? attachment.payout.moved : paid_out;
+  seen.length = held.winch
+                    ? line_length(assembly.system().lines[static_cast<std::size_t>(held.line)], attachment.payout)
+                    : paid_out;
   read_motion(assembly, state, machine.attachment, seen);
   return seen;
 }
 
 using ReadingNumbers = std::array<double, sizeof(MachineReading) / sizeof(double)>;
 
-/// What is seen at a time up to that of `now`; of `now` itself at its instant and where nothing was seen before.
-MachineReading between(const MachineReading& before, const MachineReading& now, double time) {
-  MachineReading seen = now;
-  if (time < now.time - kSameInstant && before.time < time) {
-    const double share = (time - before.time) / (now.time - before.time);
+/// Reading interpolated at a time up to that of `current`; `current` itself at its time or without a previous reading.
+MachineReading between(const MachineReading& before, const MachineReading& current, double time) {
+  MachineReading seen = current;
+  if (time < current.time - kSameInstant && before.time < time) {
+    const double share = (time - before.time) / (current.time - before.time);
     const auto first = std::bit_cast<ReadingNumbers>(before);
-    auto last = std::bit_cast<ReadingNumbers>(now);
+    auto last = std::bit_cast<ReadingNumbers>(current);
     for (std::size_t i = 0; i < last.size(); ++i) last[i] = first[i] + share * (last[i] - first[i]);
     seen = std::bit_cast<MachineReading>(last);
   }
@@ -139,27 +140,27 @@ MachineReading between(const MachineReading& before, const MachineReading& now, 
   return seen;
 }
 
-/// Why a command cannot be obeyed; empty where it can.
-std::string obstacle_to(const MachineCommand& command, const TensionerLaw& law, bool winch) {
+/// Reason why a command cannot be executed; empty if it can.
+std::string find_command_error(const MachineCommand& command, const TensionerLaw& law, bool winch) {
   switch (command.kind) {
     case MachineCommand::Kind::leave:
       return "";
     case MachineCommand::Kind::speed:
       if (!std::isfinite(command.value)) return fmt::format("a speed of {} m/s is not a number", command.value);
-      return law.velocity > 0.0 ? "" : "a speed is asked for, but the machine has none: give tensioner.velocity";
+      return law.velocity > 0.0 ? "" : "a speed was requested, but the machine has none: give tensioner.velocity";
     case MachineCommand::Kind::tension:
       if (!(command.value > 0.0) || !std::isfinite(command.value)) {
         return fmt::format("a set tension of {} N is not a positive number", command.value);
       }
       if (law.mode != TensionerMode::locked) return "";
-      return winch ? "a tension is asked for, but the winch keeps none: give it mode: tension"
-                   : "a tension is asked for, but the tensioner is locked: give tensioner.mode and tensioner.velocity";
+      return winch ? "a tension was requested, but the winch keeps none: give it mode: tension"
+                   : "a tension was requested, but the tensioner is locked: give tensioner.mode and tensioner.velocity";
   }
   return "";
 }
 
-std::optional<double> happened(double saved) {
-  return saved < kNeverHappened ? std::optional<double>(saved) : std::nullopt;
+std::optional<double> saved_time(double saved) {
+  return saved < kUnsetTime ? std::optional<double>(saved) : std::nullopt;
 }
 
 std::string memory_name(const CommandedMachine& machine) {
@@ -176,22 +177,22 @@ Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& u
                          const std::vector<std::string>& moorings, double start, System& system) {
   const std::optional<LaidPipe> pipe = find_laid_pipe(system);
   if (pipe) machines_.push_back(tensioner_machine(*pipe));
-  std::vector<std::string> given;
+  std::vector<std::string> used_machines;
   for (const ControllerUse& use : uses) {
-    if (std::find(given.begin(), given.end(), use.machine) != given.end()) {
+    if (std::find(used_machines.begin(), used_machines.end(), use.machine) != used_machines.end()) {
       throw std::invalid_argument("there are two controllers for '" + use.machine + "'");
     }
-    given.push_back(use.machine);
-    if (!(use.interval >= kShortestInterval) || !std::isfinite(use.interval)) {
-      throw std::invalid_argument(fmt::format("the interval of the controller of '{}' is {} s; {} s is the least",
-                                              use.machine, use.interval, kShortestInterval));
+    used_machines.push_back(use.machine);
+    if (!(use.interval >= kMinInterval) || !std::isfinite(use.interval)) {
+      throw std::invalid_argument(fmt::format("the interval of the controller of '{}' is {} s; the minimum is {} s",
+                                              use.machine, use.interval, kMinInterval));
     }
     const bool tensioner = use.machine == kTensionerMachine && pipe;
     if (!tensioner) {
       CommandedMachine winch;
       winch.name = use.machine;
-      winch.words = "the winch of mooring line '" + use.machine + "'";
-      winch.attachment = fairlead_of(use.machine, moorings, system);
+      winch.label = "the winch of mooring line '" + use.machine + "'";
+      winch.attachment = find_fairlead(use.machine, moorings, system);
       ready_winch(model, use.machine, system, winch.attachment);
       machines_.push_back(winch);
     }
@@ -206,12 +207,12 @@ bool Controllers::active() const {
   return std::any_of(machines_.begin(), machines_.end(), [](const CommandedMachine& m) { return m.controller; });
 }
 
-double Controllers::longest_step() const {
-  double least = std::numeric_limits<double>::infinity();
+double Controllers::max_allowed_step() const {
+  double min_interval = std::numeric_limits<double>::infinity();
   for (const CommandedMachine& machine : machines_) {
-    if (machine.controller != nullptr) least = std::min(least, machine.interval);
+    if (machine.controller != nullptr) min_interval = std::min(min_interval, machine.interval);
   }
-  return kOfInterval * least;
+  return kMaxStepOfInterval * min_interval;
 }
 
 void Controllers::begin(const Assembly& assembly, SystemState& state) const {
@@ -219,27 +220,28 @@ void Controllers::begin(const Assembly& assembly, SystemState& state) const {
     const Attachment& held = assembly.system().attachments[machine.attachment];
     if (!held.winch) continue;
     const LineAssembly& line = assembly.line(static_cast<std::size_t>(held.line));
-    state.attachments[machine.attachment].machine.tension = tension_to_take(held, line);
+    state.attachments[machine.attachment].machine.tension = held_end_load(held, line);
   }
 }
 
 std::optional<StaticFailure> Controllers::ask(const Assembly& assembly, double paid_out, System& system,
                                               SystemState& state) {
   for (CommandedMachine& machine : machines_) {
-    const AttachmentState& at = state.attachments[machine.attachment];
-    if (machine.controller == nullptr || at.parted) continue;
-    if (at.machine.state == TensionerState::at_limit && !machine.stopped_at) machine.stopped_at = state.time;
-    const MachineReading now = reading_of(assembly, state, machine, paid_out);
-    while (machine.asked_at() <= state.time + kSameInstant) {
-      const MachineReading seen = between(machine.before, now, machine.asked_at());
+    const AttachmentState& attachment = state.attachments[machine.attachment];
+    if (machine.controller == nullptr || attachment.parted) continue;
+    if (attachment.machine.state == TensionerState::at_limit && !machine.stopped_at) machine.stopped_at = state.time;
+    const MachineReading current = make_reading(assembly, state, machine, paid_out);
+    while (machine.next_call_time() <= state.time + kSameInstant) {
+      const MachineReading seen = between(machine.before, current, machine.next_call_time());
       ++machine.next;
       try {
         command(machine.name, machine.controller->command(seen), system, state);
-      } catch (const std::exception& fault) {
-        return StaticFailure{kControllerOf + machine.words + " failed", at_time(seen.time), fault.what(), true};
+      } catch (const std::exception& error) {
+        return StaticFailure{kControllerMessagePrefix + machine.label + " failed", at_time(seen.time), error.what(),
+                             true};
       }
     }
-    machine.before = now;
+    machine.before = current;
   }
   return std::nullopt;
 }
@@ -248,20 +250,21 @@ void Controllers::command(const std::string& name, const MachineCommand& command
   const auto machine =
       std::find_if(machines_.begin(), machines_.end(), [&](const CommandedMachine& m) { return m.name == name; });
   if (machine == machines_.end()) {
-    throw std::invalid_argument("'" + name + "' takes no commands: name it among the controllers when the run begins");
+    throw std::invalid_argument("'" + name +
+                                "' takes no commands: name it among the controllers at the start of the run");
   }
   const Attachment& held = system.attachments[machine->attachment];
   TensionerLaw& law = machine_law(system, *machine);
-  const std::string obstacle = obstacle_to(command, law, held.winch.has_value());
-  if (!obstacle.empty()) throw std::invalid_argument(obstacle);
-  AttachmentState& at = state.attachments[machine->attachment];
+  const std::string problem = find_command_error(command, law, held.winch.has_value());
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  AttachmentState& attachment = state.attachments[machine->attachment];
   if (command.kind == MachineCommand::Kind::speed) {
-    machine->fastest_asked = std::max(machine->fastest_asked, std::abs(command.value));
-    command_speed(at.machine, command.value);
+    machine->max_requested_speed = std::max(machine->max_requested_speed, std::abs(command.value));
+    command_speed(attachment.machine, command.value);
     return;
   }
-  leave_to_law(law, speed_of(held, at), at.machine);
-  if (command.kind == MachineCommand::Kind::tension) set_wanted_tension(law, command.value);
+  return_to_law(law, payout_speed(held, attachment), attachment.machine);
+  if (command.kind == MachineCommand::Kind::tension) set_target_tension(law, command.value);
 }
 
 Assumptions Controllers::assumptions() const {
@@ -269,9 +272,9 @@ Assumptions Controllers::assumptions() const {
   for (const CommandedMachine& machine : machines_) {
     if (machine.controller == nullptr) continue;
     list.push_back(
-        {AssumptionRank::other, fmt::format("A controller from outside, asked every {:.6g} s, drove {}: it is not part "
-                                            "of the model file, which alone does not give these results again.",
-                                            machine.interval, machine.words)});
+        {AssumptionRank::other, fmt::format("An external controller, called every {:.6g} s, commanded {}. It is not "
+                                            "part of the model file, which alone does not reproduce these results.",
+                                            machine.interval, machine.label)});
   }
   return list;
 }
@@ -280,28 +283,28 @@ Findings Controllers::findings(const System& system) const {
   Findings list;
   for (const CommandedMachine& machine : machines_) {
     const TensionerLaw& law = machine_law(system, machine);
-    if (machine.fastest_asked > law.velocity * (1.0 + 1e-9)) {
-      list.push_back(
-          Finding{FindingCode::controller_limited,
-                  fmt::format("{} was asked for up to {}: it goes at {} at most", machine.words,
-                              shown_digits(machine.fastest_asked, "m/s", 3), shown_digits(law.velocity, "m/s", 3))}
-              .on(machine.words));
+    if (machine.max_requested_speed > law.velocity * (1.0 + 1e-9)) {
+      list.push_back(Finding{
+          FindingCode::controller_limited,
+          fmt::format("{} received speed commands of up to {}; its maximum speed is {}", machine.label,
+                      shown_digits(machine.max_requested_speed, "m/s", 3), shown_digits(law.velocity, "m/s", 3))}
+                         .on(machine.label));
     }
     if (machine.stopped_at && system.attachments[machine.attachment].winch) {
       list.push_back(Finding{FindingCode::controller_limited,
-                             fmt::format("{} came to the end of its range, {} either way, {}", machine.words,
+                             fmt::format("{} reached the end of its range, {} in either direction, {}", machine.label,
                                          shown(law.limit, "m", 2), at_time(*machine.stopped_at))}
-                         .on(machine.words)
+                         .on(machine.label)
                          .at_time(*machine.stopped_at));
     }
   }
   for (const CommandedMachine& machine : machines_) {
-    if (!machine.forgot_at) continue;
+    if (!machine.memory_lost_at) continue;
     list.push_back(Finding{FindingCode::controller_limited,
-                           fmt::format("the run was taken up {} with a controller of {} that remembers nothing of "
-                                       "before: it goes on as it would have only where it needs no memory",
-                                       at_time(*machine.forgot_at), machine.words)}
-                       .on(machine.words));
+                           fmt::format("the run was resumed {} with a controller of {} without its earlier memory: "
+                                       "it continues as before only if the controller needs no memory",
+                                       at_time(*machine.memory_lost_at), machine.label)}
+                       .on(machine.label));
   }
   return list;
 }
@@ -310,9 +313,9 @@ void Controllers::save(const System& system, DynamicCheckpoint& checkpoint) cons
   std::vector<double> numbers;
   for (const CommandedMachine& machine : machines_) {
     const TensionerLaw& law = machine_law(system, machine);
-    numbers.insert(numbers.end(), {static_cast<double>(machine.next), machine.fastest_asked,
-                                   machine.stopped_at.value_or(kNeverHappened),
-                                   machine.forgot_at.value_or(kNeverHappened), law.wanted, law.low, law.high});
+    numbers.insert(numbers.end(), {static_cast<double>(machine.next), machine.max_requested_speed,
+                                   machine.stopped_at.value_or(kUnsetTime), machine.memory_lost_at.value_or(kUnsetTime),
+                                   law.wanted, law.low, law.high});
     const auto before = std::bit_cast<ReadingNumbers>(machine.before);
     numbers.insert(numbers.end(), before.begin(), before.end());
     if (machine.controller != nullptr) checkpoint.arrays.push_back({memory_name(machine), machine.controller->save()});
@@ -324,15 +327,15 @@ void Controllers::restore(const DynamicCheckpoint& checkpoint, System& system) {
   constexpr std::size_t kOwn = 7, kNumbers = kOwn + std::tuple_size_v<ReadingNumbers>;
   const std::vector<double>& numbers = checkpoint_array(checkpoint, "controllers");
   if (numbers.size() != kNumbers * machines_.size()) {
-    throw std::runtime_error("the checkpoint is of a run with other controllers");
+    throw std::runtime_error("the checkpoint belongs to a run with other controllers");
   }
   for (std::size_t i = 0; i < machines_.size(); ++i) {
     CommandedMachine& machine = machines_[i];
     const double* const v = numbers.data() + kNumbers * i;
     machine.next = std::llround(v[0]);
-    machine.fastest_asked = v[1];
-    machine.stopped_at = happened(v[2]);
-    machine.forgot_at = happened(v[3]);
+    machine.max_requested_speed = v[1];
+    machine.stopped_at = saved_time(v[2]);
+    machine.memory_lost_at = saved_time(v[3]);
     TensionerLaw& law = machine_law(system, machine);
     law.wanted = v[4];
     law.low = v[5];
@@ -343,7 +346,7 @@ void Controllers::restore(const DynamicCheckpoint& checkpoint, System& system) {
     if (machine.controller == nullptr) continue;
     const std::vector<double>& memory = checkpoint_array(checkpoint, memory_name(machine));
     machine.controller->restore(memory);
-    if (memory.empty()) machine.forgot_at = checkpoint.time;
+    if (memory.empty()) machine.memory_lost_at = checkpoint.time;
   }
 }
 

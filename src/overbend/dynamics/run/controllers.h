@@ -1,5 +1,4 @@
-/// The machines of a simulation that somebody outside commands: when they are asked, what they are told, what of that
-/// they can do.
+/// Machines of a simulation with external controllers: times of calls, readings, and execution of commands.
 #pragma once
 
 #include <cstdint>
@@ -15,54 +14,56 @@
 
 namespace overbend {
 
-/// How failures of controllers begin.
-inline constexpr const char* kControllerOf = "the controller of ";
+/// Start of the messages about failed controllers.
+inline constexpr const char* kControllerMessagePrefix = "the controller of ";
 
 /// A machine that takes commands.
 struct CommandedMachine {
-  std::string name;   ///< kTensionerMachine, or the mooring line's.
-  std::string words;  ///< For messages: "the tensioner", "the winch of mooring line 'bow'".
+  std::string name;   ///< kTensionerMachine, or the name of the mooring line.
+  std::string label;  ///< Label in messages: "the tensioner", "the winch of mooring line 'bow'".
   std::size_t attachment = 0;
   Controller* controller = nullptr;
-  double interval = 0.0;               ///< [s]
-  MachineReading before{};             ///< What was seen at the instant before.
-  std::int64_t next = 0;               ///< It is asked next at this multiple of the interval.
-  double fastest_asked = 0.0;          ///< Largest speed that was asked for [m/s].
-  std::optional<double> stopped_at{};  ///< When it was first found at the end of its travel [s].
-  std::optional<double> forgot_at{};   ///< Where it was taken up last without a memory of its controller's [s].
+  double interval = 0.0;                   ///< [s]
+  MachineReading before{};                 ///< Reading at the previous instant.
+  std::int64_t next = 0;                   ///< Multiple of the interval at which it is called next.
+  double max_requested_speed = 0.0;        ///< Maximum requested speed [m/s].
+  std::optional<double> stopped_at{};      ///< Time when it first reached the end of its travel [s].
+  std::optional<double> memory_lost_at{};  ///< Time of the last restart without the memory of its controller [s].
 
-  double asked_at() const { return static_cast<double>(next) * interval; }  ///< Next [s].
+  double next_call_time() const { return static_cast<double>(next) * interval; }  ///< Time of the next call [s].
 };
 
+/// Calls the controllers of a run and passes their commands on.
 class Controllers {
  public:
-  /// Gives winches their laws where they have none. `moorings`: names of the mooring lines, of elements or not.
-  /// `start`: the first instant [s]. Throws std::invalid_argument for a machine that is not there.
+  /// Adds laws to winches that have none. `moorings`: names of all mooring lines, also quasi-static ones. `start`:
+  /// first instant [s]. Throws std::invalid_argument for an unknown machine.
   Controllers(const Model& model, const std::vector<ControllerUse>& uses, const std::vector<std::string>& moorings,
               double start, System& system);
 
-  /// The tensioner first, where there is one, then those of the uses, in their order.
+  /// The tensioner first, if there is one, then the machines in the order of `uses`.
   const std::vector<CommandedMachine>& machines() const { return machines_; }
-  /// Whether somebody is asked at all.
+  /// True if any machine has a controller.
   bool active() const;
-  /// The longest step that leaves them time to act: a quarter more than the shortest interval, so that the usual
-  /// longest step serves the usual interval; infinite where nobody is asked [s].
-  double longest_step() const;
-  /// What winches measure, before the first step.
+  /// Returns the maximum step [s]: 1.25 times the minimum interval, so that the default maximum step fits the default
+  /// interval; infinite without controllers.
+  double max_allowed_step() const;
+  /// Sets the tensions measured by winches before the first step.
   void begin(const Assembly& assembly, SystemState& state) const;
-  /// Asks at the present instant, for those times that have come since the instant before: what they see is between the
-  /// two, straight; what they answer is in force from now on. `paid_out`: by the tensioner since the start [m].
-  /// Allocates nothing but on failure.
+  /// Calls the controllers for their times since the previous instant. Readings are interpolated linearly between the
+  /// two instants; commands act from now on. `paid_out`: payout of the tensioner since the start [m]. Does not allocate
+  /// unless a controller fails.
   std::optional<StaticFailure> ask(const Assembly& assembly, double paid_out, System& system, SystemState& state);
-  /// Throws std::invalid_argument for what the machine cannot do; the message begins with what was asked.
+  /// Throws std::invalid_argument if the machine cannot execute the command; the message begins with the request.
   void command(const std::string& machine, const MachineCommand& command, System& system, SystemState& state);
 
-  /// What a reader of the results has to know of the controllers.
+  /// Returns the assumptions about the controllers for the reader of the results.
   Assumptions assumptions() const;
+  /// Returns warnings about limited commands and lost controller memory.
   Findings findings(const System& system) const;
 
   void save(const System& system, DynamicCheckpoint& checkpoint) const;
-  /// Throws std::runtime_error where the checkpoint is of other controllers.
+  /// Throws std::runtime_error if the checkpoint has other controllers.
   void restore(const DynamicCheckpoint& checkpoint, System& system);
 
  private:

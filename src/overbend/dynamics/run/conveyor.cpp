@@ -7,11 +7,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kTooLong = 1.5;    ///< Element over what the plan has at its place: it is split.
-constexpr double kTooShort = 0.75;  ///< Two together over that: they become one.
-constexpr double kStraight = 1e-6;  ///< Off the cubic that two elements become, at most [m]; of rates [m/s].
+constexpr double kTooLong = 1.5;  ///< Element length over the planned length at its position above which it is split.
+/// Combined length of two elements over the planned length below which they are merged.
+constexpr double kTooShort = 0.75;
+constexpr double kStraight = 1e-6;  ///< Maximum deviation from the cubic of the merged element [m]; of rates [m/s].
 
-double stretch_of(const LineState& state, int node) {
+double node_strain(const LineState& state, int node) {
   const double* t = state.q.data() + 6 * static_cast<std::ptrdiff_t>(node) + 3;
   return std::hypot(t[0], t[1], t[2]);
 }
@@ -20,15 +21,15 @@ Vec3 part(const std::vector<double>& values, int node, int first) {
   return Vec3(Eigen::Map<const Vec3>(values.data() + 6 * static_cast<std::ptrdiff_t>(node) + first));
 }
 
-/// A guide's unknown from the tangent of the node that it now holds.
+/// Sets a guide's unknown from the tangent of the node that it now holds.
 void follow_tangent(const LineState& state, int node, MotionValues& guide) {
   const Vec3 t = part(state.q, node, 3), direction = t.normalized();
   guide = {t.norm(), part(state.v, node, 3).dot(direction), part(state.acc, node, 3).dot(direction),
-           part(state.alg, node, 3).dot(direction)};
+           part(state.algorithmic_acceleration, node, 3).dot(direction)};
 }
 
-/// Whether a node stands and moves as the cubic through its neighbours would have it, to rounding.
-bool all_but_straight(const Line& line, const LineState& state, int node) {
+/// True if a node's position and motion agree with the cubic through its neighbours, to rounding.
+bool is_nearly_straight(const Line& line, const LineState& state, int node) {
   const std::size_t e = static_cast<std::size_t>(node) - 1;
   const double lower = line.mesh.length[e], whole = lower + line.mesh.length[e + 1], x = lower / whole;
   const HermiteValues n = hermite(x, whole);
@@ -49,7 +50,7 @@ PieceAbove piece_above(const Model& model, double above) {
     return {0, 0.0, std::numeric_limits<double>::infinity()};
   }
   const double first = joint->first.value_or(0.5 * joint->length) + 0.5 * joint->field_joint;
-  const double begun = std::floor((above + first) / joint->length) * joint->length - first;  // of a field joint
+  const double begun = std::floor((above + first) / joint->length) * joint->length - first;  // field joint
   const double bare = begun + joint->field_joint;
   return above < bare ? PieceAbove{0, begun, bare} : PieceAbove{model.coated, bare, begun + joint->length};
 }
@@ -62,7 +63,7 @@ Conveyor::Conveyor(const Model& model, const System& system, std::optional<doubl
     plan_from_.push_back(mesh.s.back() - mesh.s[e + 1]);
     plan_length_.push_back(mesh.length[e]);
   }
-  // Behind the last place where elements still grow shorter, towards the touchdown.
+  // Beyond the last position where elements still shorten, towards the touchdown.
   for (std::size_t i = 1; i < plan_length_.size(); ++i) {
     if (plan_length_[i] < plan_length_[i - 1] * (1.0 - 1e-9)) fine_until_ = plan_from_[i];
   }
@@ -73,7 +74,7 @@ double Conveyor::planned(double from_top) const {
   return plan_length_[static_cast<std::size_t>(after - plan_from_.begin()) - 1];
 }
 
-/// Of equal parts of the piece that comes next: nodes fall on the ends of sections.
+/// Equal parts of the next piece of pipe, so that nodes coincide with section boundaries.
 double Conveyor::next_length() const {
   constexpr double kSame = 1e-6;  // [m]
   const PieceAbove piece = piece_above(*model_, fed_ + kSame);
@@ -85,22 +86,22 @@ double Conveyor::next_length() const {
 bool Conveyor::due(const System& system, const SystemState& state) const {
   const Line& line = system.lines[pipe_.line];
   const double travel = state.attachments[pipe_.tensioner].travel.q;
-  const double stretch = stretch_of(state.lines[pipe_.line], line.mesh.nodes() - 1);
+  const double stretch = node_strain(state.lines[pipe_.line], line.mesh.nodes() - 1);
   return travel >= stretch * next_length() || travel <= -stretch * line.mesh.length.back();
 }
 
-ElementKind Conveyor::kind_of(int section) const {
+ElementKind Conveyor::element_kind(int section) const {
   const Section& of = model_->sections[static_cast<std::size_t>(section)];
   return {section, pipe_constants(*model_, of), of.bending ? &*of.bending : nullptr};
 }
 
-/// The pipe between the node that was the top and the guide: straight, stretched and turning as the node's tangent.
+/// Adds pipe between the previous top node and the guide: straight, stretched and rotating as the tangent of that node.
 void Conveyor::feed(System& system, SystemState& state, const EndMotion& guide) {
   Line& line = system.lines[pipe_.line];
   LineState& pipe = state.lines[pipe_.line];
   AttachmentState& held = state.attachments[pipe_.tensioner];
   const int top = line.mesh.nodes() - 1;
-  const double length = next_length(), stretch = stretch_of(pipe, top);
+  const double length = next_length(), stretch = node_strain(pipe, top);
   const bool clamped = system.attachments[pipe_.tensioner].hold_direction;
   NodeMotion node = node_motion(pipe, top);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -108,9 +109,10 @@ void Conveyor::feed(System& system, SystemState& state, const EndMotion& guide) 
     node.q[i] += length * (clamped ? node.q[3 + i] : stretch * guide.direction(k));
     node.v[i] += length * (clamped ? node.v[3 + i] : stretch * guide.direction_rate(k));
     node.acc[i] += length * (clamped ? node.acc[3 + i] : stretch * guide.direction_acceleration(k));
-    node.alg[i] += length * (clamped ? node.alg[3 + i] : stretch * guide.direction_acceleration(k));
+    node.algorithmic_acceleration[i] +=
+        length * (clamped ? node.algorithmic_acceleration[3 + i] : stretch * guide.direction_acceleration(k));
   }
-  append_element(line, pipe, node, length, kind_of(piece_above(*model_, fed_ + 0.5 * length).section));
+  append_element(line, pipe, node, length, element_kind(piece_above(*model_, fed_ + 0.5 * length).section));
   held.travel.q -= stretch * length;
   travelled_ += stretch * length;
   fed_ += length;
@@ -120,7 +122,7 @@ void Conveyor::haul(System& system, SystemState& state) {
   Line& line = system.lines[pipe_.line];
   LineState& pipe = state.lines[pipe_.line];
   AttachmentState& held = state.attachments[pipe_.tensioner];
-  const double length = line.mesh.length.back(), stretch = stretch_of(pipe, line.mesh.nodes() - 1);
+  const double length = line.mesh.length.back(), stretch = node_strain(pipe, line.mesh.nodes() - 1);
   drop_element(line, pipe, LineEnd::last);
   follow_tangent(pipe, line.mesh.nodes() - 1, held.guide);
   held.travel.q += stretch * length;
@@ -128,20 +130,22 @@ void Conveyor::haul(System& system, SystemState& state) {
   fed_ -= length;
 }
 
-/// As much at the far end as was put in. What the anchor held there the bed's friction, or the anchor at its new
-/// place, goes on holding.
+/// Drops as much at the anchor end as was added at the top. The force at the anchor is taken over by the seabed
+/// friction, or by the anchor at its new position.
 void Conveyor::drop_laid(System& system, SystemState& state) {
-  if (model_->description.pipe.length) return;  // the anchor is real
+  if (model_->description.pipe.length) return;  // a real anchor
   Line& line = system.lines[pipe_.line];
   LineState& pipe = state.lines[pipe_.line];
   while (line.mesh.elements() > 2 && fed_ - dropped_ >= line.mesh.length.front()) {
     dropped_ += line.mesh.length.front();
     drop_element(line, pipe, LineEnd::first);
-    for (std::vector<double>* rates : {&pipe.v, &pipe.acc, &pipe.alg}) std::fill_n(rates->begin(), 6, 0.0);
+    for (std::vector<double>* rates : {&pipe.v, &pipe.acc, &pipe.algorithmic_acceleration}) {
+      std::fill_n(rates->begin(), 6, 0.0);
+    }
     Attachment& anchor = system.attachments.front();
     anchor.place = part(pipe.q, 0, 0);
     anchor.direction = part(pipe.q, 0, 3).normalized();
-    state.attachments.front().guide = {stretch_of(pipe, 0), 0.0, 0.0, 0.0};
+    state.attachments.front().guide = {node_strain(pipe, 0), 0.0, 0.0, 0.0};
   }
 }
 
@@ -161,7 +165,7 @@ void Conveyor::coarsen(Line& line, LineState& state) const {
     const std::size_t i = static_cast<std::size_t>(node);
     const double from_top = top - line.mesh.s[i], both = line.mesh.length[i - 1] + line.mesh.length[i];
     if (from_top > fine_until_ && line.mesh.section[i - 1] == line.mesh.section[i] &&
-        both <= kTooShort * planned(from_top) && all_but_straight(line, state, node)) {
+        both <= kTooShort * planned(from_top) && is_nearly_straight(line, state, node)) {
       merge_elements(line, state, node);
     }
   }

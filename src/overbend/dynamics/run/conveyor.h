@@ -1,6 +1,5 @@
-/// The pipe's mesh on the move: nodes put in at the guide as the tensioner pays out, taken out again as it hauls in,
-/// refined where pipe comes to where it has to be fine, dropped where it is laid and done with. See
-/// docs/theory/conveyor.md.
+/// Moving mesh of the pipe: nodes are added at the guide as the tensioner pays out and removed as it hauls in, elements
+/// are refined where the pipe reaches zones of fine mesh, and laid pipe is dropped. See docs/theory/conveyor.md.
 #pragma once
 
 #include <vector>
@@ -11,45 +10,46 @@
 
 namespace overbend {
 
-/// A piece of pipe above the tensioner, by how far it was above it at the start [m].
+/// A piece of pipe above the tensioner, by its initial distance above it [m].
 struct PieceAbove {
   int section = 0;
   double from = 0.0, to = 0.0;
 };
 
-/// Of the pipe's build, carried on: coated pipe and field joints in turn where the model has them apart; segments end
-/// at the tensioner.
+/// Returns the piece of pipe that continues the pipe's layout above the tensioner: coated pipe and field joints in turn
+/// if the model distinguishes them; segments end at the tensioner.
 PieceAbove piece_above(const Model& model, double above);
 
-/// Acts between steps alone. Lengths are unstressed.
+/// Feeds and removes pipe between steps. Lengths are unstressed.
 class Conveyor {
  public:
-  /// For the pipe of `system`, as it is at the start. `element`: the longest that is put in; that at the top where not
-  /// given [m]. The model must outlive it.
+  /// For the pipe of `system` in its initial state. `element`: maximum length of added elements, default: that of the
+  /// top element [m]. `model` must outlive this.
   Conveyor(const Model& model, const System& system, std::optional<double> element = {});
 
-  /// Whether the machine has travelled by an element either way.
+  /// True if the tensioner has travelled by an element in either direction.
   bool due(const System& system, const SystemState& state) const;
-  /// Puts in and takes out what is due and sees to the rest of the mesh. `guide` as it is at the state. Assembly and
-  /// stepper have to be made anew. Allocates.
+  /// Adds and removes pipe as due and adapts the mesh. `guide`: its motion at `state`. Assembly and stepper must be
+  /// rebuilt afterwards. Allocates.
   void act(System& system, SystemState& state, const EndMotion& guide);
 
-  /// Put in at the guide so far, less what was taken out again [m].
+  /// Length added at the guide so far, less the length removed there [m].
   double fed() const { return fed_; }
-  /// Travel of the machine that this took over: with its own travel all that was paid out, stretched [m].
+  /// Tensioner travel that has been converted to elements: together with the present travel the total stretched payout
+  /// [m].
   double travelled() const { return travelled_; }
-  /// Dropped at the far end [m].
+  /// Length dropped at the anchor end [m].
   double dropped() const { return dropped_; }
-  /// Size of elements by the distance from the tensioner, as the mesh was at the start [m].
+  /// Returns the planned element length at a distance from the tensioner, from the initial mesh [m].
   double planned(double from_top) const;
 
-  /// With the pipe's mesh and the place of its anchor.
+  /// Includes the pipe's mesh and the position of its anchor.
   std::vector<double> save(const System& system) const;
-  /// Brings the pipe of `system` to the mesh that it had.
+  /// Restores the mesh of the pipe of `system`.
   void restore(const std::vector<double>& saved, System& system);
 
  private:
-  ElementKind kind_of(int section) const;
+  ElementKind element_kind(int section) const;
   double next_length() const;
   void feed(System& system, SystemState& state, const EndMotion& guide);
   void haul(System& system, SystemState& state);
@@ -60,8 +60,9 @@ class Conveyor {
   const Model* model_;
   LaidPipe pipe_;
   double element_;
-  std::vector<double> plan_from_, plan_length_;  ///< Elements by the distance of their upper ends from the tensioner.
-  double fine_until_ = 0.0;  ///< Distance from the tensioner beyond which pipe may be coarsened [m].
+  /// Planned element lengths by the distance of their upper ends from the tensioner [m].
+  std::vector<double> plan_from_, plan_length_;
+  double fine_until_ = 0.0;  ///< Distance from the tensioner beyond which elements may be merged [m].
   double fed_ = 0.0, travelled_ = 0.0, dropped_ = 0.0;
 };
 

@@ -7,9 +7,10 @@
 namespace overbend {
 namespace {
 
-const char* hinge_refusal(const HullState& at) {
-  constexpr double kMost = 1.5707963267948966;
-  return std::abs(at.h(kHingeFreedom)) < kMost ? nullptr : "more than 90 deg from where it is drawn; give it limits";
+const char* hinge_limit_message(const HullState& state) {
+  constexpr double kMaxAngle = 1.5707963267948966;
+  return std::abs(state.h(kHingeFreedom)) < kMaxAngle ? nullptr
+                                                      : "more than 90 deg from its nominal position; give it limits";
 }
 
 }  // namespace
@@ -18,12 +19,12 @@ std::optional<StaticFailure> hull_failure(const System& system, const SystemStat
   std::size_t number = 0;
   for (const Body& body : system.bodies) {
     if (!body.free) continue;
-    const HullState& at = state.bodies[number++];
+    const HullState& body_state = state.bodies[number++];
     const bool hinged = body.free->hinge.has_value();
-    if (const char* refusal = hinged ? hinge_refusal(at) : hull_refusal(at)) {
-      return StaticFailure{hinged ? "the stinger turns further than it can on its hinge"
-                                  : "the motion of the hull is beyond what its equations hold for",
-                           fmt::format("at t = {:.2f} s", state.time), refusal};
+    if (const char* message = hinged ? hinge_limit_message(body_state) : hull_limit_message(body_state)) {
+      return StaticFailure{
+          hinged ? "the stinger rotates too far on its hinge" : "the hull motion exceeds the validity of its equations",
+          fmt::format("at t = {:.2f} s", state.time), message};
     }
   }
   return std::nullopt;

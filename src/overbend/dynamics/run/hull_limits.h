@@ -1,4 +1,4 @@
-/// Where the equations of a hull that floats free end.
+/// Validity limits of the equations of floating bodies.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace overbend {
 
-/// Why a state cannot be followed further, with its time; nothing where no free body is beyond what its equations hold
-/// for (hull_refusal).
+/// Returns a failure with its time if a free body exceeds the validity of its equations (hull_limit_message); empty
+/// otherwise.
 std::optional<StaticFailure> hull_failure(const System& system, const SystemState& state);
 
 }  // namespace overbend

@@ -6,23 +6,23 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/integrator/initial_acceleration.h"
 #include "dynamics/integrator/step_failure.h"
-#include "dynamics/integrator/step_loop.h"
 #include "dynamics/integrator/wall_time.h"
-#include "dynamics/machines/parting.h"
+#include "dynamics/machines/line_failure.h"
 #include "dynamics/machines/tensioner_events.h"
 #include "dynamics/run/hull_limits.h"
 #include "dynamics/setup/stinger_setup.h"
-#include "statics/solver/rest_together.h"
+#include "statics/solver/coupled_equilibrium.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kUnlimited = 1e300;
 
-/// How the pipe is shared among side rollers hangs on where friction lets it slide across, as the contacts open and
-/// turn: longer steps shift their loads by a tenth and halve those of light ones.
-bool leans_on_sides(const RollerContacts& rollers) {
+/// The distribution of the pipe's load among side rollers depends on the friction that lets it slide across as the
+/// contacts open and turn: longer steps change their loads by a tenth and halve those of lightly loaded ones.
+bool is_on_side_rollers(const RollerContacts& rollers) {
   for (int i = 0; i < rollers.count(); ++i) {
     const bool carries = rollers.contacts()[static_cast<std::size_t>(i)].normal > 0.0;
     if (carries && rollers.roller(i).position != RollerPosition::bottom) return true;
@@ -42,12 +42,12 @@ Simulation::Simulation(const Model& model, RunStart start, const DynamicOptions&
       clock_(make_clock(options, setup_.interval)),
       pipe_(find_laid_pipe(setup_.system)),
       controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
-      ahead_W_(level_ahead(model.drawn_pose)),
+      ahead_W_(level_ahead(model.nominal_pose)),
       state_(std::move(start.state)),
-      watches_(setup_.system, options.time_scale) {
-  options_.max_step = std::min(options_.max_step, controllers_.longest_step());
-  setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
-  failure_ = come_to_rest(setup_, options_.release, state_);
+      monitors_(setup_.system, options.time_scale) {
+  options_.max_step = std::min(options_.max_step, controllers_.max_allowed_step());
+  setup_.system.surroundings = [this](double time, Surroundings& target) { surroundings(time, target); };
+  failure_ = solve_initial_equilibrium(setup_, options_.release, state_);
   if (failure_) return;
   water_.emplace(setup_.sea, setup_.system, state_, options.build_up, setup_.interval);
   assembly_.emplace(setup_.system);
@@ -60,9 +60,9 @@ Simulation::Simulation(const Model& model, RunStart start, const DynamicOptions&
   begin();
 }
 
-void Simulation::surroundings(double time, Surroundings& now) {
-  lead_bodies_and_ends(setup_, time, now);
-  if (water_) water_->fill(time, now.water);
+void Simulation::surroundings(double time, Surroundings& target) {
+  set_prescribed_motions(setup_, time, target);
+  if (water_) water_->fill(time, target.water);
 }
 
 void Simulation::begin() {
@@ -75,7 +75,7 @@ void Simulation::begin() {
   }
   assembly_->impose_ends(state_);
   mobilise_roller_friction(*assembly_, state_);
-  lean_on_stops(*assembly_, state_, setup_.system);
+  preload_hinge_stops(*assembly_, state_, setup_.system);
   if (!begin_motion(*assembly_, state_)) {
     failure_ = StaticFailure{"the masses of the lines are singular", "", "a section without mass"};
     return;
@@ -84,29 +84,29 @@ void Simulation::begin() {
   assembly_->evaluate(state_, before, {}, false);
   observe_tensions(*assembly_, 0.0, state_);
   controllers_.begin(*assembly_, state_);
-  watches_.start(*assembly_);
-  energy_.start(*assembly_, state_, kLeastMotion * energy_scale(), assembly_->free_bodies() > 0);
+  monitors_.start(*assembly_);
+  energy_.start(*assembly_, state_, kMinMotion * energy_scale(), assembly_->free_bodies() > 0);
   ended_.clear();
   tracker_->accept(contacts(), state_.time, 1.0, ended_);
-  report_.smallest_step = options_.max_step;
+  report_.min_step_taken = options_.max_step;
   next_ = state_;
   find_elevation();
 }
 
-/// Of the rollers with the pipe.
+/// Contacts of the rollers with the pipe.
 const std::vector<RollerContact>& Simulation::contacts() const {
   static const std::vector<RollerContact> none;
   return pipe_ ? assembly_->line(pipe_->line).contacts().contacts() : none;
 }
 
-/// Tensioners as they were driven last.
+/// Sets the last drive modes of the tensioners.
 void Simulation::set_drives() {
   for (std::size_t i = 0; i < assembly_->tensioners().size(); ++i) {
     assembly_->set_drive(i, state_.attachments[assembly_->tensioners()[i].attachment].machine.drive);
   }
 }
 
-/// Force by which the least energy that counts is measured: of the pipe that is laid, else of all that moves [N].
+/// Force scale of the minimum energy throughput: of the pipe that is laid, else of all moving lines [N].
 double Simulation::energy_scale() const {
   if (pipe_) return setup_.system.lines[pipe_->line].force_scale;
   double scale = 0.0;
@@ -115,38 +115,38 @@ double Simulation::energy_scale() const {
   return scale;
 }
 
-/// Lines whose time has come hang free from here on, with the accelerations that all then have.
-bool Simulation::part_lines() {
-  if (!part_due_lines(setup_.system, state_)) return true;
+/// Releases the ends of lines that fail now and recomputes the accelerations.
+bool Simulation::fail_lines() {
+  if (!fail_due_lines(setup_.system, state_)) return true;
   assembly_->set_time(state_.time, state_);
   set_drives();
   stepper_->forget();
-  if (!options_.fixed_step) chooser_.start_short(kEventStep * options_.time_scale);
+  if (!options_.fixed_step) chooser_.restart_with_step(kEventStep * options_.time_scale);
   return begin_motion(*assembly_, state_);
 }
 
 void Simulation::find_elevation() {
-  const Vec3 place = setup_.water_place + (setup_.move ? setup_.move->at(state_.time).way : 0.0) * ahead_W_;
+  const Vec3 place = setup_.water_place + (setup_.move ? setup_.move->at(state_.time).distance : 0.0) * ahead_W_;
   elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), place.x(), place.y());
 }
 
-Instant Simulation::now() const {
-  Instant at{&state_, &*assembly_, tensioner(), state_.last_step, elevation_, energy_.balance().drift(), {}, {}};
-  if (pipe_) at.pipe_line = pipe_->line;
-  if (at.tensioner != nullptr) at.move.paid_out = at.tensioner->travel.q;
+Instant Simulation::present() const {
+  Instant instant{&state_, &*assembly_, tensioner(), state_.last_step, elevation_, energy_.balance().drift(), {}, {}};
+  if (pipe_) instant.pipe_line = pipe_->line;
+  if (instant.tensioner != nullptr) instant.move.paid_out = instant.tensioner->travel.q;
   if (setup_.move) {
-    at.move.moves = true;
-    at.move.way = setup_.move->at(state_.time);
-    at.move.ahead_W = at.move.way.way * ahead_W_;
+    instant.move.moves = true;
+    instant.move.planned = setup_.move->at(state_.time);
+    instant.move.ahead_W = instant.move.planned.distance * ahead_W_;
   }
   if (conveyor_) {
-    at.move.paid_out += conveyor_->travelled();
-    at.move.joints = conveyor_->fed() / setup_.joint;
+    instant.move.paid_out += conveyor_->travelled();
+    instant.move.joints = conveyor_->fed() / setup_.joint;
   }
-  return at;
+  return instant;
 }
 
-/// Pipe that was paid out becomes part of the line.
+/// Converts paid-out pipe to elements.
 void Simulation::convey() {
   if (!conveyor_ || !conveyor_->due(setup_.system, state_)) return;
   const InstantEnergy before = assembly_->energy(state_);
@@ -154,10 +154,10 @@ void Simulation::convey() {
   water_->renew(pipe_->line, setup_.system.lines[pipe_->line].mesh, state_);
   renew_system();
   energy_.carry(before, *assembly_, state_);
-  watches_.renew(*assembly_);
+  monitors_.renew(*assembly_);
 }
 
-/// Assembly and stepper of the sizes that the lines have now, at the present state.
+/// Rebuilds assembly and stepper for the present sizes of the lines, at the present state.
 void Simulation::renew_system() {
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options_.step);
@@ -166,21 +166,21 @@ void Simulation::renew_system() {
 
 void Simulation::observe(SimulationObserver& observer) {
   observers_.push_back(&observer);
-  observer.begun(now());
+  observer.begun(present());
 }
 
 void Simulation::set_tension(double wanted) {
   if (!pipe_) throw std::invalid_argument("there is no tensioner to set");
-  set_wanted_tension(*setup_.system.attachments[pipe_->tensioner].tensioner, wanted);
+  set_target_tension(*setup_.system.attachments[pipe_->tensioner].tensioner, wanted);
 }
 
 void Simulation::command(const std::string& machine, const MachineCommand& command) {
   controllers_.command(machine, command, setup_.system, state_);
 }
 
-void Simulation::ask_controllers() {
+void Simulation::call_controllers() {
   if (!failure_ && controllers_.active()) {
-    failure_ = controllers_.ask(*assembly_, now().move.paid_out, setup_.system, state_);
+    failure_ = controllers_.ask(*assembly_, present().move.paid_out, setup_.system, state_);
   }
 }
 
@@ -192,18 +192,18 @@ void Simulation::adapt(double h) {
   }
   const double error =
       chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
-  double longest = std::min(options_.max_step, watches_.longest_step(*assembly_, h));
-  if (pipe_ && !options_.impacts.captured && leans_on_sides(assembly_->line(pipe_->line).contacts())) {
-    longest = std::min(longest, kShortStep * options_.time_scale);
+  double max_step = std::min(options_.max_step, monitors_.max_allowed_step(*assembly_, h));
+  if (pipe_ && !options_.impacts.captured && is_on_side_rollers(assembly_->line(pipe_->line).contacts())) {
+    max_step = std::min(max_step, kShortStep * options_.time_scale);
   }
-  watches_.took(*assembly_, h);
-  chooser_.adapt(error, options_.error_tolerance, longest);
+  monitors_.took(*assembly_, h);
+  chooser_.adapt(error, options_.error_tolerance, max_step);
 }
 
-/// Until the tensioner's delay is over, or a line parts [s].
-double Simulation::to_timed_event() const {
+/// Time until the tensioner's delay ends or a line fails [s].
+double Simulation::time_to_event() const {
   if (options_.fixed_step) return kUnlimited;
-  return std::min(time_to_parting(setup_.system, state_),
+  return std::min(time_to_line_failure(setup_.system, state_),
                   time_to_tensioner(setup_.system, state_, kEventStep * options_.time_scale));
 }
 
@@ -213,14 +213,14 @@ bool Simulation::reject(double wanted) {
   return false;
 }
 
-/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioners allow the next try.
+/// Tries a step of `h` towards the tick at `target`. `to_event` receives the tensioners' limit for the next attempt.
 bool Simulation::attempt(double h, double target, double& to_event) {
   const StepReport step = stepper_->step(state_, h, next_);
   report_.newton_iterations += step.iterations;
   report_.factorisations += step.factorisations;
   if (!step.converged()) {
     reject(0.5 * h);
-    if (chooser_.wanted < kSmallestStep) failure_ = step_failure(step, setup_.system, state_.time);
+    if (chooser_.wanted < kMinTimeStep) failure_ = step_failure(step, setup_.system, state_.time);
     return false;
   }
   if (!options_.fixed_step) {
@@ -228,8 +228,8 @@ bool Simulation::attempt(double h, double target, double& to_event) {
     if (impact.reject) return reject(impact.step);
     to_event = step_to_tensioner(*assembly_, h, state_, next_, kEventStep * options_.time_scale, tried_);
     if (to_event < h) return reject(chooser_.wanted);
-    const double longest = watches_.longest_step(*assembly_, h);
-    if (watches_.snapped(h, longest)) return reject(longest);
+    const double max_step = monitors_.max_allowed_step(*assembly_, h);
+    if (monitors_.snapped(h, max_step)) return reject(max_step);
   }
   failure_ = hull_failure(setup_.system, next_);
   if (failure_) return false;
@@ -247,12 +247,12 @@ void Simulation::accept(double h) {
   std::swap(state_, next_);
   find_elevation();
   ++report_.steps;
-  report_.smallest_step = std::min(report_.smallest_step, h);
-  report_.largest_step = std::max(report_.largest_step, h);
-  const Instant at = now();
+  report_.min_step_taken = std::min(report_.min_step_taken, h);
+  report_.max_step_taken = std::max(report_.max_step_taken, h);
+  const Instant instant = present();
   for (SimulationObserver* observer : observers_) {
     for (const EndedImpact& ended : ended_) observer->impact(ended);
-    observer->stepped(at);
+    observer->stepped(instant);
   }
 }
 
@@ -260,23 +260,23 @@ void Simulation::reach_tick() {
   ++clock_.tick;
   water_->advance(state_);
   if (!clock_.at_row()) return;
-  const Instant at = now();
-  for (SimulationObserver* observer : observers_) observer->row(at, row_number());
-  stepper_->forget();  // a simulation restored here has none
+  const Instant instant = present();
+  for (SimulationObserver* observer : observers_) observer->row(instant, row_number());
+  stepper_->forget();  // as after a restart
 }
 
 bool Simulation::step() {
   if (failure_ || finished()) return false;
   const WallTime measured(report_.wall_time);
-  if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
-  ask_controllers();
+  if (!fail_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
+  call_controllers();
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
   std::fill(tried_.begin(), tried_.end(), EventTry{});
   do {
     if (failure_) return false;
-    const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
-    h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
+    const double max_step = options_.fixed_step ? kUnlimited : tracker_->step_limit();
+    h = std::min(chooser_.choose(target - state_.time, max_step), std::min(to_event, time_to_event()));
   } while (!attempt(h, target, to_event));
   if (state_.time >= target) reach_tick();
   convey();

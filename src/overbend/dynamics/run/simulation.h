@@ -1,16 +1,15 @@
-/// A model advanced through time step by step, with observers: the one loop that a pipe on its vessel, a hull on its
-/// mooring lines and lines by themselves go through.
+/// Step-by-step time-domain simulation of a model with observers: one loop for a pipe on its vessel, a hull on its
+/// mooring lines and lines alone.
 ///
 ///     Simulation simulation(model, equilibrium, top_tension, options);
 ///     simulation.observe(recorder);
-///     while (simulation.step()) { ... simulation.now() ... simulation.command("tensioner", ...) ... }
+///     while (simulation.step()) { ... simulation.present() ... simulation.command("tensioner", ...) ... }
 ///
-/// The steps do not depend on the calls: step() again and again, advance() to any times and a whole run give the same
-/// results, bit for bit.
-///
-/// A step calls, in this order: lines that part, controllers; then, tried until one is accepted, the time step,
-/// impacts, the tensioner's events, lines that snap, limits of hulls; then the choice of the next step, energy, impacts
-/// that ended, the tensioner, observers; at a tick of the clock the waves and rows of output; at last the conveyor.
+/// The steps do not depend on the calls: repeated step(), advance() to any times and a whole run give the same results,
+/// bit for bit.
+/// || Order within a step: line failures and controllers; then, repeated until a step is accepted, the time step,
+/// impacts, tensioner events, snapping lines, hull limits; then the choice of the next step, energy, ended impacts, the
+/// tensioner, observers; at a clock tick the waves and output steps; finally the conveyor.
 #pragma once
 
 #include <optional>
@@ -19,7 +18,7 @@
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/integrator/dynamics.h"
 #include "dynamics/integrator/energy_account.h"
-#include "dynamics/integrator/tension_watches.h"
+#include "dynamics/integrator/tension_monitors.h"
 #include "dynamics/integrator/water_field.h"
 #include "dynamics/run/controllers.h"
 #include "dynamics/run/conveyor.h"
@@ -30,81 +29,82 @@ namespace overbend {
 
 class Simulation {
  public:
-  /// At rest in the static state, at the beginning of the build-up: that of the pipe, of the hull on its mooring lines
-  /// (solve_moored_hull(), by which `model` has its mean pose) or of lines by themselves. `top_tension` is the
-  /// effective tension at the tensioner there, where the model has one [N]. The model must outlive it. Throws
-  /// std::invalid_argument for a sea or a motion that cannot be made, and for controllers of machines that are not
-  /// there. There may be no rest: see failure().
+  /// Starts at rest in the static equilibrium of the pipe, of the hull on its mooring lines (solve_moored_hull(), which
+  /// sets the mean pose of `model`) or of lines alone, at the beginning of the build-up. `top_tension`: effective
+  /// tension at the tensioner, if there is one [N]. `model` must outlive this. Throws std::invalid_argument if the sea
+  /// or a motion cannot be generated, or if a controller names an unknown machine. If there is no equilibrium, see
+  /// failure().
   Simulation(const Model& model, const StaticSolution& start, double top_tension, const DynamicOptions& options);
-  /// The same from what make_run_start() gives, or another start of its form: with other ends of lines, say.
+  /// The same from the result of make_run_start(), or from a modified one, for example with other line ends.
   Simulation(const Model& model, RunStart start, const DynamicOptions& options);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Adds an observer, which is told of the present state and of everything from here on. It has to outlive all further
-  /// calls.
+  /// Adds an observer, which receives the present state and everything from then on. It must outlive all further calls.
   void observe(SimulationObserver& observer);
 
-  /// One accepted step; shorter ones are tried until one is accepted. False where there is none: at the end of the run,
-  /// and where no step can be solved (see failure()). Nothing is allocated but where pipe that was paid out becomes a
-  /// node.
+  /// Takes one accepted step; shorter ones are tried until one is accepted. Returns false at the end of the run and if
+  /// no step can be solved (see failure()). Allocates only when paid-out pipe becomes an element.
   bool step();
-  /// Steps up to the first instant at or after `until` [s], the end of the run at most. Rows of output are met exactly,
-  /// other times by the step that passes them. False where a step failed.
+  /// Steps to the first instant at or after `until` [s], at most to the end of the run. Output steps are met exactly,
+  /// other times are passed by the last step. Returns false if a step failed.
   bool advance(double until);
 
   double time() const { return state_.time; }                                                   ///< [s]
   double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }        ///< [s]
   double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
-  std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }  ///< Of the last row; 0 at t = 0.
+  /// Number of the last output step; 0 at t = 0.
+  std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }
   bool finished() const { return clock_.tick >= clock_.last_tick; }
-  /// Why it cannot go on; it stays at the last accepted instant.
+  /// Reason why the run cannot continue; it stays at the last accepted instant.
   const std::optional<StaticFailure>& failure() const { return failure_; }
 
   const System& system() const { return setup_.system; }
-  /// Those of the supports, in their order, whichever body carries them.
+  /// Rollers in the order of the supports, of any body.
   const std::vector<BodyRoller>& rollers() const { return setup_.rollers; }
-  /// Names of the mooring lines, which follow the pipe among the lines of the system, and the lines that stand by
-  /// themselves, or on the pipe.
+  /// Names of the mooring lines, which follow the pipe among the lines of the system.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
+  /// Free lines and wires, also those on the pipe.
   const std::vector<FollowedLine>& lines() const { return setup_.lines; }
-  /// Where the bodies besides the vessel begin among those of the system.
+  /// Index of the first body other than the vessel among those of the system.
   std::size_t first_body() const { return setup_.first_body; }
   const DynamicOptions& options() const { return options_; }
-  /// The way on which the vessel is moved ahead; null where it is not.
+  /// Profile of the vessel's move ahead; null if it does not move.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }
-  /// The vessel that floats free; null where its motion is prescribed.
+  /// Hull of a floating vessel; null if its motion is prescribed.
   const Hull* hull() const { return setup_.hull ? &setup_.hull->hull : nullptr; }
-  /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
-  Instant now() const;
-  /// Force of the tensioner on the pipe; 0 without one [N].
+  /// Returns the present instant with the system evaluated at its state, so that tension, moments, contacts and
+  /// surroundings can be read.
+  Instant present() const;
+  /// Force of the tensioner on the pipe; 0 without a tensioner [N].
   double tension() const { return pipe_ ? assembly_->tension(0) : 0.0; }
   const EnergyBalance& energy() const { return energy_.balance(); }
-  const DynamicRunReport& report() const { return report_; }  ///< Without what a driver knows: ratio and integrator.
+  /// Real-time ratio and integrator name are filled in by the caller.
+  const DynamicRunReport& report() const { return report_; }
 
-  /// The tension that the tensioner restores from here on; its operational range is shifted with it. A locked one holds
-  /// the pipe whatever it is set to. [N]
+  /// Sets the target tension of the tensioner from now on; its operating range is shifted with it. A locked tensioner
+  /// holds the pipe regardless of it. [N]
   void set_tension(double wanted);
-  /// What a machine shall do from here on, or until its controller says otherwise. The tensioner takes commands always,
-  /// a mooring winch where DynamicOptions::controllers names it. Throws std::invalid_argument for what it cannot do.
+  /// Commands a machine from now on, or until its controller is called. The tensioner always takes commands, a mooring
+  /// winch only if DynamicOptions::controllers names it. Throws std::invalid_argument if it cannot execute the command.
   void command(const std::string& machine, const MachineCommand& command);
   const Controllers& controllers() const { return controllers_; }
 
-  /// Everything that a simulation of the same arguments needs to go on from here, observers included, bit for bit.
-  /// Exact at a row of output: between two the steps after it may differ within their tolerance.
+  /// Returns everything that a simulation with the same arguments needs to continue from here bit for bit, observers
+  /// included. Exact at an output step; in between, later steps may differ within their tolerance.
   DynamicCheckpoint checkpoint() const;
-  /// With the same observers as when it was made.
+  /// Requires the observers of the saved run.
   void restore(const DynamicCheckpoint& checkpoint);
 
  private:
   const AttachmentState* tensioner() const { return pipe_ ? &state_.attachments[pipe_->tensioner] : nullptr; }
   const std::vector<RollerContact>& contacts() const;
   void set_drives();
-  void surroundings(double time, Surroundings& now);
+  void surroundings(double time, Surroundings& target);
   void begin();
   double energy_scale() const;
-  bool part_lines();
-  void ask_controllers();
+  bool fail_lines();
+  void call_controllers();
   bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);
@@ -115,26 +115,26 @@ class Simulation {
   void evaluate_present();
   void restore_pipe(const DynamicCheckpoint& checkpoint);
   void find_elevation();
-  double to_timed_event() const;
+  double time_to_event() const;
 
   DynamicOptions options_;
   RunSetup setup_;
   Clock clock_;
-  std::optional<LaidPipe> pipe_;  ///< Where one is laid.
+  std::optional<LaidPipe> pipe_;  ///< Empty without a pipe.
   Controllers controllers_;
   std::optional<WaterOnLines> water_;
   Vec3 ahead_W_;            ///< Horizontal unit vector ahead along the lay route.
-  double elevation_ = 0.0;  ///< Of the water at the setup's place, now [m].
+  double elevation_ = 0.0;  ///< Water elevation at the setup's water_place [m].
   std::optional<Assembly> assembly_;
   std::optional<TimeStepper> stepper_;
   std::optional<ImpactTracker> tracker_;
-  std::optional<Conveyor> conveyor_;  ///< Where the vessel moves ahead.
+  std::optional<Conveyor> conveyor_;  ///< Only if the vessel moves ahead.
   EnergyAccount energy_;
   SystemState state_, next_;
-  StepChooser chooser_;
-  TensionWatches watches_;
+  StepSizeController chooser_;
+  TensionMonitors monitors_;
   std::vector<EndedImpact> ended_;
-  std::vector<EventTry> tried_;  ///< Of the tensioners, within a step.
+  std::vector<EventTry> tried_;  ///< Per tensioner, within a step.
   DynamicRunReport report_;
   std::optional<StaticFailure> failure_;
   std::vector<SimulationObserver*> observers_;

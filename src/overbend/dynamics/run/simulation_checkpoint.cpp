@@ -1,8 +1,8 @@
-/// A simulation into a checkpoint and out of it.
+/// Saving and restoring a simulation.
 #include <cmath>
 
 #include "dynamics/integrator/dynamic_checkpoint.h"
-#include "dynamics/machines/parting.h"
+#include "dynamics/machines/line_failure.h"
 #include "dynamics/run/simulation.h"
 
 namespace overbend {
@@ -21,7 +21,7 @@ DynamicCheckpoint Simulation::checkpoint() const {
   c.arrays.push_back({"energy", energy_.save()});
   c.arrays.push_back({"steps", chooser_.save()});
   c.arrays.push_back({"control", {static_cast<double>(clock_.tick)}});
-  c.arrays.push_back({"watches", watches_.save()});
+  c.arrays.push_back({"watches", monitors_.save()});
   controllers_.save(setup_.system, c);
   save_report(c, report_);
   for (const SimulationObserver* observer : observers_) observer->save(c);
@@ -35,11 +35,11 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   tracker_->restore(checkpoint_array(checkpoint, "impacts"));
   energy_.restore(checkpoint_array(checkpoint, "energy"));
   clock_.tick = std::llround(checkpoint_array(checkpoint, "control").at(0));
-  watches_.restore(checkpoint_array(checkpoint, "watches"));
+  monitors_.restore(checkpoint_array(checkpoint, "watches"));
   chooser_.restore(checkpoint_array(checkpoint, "steps"));
   controllers_.restore(checkpoint, setup_.system);
   restore_report(checkpoint, report_);
-  part_as_in(state_, setup_.system);
+  restore_failed_lines(state_, setup_.system);
   failure_.reset();
   if (conveyor_) {
     renew_system();
@@ -51,7 +51,7 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   for (SimulationObserver* observer : observers_) observer->restore(checkpoint);
 }
 
-/// The pipe's mesh, and the stations of the waves along it.
+/// Restores the pipe's mesh and the wave stations along it.
 void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
   conveyor_->restore(checkpoint_array(checkpoint, "conveyor"), setup_.system);
   if (water_->calm()) return;
@@ -59,12 +59,12 @@ void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
   water_->place_stations(pipe_->line, setup_.system.lines[pipe_->line].mesh, {stations.begin(), stations.end()});
 }
 
-/// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
+/// Evaluates the system at the restored state, so that the present can be read. The state itself is not changed.
 void Simulation::evaluate_present() {
-  SystemState at = state_;
-  assembly_->set_time(at.time, at);
+  SystemState state = state_;
+  assembly_->set_time(state.time, state);
   set_drives();
-  assembly_->evaluate(at, state_, {}, false);
+  assembly_->evaluate(state, state_, {}, false);
   find_elevation();
 }
 

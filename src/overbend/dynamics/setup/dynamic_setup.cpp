@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/setup/bed_stretch.h"
+#include "dynamics/setup/initial_seabed_friction.h"
 #include "model/lay_stage.h"
 #include "statics/solver/steady_laying.h"
 #include "system/vessel_body.h"
@@ -12,8 +12,8 @@
 namespace overbend {
 namespace {
 
-/// The far end stays where statics put it; a cable turns there as it will.
-Attachment anchor_of(const Model& model, const StaticSolution& start) {
+/// The anchor end stays at its static position; a cable rotates freely there.
+Attachment make_anchor_end(const Model& model, const StaticSolution& start) {
   const std::vector<double>& q = start.state.q;
   Attachment anchor;
   anchor.end = LineEnd::first;
@@ -24,8 +24,8 @@ Attachment anchor_of(const Model& model, const StaticSolution& start) {
   return anchor;
 }
 
-/// Behind a guide that lets the pipe turn the machine stands in line with the pipe at rest.
-Attachment tensioner_of(const Model& model, const StaticSolution& start, double static_tension) {
+/// The machine is aligned with the pipe at rest if the guide lets the pipe rotate.
+Attachment make_tensioner_end(const Model& model, const StaticSolution& start, double static_tension) {
   const TensionerDescription& t = model.description.tensioner;
   const VesselDescription& v = model.description.vessel;
   Attachment top;
@@ -33,7 +33,7 @@ Attachment tensioner_of(const Model& model, const StaticSolution& start, double 
   top.hold_place = true;
   top.hold_direction = t.guide == Guide::clamped;
   top.body = 0;
-  // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
+  // The ramp's X points astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
   top.place = Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z);
   top.direction = Vec3(std::cos(t.incline), 0.0, std::sin(t.incline));
   if (t.guide == Guide::pinned) {
@@ -47,8 +47,8 @@ Attachment tensioner_of(const Model& model, const StaticSolution& start, double 
 }  // namespace
 
 TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_tension) {
-  constexpr double kToSpeed = 0.5;      // [s]
-  constexpr double kResolution = 1e-5;  // of the tension wanted; ten times what a step may leave out of balance
+  constexpr double kDefaultAccelerationTime = 0.5;  // [s]
+  constexpr double kResolution = 1e-5;              // relative to the target tension; ten times the residual of a step
   TensionerLaw law;
   const bool can_move = tensioner.velocity > 0.0 || tensioner.mode == TensionerMode::constant;
   law.mode = can_move ? tensioner.mode : TensionerMode::locked;
@@ -57,7 +57,7 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
   law.high = tensioner.range_high.value_or(0.0);
   law.delay = tensioner.delay;
   law.velocity = tensioner.velocity;
-  law.acceleration = tensioner.acceleration.value_or(tensioner.velocity / kToSpeed);
+  law.acceleration = tensioner.acceleration.value_or(tensioner.velocity / kDefaultAccelerationTime);
   law.limit = tensioner.travel.value_or(std::numeric_limits<double>::infinity());
   law.resolution = kResolution * law.wanted;
   return law;
@@ -67,8 +67,7 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   System system;
   Line line = pipe_line(model, solution.mesh, laid_route(model, solution));
   choose_levels(line.yielding, solution.state.q.data());
-  // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
-  // length.
+  // Without the laid pipe added behind the static line, so that the residual does not depend on its length.
   line.name = "pipe";
   line.role = LineRole::pipe;
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
@@ -76,14 +75,14 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
       *std::max_element(line.elements.radius.begin(), line.elements.radius.begin() + line.elements.count);
   system.bodies.push_back(vessel_body(model, radius));
   system.lines.push_back(std::move(line));
-  system.attachments = {anchor_of(model, solution), tensioner_of(model, solution, static_tension)};
+  system.attachments = {make_anchor_end(model, solution), make_tensioner_end(model, solution, static_tension)};
   system.rub = static_rub(model);
   return system;
 }
 
-void lay_at_rest(const Line& line, const StaticSolution& solution, LineState& pipe) {
+void set_initial_memories(const Line& line, const StaticSolution& solution, LineState& pipe) {
   if (!solution.bending.empty()) pipe.bending = BendingMemories(solution.bending);
-  stretch_bed(line, pipe);
+  set_initial_seabed_friction(line, pipe);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// From a model and its static equilibrium to a system in motion.
+/// System in motion from a model and its static equilibrium.
 #pragma once
 
 #include "statics/solver/statics.h"
@@ -6,17 +6,16 @@
 
 namespace overbend {
 
-/// The machine as the model sets it. Without a tension of its own it wants that of the equilibrium; without an
-/// acceleration it gathers speed in half a second, for a speed at once would strike the pipe with a wave of
-/// velocity * sqrt(EA m).
+/// Returns the law of the model's tensioner. Default target tension: that of the equilibrium. Default acceleration:
+/// full speed in half a second, because an immediate speed would load the pipe with a wave of velocity * sqrt(EA m).
 TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_tension);
 
-/// The pipe on its vessel: held by the tensioner, its far end where statics put it. `surroundings` is left to the
-/// caller.
+/// Returns the pipe on its vessel: held by the tensioner, its anchor end at the static position. The caller sets
+/// `surroundings`.
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension);
 
-/// Puts memories of the pipe's equilibrium into its state at rest: what its steel has been through, the bed's friction
-/// stretched as statics left it.
-void lay_at_rest(const Line& line, const StaticSolution& solution, LineState& pipe);
+/// Sets the memories of the pipe's equilibrium in its state at rest: plastic history and static stretch of the seabed
+/// friction.
+void set_initial_memories(const Line& line, const StaticSolution& solution, LineState& pipe);
 
 }  // namespace overbend

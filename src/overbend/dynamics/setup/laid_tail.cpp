@@ -9,24 +9,24 @@
 namespace overbend {
 namespace {
 
-constexpr double kGrowth = 1.25;          ///< Of an element from its neighbour.
-constexpr double kLongestElement = 40.0;  ///< [m]
+constexpr double kGrowth = 1.25;          ///< Length ratio of neighbouring elements.
+constexpr double kMaxTailElement = 40.0;  ///< [m]
 
-/// Lengths of the elements added, from the old end outwards.
+/// Lengths of the added elements, outwards from the old end.
 std::vector<double> added_lengths(double first, double total) {
   std::vector<double> lengths;
   double sum = 0.0, h = first;
   while (sum < total) {
-    h = std::min(kGrowth * h, kLongestElement);
+    h = std::min(kGrowth * h, kMaxTailElement);
     lengths.push_back(h);
     sum += h;
   }
   return lengths;
 }
 
-/// By how much the stretch of a pipe at rest grows per metre of a bed that rises by `rise` [1/m]: higher up water and
-/// contents press less on it, and the tension changes by what of its weight the bed's friction does not hold.
-double growth_of_stretch(const Model& model, int section, double rise) {
+/// Increase of the strain of a pipe at rest per metre along a seabed of slope `rise` [1/m]: the pressures of water and
+/// contents decrease upwards, and the tension changes by the part of the weight that is not held by seabed friction.
+double strain_gradient(const Model& model, int section, double rise) {
   const Section& pipe = model.sections[static_cast<std::size_t>(section)];
   const double pressed =
       model.water_weight_density * pipe.pressure_area - pipe.contents_weight_density * pipe.internal_area;
@@ -44,15 +44,15 @@ void prepend(std::vector<Value>& values, const std::vector<Value>& before) {
 
 }  // namespace
 
-double tail_to_hold(const Model& model, double top_tension) {
-  const double hold = model.seabed.friction_axial * model.pipe_section().weight_submerged;  // the far pipe's
+double friction_anchorage_length(const Model& model, double top_tension) {
+  const double hold = model.seabed.friction_axial * model.pipe_section().weight_submerged;  // section at the anchor end
   return hold > 0.0 ? top_tension / hold : std::numeric_limits<double>::infinity();
 }
 
 StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution, double top_tension, double reach) {
   if (!model.description.has_pipe) return solution;
-  const double wanted = tail_to_hold(model, top_tension);
-  const bool shaped = model.seabed.surface.shape() != nullptr;  // where the pipe would lie beyond is not known
+  const double wanted = friction_anchorage_length(model, top_tension);
+  const bool shaped = model.seabed.surface.shape() != nullptr;  // the pipe's shape beyond is unknown
   if (shaped || model.description.pipe.length || !std::isfinite(wanted)) {
     return solution;
   }
@@ -62,12 +62,12 @@ StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution
   LineMesh before;
   std::vector<double> q;
   double s = 0.0, stretched = end.norm();
-  for (const double h : added_lengths(solution.mesh.length.front(), reach * std::min(wanted, kLongestTail))) {
-    if (away.z() > 0.0 && place.z() + h * stretched * away.z() > dry) break;  // a bed that rises out of the water
+  for (const double h : added_lengths(solution.mesh.length.front(), reach * std::min(wanted, kMaxTailLength))) {
+    if (away.z() > 0.0 && place.z() + h * stretched * away.z() > dry) break;  // the seabed rises out of the water
     s -= h;
     const int section = model.section_at(solution.mesh.total_length() - (s + 0.5 * h));
     const double last = stretched;
-    stretched += h * growth_of_stretch(model, section, away.z());
+    stretched += h * strain_gradient(model, section, away.z());
     place += 0.5 * h * (last + stretched) * away;
     const Vec3 t = -stretched * away;
     before.s.insert(before.s.begin(), s);

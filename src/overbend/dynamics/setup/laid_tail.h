@@ -1,23 +1,24 @@
-/// The laid pipe behind the far end of a static solution, for motion.
+/// Laid pipe behind the anchor end of a static solution, for dynamics.
 #pragma once
 
 #include "statics/solver/statics.h"
 
 namespace overbend {
 
-/// Longest tail that is added [m].
-inline constexpr double kLongestTail = 3000.0;
+/// Maximum length of the added pipe [m].
+inline constexpr double kMaxTailLength = 3000.0;
 
-/// Length of laid pipe behind touchdown over which axial friction takes up a change of tension as large as the tension
-/// at the tensioner [m]: T/(mu w). Where it is anchored no further away, a run's tension at the tensioner is too large
-/// by what the laid pipe beyond would have given way. Infinite on a bed without axial friction.
-double tail_to_hold(const Model& model, double top_tension);
+/// Returns the friction anchorage length T/(mu w) [m]: length of laid pipe behind touchdown over which axial friction
+/// takes up a tension change as large as the tension at the tensioner. If the pipe is anchored closer, the dynamic
+/// tension at the tensioner is too large, because the laid pipe beyond would have moved. Infinite on a seabed without
+/// axial friction.
+double friction_anchorage_length(const Model& model, double top_tension);
 
-/// `solution` with the laid pipe carried on straight along the bed until `reach` times that length lies behind its far
-/// end, `kLongestTail` at most; arc length of what is added is negative. Elements grow to tens of metres: on the bed
-/// only stretch travels along them. On a slope it lies as statics have it, less stretched the deeper it lies; a bed
-/// that rises ends it before it leaves the water. Unchanged where the model gives the pipe's length (its anchor is
-/// real) and on a bed without axial friction, where no length would do.
+/// Returns `solution` with the laid pipe extended straight along the seabed until `reach` times that length lies behind
+/// its anchor end, at most `kMaxTailLength`; the arc length of the added pipe is negative. Elements grow to tens of
+/// metres: only axial strain travels along the laid pipe. On a slope it lies as in statics, with less strain at greater
+/// depth; a rising seabed ends it before it leaves the water. Unchanged if the model gives the pipe's length (its
+/// anchor is real) and on a seabed without axial friction, where no length would suffice.
 StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution, double top_tension, double reach);
 
 }  // namespace overbend

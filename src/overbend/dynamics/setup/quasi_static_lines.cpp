@@ -14,10 +14,10 @@ CatenarySolution near_solution(const LineEndForces& ends) {
   return near;
 }
 
-/// One line; `one` is a spread of it alone, whose length is set before every use.
+/// One line; `one` is a spread of this line only, whose length is set before every use.
 class QuasiStaticLine {
  public:
-  QuasiStaticLine(const MooredLine& line, const BedSurface& bed, LengthTable program)
+  QuasiStaticLine(const MooredLine& line, const SeabedSurface& bed, LengthTable program)
       : one_{{line}, bed}, length_(line.line.first_segment()), program_(std::move(program)) {}
 
   PlaceForce operator()(const Vec3& place, double time, const LineEndForces& before) {
@@ -29,7 +29,7 @@ class QuasiStaticLine {
     const LinePull pull = line_pull(one_, line, place, &near);
     const CatenarySolution& found = pull.solution;
     PlaceForce force;
-    if (found.fault != CatenaryFault::none) {
+    if (found.error != CatenaryError::none) {
       force.force.setConstant(kNone);
       return force;
     }
@@ -42,7 +42,7 @@ class QuasiStaticLine {
 
  private:
   MooringSpread one_;
-  double length_;  ///< At the beginning [m].
+  double length_;  ///< Initial length [m].
   LengthTable program_;
 };
 

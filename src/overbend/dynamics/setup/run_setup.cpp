@@ -6,12 +6,12 @@
 
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/integrator/water_field.h"
-#include "dynamics/setup/bed_stretch.h"
-#include "dynamics/setup/free_start.h"
+#include "dynamics/setup/floating_initial_state.h"
+#include "dynamics/setup/initial_seabed_friction.h"
 #include "dynamics/setup/laid_tail.h"
-#include "dynamics/setup/pull_ahead.h"
 #include "dynamics/setup/quasi_static_lines.h"
 #include "dynamics/setup/stinger_setup.h"
+#include "dynamics/setup/winch_programs.h"
 #include "model/bodies.h"
 #include "moorings/equilibrium.h"
 #include "statics/solver/lines_setup.h"
@@ -28,11 +28,11 @@ void add_moorings(const Model& model, const StaticSolution& start, RunSetup& set
   setup.mooring_names = mooring_names(*start.moorings);
   if (is_quasi_static(model.description)) return;
   setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
-  follow_programs(*start.moorings, winch_programs(start), setup.system);
+  set_winch_programs(*start.moorings, winch_programs(start), setup.system);
 }
 
-/// Wires on the pipe that is laid.
-void follow_wires(const System& system, RunSetup& setup) {
+/// Adds wires on the laid pipe.
+void add_followed_wires(const System& system, RunSetup& setup) {
   const std::optional<LaidPipe> pipe = find_laid_pipe(system);
   if (!pipe) return;
   const std::vector<LineWire>& wires = system.lines[pipe->line].wires;
@@ -41,7 +41,7 @@ void follow_wires(const System& system, RunSetup& setup) {
   }
 }
 
-/// The bodies besides the vessel, behind those that are there.
+/// Adds the bodies other than the vessel after the existing ones.
 void add_bodies(const Model& model, RunSetup& setup) {
   setup.first_body = setup.system.bodies.size();
   for (const BodyDescription& body : model.description.bodies) {
@@ -50,14 +50,14 @@ void add_bodies(const Model& model, RunSetup& setup) {
   }
 }
 
-/// Lines that stand by themselves, or on each other, as they rest.
+/// Adds lines between fixed points and bodies, or on each other, in their equilibrium.
 void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup) {
-  follow_wires(setup.system, setup);
+  add_followed_wires(setup.system, setup);
   if (!start.lines) return;
   const LinesSetup& resting = start.lines->setup;
   System& system = setup.system;
   const int first = static_cast<int>(system.lines.size());
-  const int shift = static_cast<int>(setup.first_body) - 1;  // of the bodies besides the vessel
+  const int shift = static_cast<int>(setup.first_body) - 1;  // offset of the bodies other than the vessel
   const auto moved_on = [shift](int& body) { body += body > static_cast<int>(kVessel) ? shift : 0; };
   setup.swings = end_swings(model.description.lines, resting.lines, system.attachments.size());
   for (Attachment end : resting.system.attachments) {
@@ -79,8 +79,8 @@ void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup)
   }
 }
 
-/// Of the balance of a hull: of its pipe, else of the lines that hold it, else of what keeps it in its place.
-double scale_of(const Description& d, const StaticSolution& start, const RunSetup& setup) {
+/// Force scale of a hull: from its pipe, else from the lines that hold it, else from its station keeping.
+double hull_force_scale(const Description& d, const StaticSolution& start, const RunSetup& setup) {
   if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {
     return setup.system.lines[pipe->line].force_scale;
   }
@@ -90,7 +90,7 @@ double scale_of(const Description& d, const StaticSolution& start, const RunSetu
   return scale;
 }
 
-/// The vessel's motion: told, or that of a hull that floats free.
+/// Adds the vessel's motion: prescribed, or that of a floating hull.
 void add_motion(const Model& model, const StaticSolution& start, const DynamicOptions& options, RunSetup& setup) {
   const Description& d = model.description;
   if (d.vessel.motion != VesselMotion::coupled) {
@@ -102,7 +102,7 @@ void add_motion(const Model& model, const StaticSolution& start, const DynamicOp
   setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
   setup.ballast = d.vessel.coupled->ballast;
   FreeBody& body = setup.system.bodies[kVessel].free.emplace(
-      free_hull(setup.hull->hull, scale_of(d, start, setup), d.vessel.length));
+      free_hull(setup.hull->hull, hull_force_scale(d, start, setup), d.vessel.length));
   if (start.moorings && is_quasi_static(d)) {
     body.springs = quasi_static_lines(*start.moorings, winch_programs(start));
   }
@@ -117,9 +117,9 @@ void add_move(const Model& model, const StaticSolution& start, RunSetup& setup) 
   if (setup.hull && setup.hull->hull.station_keeping) {
     StationKeeping& keeping = *setup.hull->hull.station_keeping;
     keeping.move = setup.move;
-    keeping.ahead_W = level_ahead(model.drawn_pose).head<2>();
+    keeping.ahead_W = level_ahead(model.nominal_pose).head<2>();
   }
-  if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {  // a track tensioner feeds without end
+  if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {  // a track tensioner feeds without limit
     setup.system.attachments[pipe->tensioner].tensioner->limit = std::numeric_limits<double>::infinity();
   }
 }
@@ -135,7 +135,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   if (d.has_pipe) {
     setup.system = pipe_system(model, start, static_tension);
     setup.rollers = setup.system.bodies[kVessel].rollers;
-    hang_stinger(model, setup.sea, options.build_up, setup.system);
+    add_hinged_stinger(model, setup.sea, options.build_up, setup.system);
   } else {
     setup.system.bodies.emplace_back();  // the vessel
   }
@@ -157,16 +157,17 @@ RunStart make_run_start(const Model& model, const StaticSolution& start, double 
   return {std::move(setup), std::move(state)};
 }
 
-void lead_bodies_and_ends(const RunSetup& setup, double time, Surroundings& now) {
+void set_prescribed_motions(const RunSetup& setup, double time, Surroundings& surroundings) {
   if (!setup.hull) {
-    const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
-    now.bodies[kVessel] = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
+    const MoveAhead ahead{setup.move ? setup.move->at(time) : MoveState{}, setup.wave_numbers_ahead};
+    surroundings.bodies[kVessel] = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
   }
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    now.bodies[setup.first_body + i] = vessel_motion(setup.bodies[i], time, half_cosine(time, setup.system.build_up));
+    surroundings.bodies[setup.first_body + i] =
+        vessel_motion(setup.bodies[i], time, half_cosine(time, setup.system.build_up));
   }
-  lead_attachments(setup.system, now);
-  swing_ends(setup.swings, time, setup.system.build_up, now.ends);
+  set_attachment_motions(setup.system, surroundings);
+  swing_ends(setup.swings, time, setup.system.build_up, surroundings.ends);
 }
 
 SystemState state_at_start(const RunSetup& setup, const StaticSolution& start, double time) {
@@ -179,22 +180,22 @@ SystemState state_at_start(const RunSetup& setup, const StaticSolution& start, d
   const std::size_t count = start.lines ? start.lines->state.lines.size() : 0;
   for (std::size_t i = 0; i < count; ++i) shapes.push_back(start.lines->state.lines[i].q);
   SystemState state = state_at_rest(system, shapes, time);
-  if (pipe) lay_at_rest(system.lines[pipe->line], start, state.lines[pipe->line]);
+  if (pipe) set_initial_memories(system.lines[pipe->line], start, state.lines[pipe->line]);
   for (std::size_t i = 0; i < count; ++i) {
     LineState& line = state.lines[first_line + i];
-    if (start.lines->rest.in_bows[i]) {
+    if (start.lines->rest.lies_in_bow[i]) {
       line.bed_slip = start.lines->state.lines[i].bed_slip;
     } else {
-      stretch_bed(system.lines[first_line + i], line);
+      set_initial_seabed_friction(system.lines[first_line + i], line);
     }
   }
   return state;
 }
 
-std::optional<StaticFailure> come_to_rest(RunSetup& setup, const Vec6& release, SystemState& state) {
+std::optional<StaticFailure> solve_initial_equilibrium(RunSetup& setup, const Vec6& release, SystemState& state) {
   System& system = setup.system;
   if (setup.hull) {
-    std::optional<StaticFailure> failure = let_hull_go(system, setup.ballast, setup.hull->hull, release, state);
+    std::optional<StaticFailure> failure = release_hull(system, setup.ballast, setup.hull->hull, release, state);
     for (const std::size_t tensioner : find_tensioners(system)) {
       MotionValues& travel = state.attachments[tensioner].travel;
       Attachment& top = system.attachments[tensioner];
@@ -206,7 +207,7 @@ std::optional<StaticFailure> come_to_rest(RunSetup& setup, const Vec6& release, 
   if (setup.moorings.empty()) return std::nullopt;
   Assembly assembly(system);
   assembly.set_time(state.time, state);
-  return rest_mooring_lines(system, assembly.surroundings().bodies, state);
+  return solve_mooring_lines(system, assembly.surroundings().bodies, state);
 }
 
 }  // namespace overbend

@@ -6,25 +6,25 @@
 
 #include "mechanics/contact_cells.h"
 #include "model/pipe/section.h"
-#include "model/vessel/stinger_turn.h"
+#include "model/vessel/stinger_rotation.h"
 #include "statics/stinger/stinger_forces.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kFrictionDamping = 0.1;  ///< Of the elastic part of friction, of critical.
+constexpr double kFrictionDamping = 0.1;  ///< Damping of the elastic part of friction, as a share of critical.
 
 const StingerSectionDescription& described(const Model& model, std::size_t section) {
   return model.description.supports.sections[section];
 }
 
-/// A point drawn in a section, where it rests; frame V.
+/// Nominal position of a point in a section, in frame V at its static angle.
 Vec3 at_rest(const Model& model, std::size_t section, const StingerPoint& drawn, double y = 0.0) {
   return point_in_vessel(model,
                          point_on_section(described(model, section), model.supports.sections[section], drawn, y));
 }
 
-/// Inertia of an even rod along `axis` with this radius of gyration across it.
+/// Inertia of a uniform rod along `axis` with this radius of gyration across it.
 Mat3 rod_inertia(double mass, double radius, const Vec3& axis) {
   const Vec3 d = axis.normalized();
   return mass * radius * radius * (Mat3::Identity() - d * d.transpose());
@@ -62,33 +62,36 @@ void add_tank(const Model& model, std::size_t section, std::size_t number, Secti
 }
 
 void add_structure(const Model& model, std::size_t section, SectionBody& body) {
-  const StingerBodyDescription& given = *described(model, section).body;
-  const Vec3 reach = section_reach_V(model, section), at = at_rest(model, section, given.at);
-  const double mass = given.weight / kGravity;
-  add_part(body, mass, at, rod_inertia(mass, given.radius_of_gyration.value_or(reach.norm() / std::sqrt(12.0)), reach));
-  if (given.buoyancy > 0.0 || given.added_mass > 0.0 || given.drag_area > 0.0) {
+  const StingerBodyDescription& description = *described(model, section).body;
+  const Vec3 reach = section_reach_V(model, section), centre = at_rest(model, section, description.at);
+  const double mass = description.weight / kGravity;
+  add_part(body, mass, centre,
+           rod_inertia(mass, description.radius_of_gyration.value_or(reach.norm() / std::sqrt(12.0)), reach));
+  if (description.buoyancy > 0.0 || description.added_mass > 0.0 || description.drag_area > 0.0) {
     ImmersedBody part;
-    part.place_V = at_rest(model, section, given.buoyancy_at.value_or(given.at));
+    part.place_V = at_rest(model, section, description.buoyancy_at.value_or(description.at));
     part.across_V = Vec3::UnitY().cross(reach.normalized());
-    part.volume = given.buoyancy / model.water_weight_density;
-    part.added_mass = given.added_mass;
-    part.drag_area = given.drag_area;
+    part.volume = description.buoyancy / model.water_weight_density;
+    part.added_mass = description.added_mass;
+    part.drag_area = description.drag_area;
     body.immersed = part;
   }
 }
 
-SectionSpring spring_of(const Model& model, std::size_t section, const StingerSpringDescription& given) {
-  const double drawn = std::hypot(given.on_barge.x - given.on_stinger.x, given.on_barge.z - given.on_stinger.z);
+SectionSpring make_section_spring(const Model& model, std::size_t section,
+                                  const StingerSpringDescription& description) {
+  const double drawn =
+      std::hypot(description.on_barge.x - description.on_stinger.x, description.on_barge.z - description.on_stinger.z);
   SectionSpring spring;
-  spring.base_V = point_in_vessel(model, Vec3(given.on_barge.x, 0.0, given.on_barge.z));
-  spring.own_V = at_rest(model, section, given.on_stinger);
-  spring.stiffness = given.stiffness;
-  spring.length = given.stiffness > 0.0 ? drawn - given.pretension / given.stiffness : drawn;
-  spring.wire = given.wire;
+  spring.vessel_V = point_in_vessel(model, Vec3(description.on_barge.x, 0.0, description.on_barge.z));
+  spring.section_V = at_rest(model, section, description.on_stinger);
+  spring.stiffness = description.stiffness;
+  spring.length = description.stiffness > 0.0 ? drawn - description.pretension / description.stiffness : drawn;
+  spring.wire = description.wire;
   return spring;
 }
 
-/// About the hinge, with the water that goes with it [kg m2].
+/// Moment of inertia about the hinge, with added mass [kg m2].
 double turning_inertia(const SectionBody& body, const Vec3& hinge_V, double density) {
   const auto arm2 = [&](const Vec3& p) { return std::pow(p.x() - hinge_V.x(), 2) + std::pow(p.z() - hinge_V.z(), 2); };
   double sum = body.inertia_V(1, 1) + body.mass * arm2(body.center_V);
@@ -103,7 +106,7 @@ double turning_inertia(const SectionBody& body, const Vec3& hinge_V, double dens
   return sum;
 }
 
-HingeLaw law_of(const StingerSectionDescription& section, double inertia) {
+HingeLaw make_hinge_law(const StingerSectionDescription& section, double inertia) {
   HingeLaw law;
   if (section.limits) {
     law.up = section.limits->up;
@@ -112,29 +115,29 @@ HingeLaw law_of(const StingerSectionDescription& section, double inertia) {
     law.stop_damping = 2.0 * kStopDamping * std::sqrt(section.stop_stiffness * inertia);
   }
   law.friction = section.hinge_friction;
-  law.friction_damping = 2.0 * kFrictionDamping * std::sqrt(section.hinge_friction / kBreakaway * inertia);
+  law.friction_damping = 2.0 * kFrictionDamping * std::sqrt(section.hinge_friction / kBreakawayRotation * inertia);
   return law;
 }
 
-/// The rollers of one section, or of none (-1), with their cells.
+/// Sets the rollers of one section, or of none (-1), with their cells.
 void put_rollers(const Model& model, const std::vector<BodyRoller>& all, int section, double pipe_radius, Body& body) {
-  Supports own = model.supports;
-  own.rollers.clear();
+  Supports section_supports = model.supports;
+  section_supports.rollers.clear();
   body.rollers.clear();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Roller& roller = model.supports.rollers[i];
     if (model.supports.boxes[static_cast<std::size_t>(roller.box)].section == section) {
-      own.rollers.push_back(roller);
+      section_supports.rollers.push_back(roller);
       body.rollers.push_back(all[i]);
     }
   }
-  body.cells = contact_cells(own, pipe_radius);
+  body.cells = contact_cells(section_supports, pipe_radius);
 }
 
 FreeBody hinged_body(const Model& model, std::size_t section, std::shared_ptr<const SectionSea> sea,
                      double line_weight) {
   constexpr double kShareOfWeight = 1e-3;
-  const StingerSectionDescription& given = described(model, section);
+  const StingerSectionDescription& description = described(model, section);
   const StingerSection& lies = model.supports.sections[section];
   FreeBody free;
   HingedBody& hinged = free.hinge.emplace();
@@ -143,8 +146,8 @@ FreeBody hinged_body(const Model& model, std::size_t section, std::shared_ptr<co
   hinged.hinge.place_V = point_in_vessel(model, lies.hinge_S);
   hinged.hinge.rest = lies.angle;
   const double inertia = turning_inertia(hinged.section, hinged.hinge.place_V, model.water_density);
-  hinged.law = law_of(given, inertia);
-  hinged.held = given.angle.has_value() || !given.floats();
+  hinged.law = make_hinge_law(description, inertia);
+  hinged.held = description.angle.has_value() || !description.floats();
   hinged.sea = std::move(sea);
   free.arm = section_reach_V(model, section).norm();
   free.force_scale = std::max(line_weight, kShareOfWeight * hinged.section.mass * kGravity);
@@ -162,21 +165,21 @@ bool stinger_floats(const Model& model) {
 }
 
 SectionBody section_body(const Model& model, std::size_t section) {
-  const StingerSectionDescription& given = described(model, section);
+  const StingerSectionDescription& description = described(model, section);
   SectionBody body;
-  if (given.body) {
+  if (description.body) {
     add_structure(model, section, body);
   }
-  for (std::size_t i = 0; i < given.tanks.size(); ++i) {
+  for (std::size_t i = 0; i < description.tanks.size(); ++i) {
     add_tank(model, section, i, body);
   }
-  for (const StingerSpringDescription& spring : given.springs) {
-    body.springs.push_back(spring_of(model, section, spring));
+  for (const StingerSpringDescription& spring : description.springs) {
+    body.springs.push_back(make_section_spring(model, section, spring));
   }
   return body;
 }
 
-void hang_stinger(const Model& model, const Sea& sea, double build_up, System& system) {
+void add_hinged_stinger(const Model& model, const Sea& sea, double build_up, System& system) {
   if (!stinger_floats(model)) {
     return;
   }
@@ -196,21 +199,21 @@ void hang_stinger(const Model& model, const Sea& sea, double build_up, System& s
   }
 }
 
-void lean_on_stops(Assembly& assembly, const SystemState& state, System& system) {
-  constexpr double kAtStop = 1e-6;  // how near statics leave it to a stop that carries [rad]
+void preload_hinge_stops(Assembly& assembly, const SystemState& state, System& system) {
+  constexpr double kAtStop = 1e-6;  // maximum distance of a loaded stop from the static angle [rad]
   if (assembly.hinged().empty()) {
     return;
   }
-  SystemState at = state;
-  assembly.impose_ends(at);
-  assembly.evaluate(at, state, {}, false);
+  SystemState evaluated = state;
+  assembly.impose_ends(evaluated);
+  assembly.evaluate(evaluated, state, {}, false);
   const std::vector<int> free = free_bodies(system);
   for (std::size_t k = 0; k < free.size(); ++k) {
     std::optional<HingedBody>& hinged = system.bodies[static_cast<std::size_t>(free[k])].free->hinge;
     if (!hinged || hinged->held || hinged->law.stop_stiffness <= 0.0) continue;
     HingeLaw& law = hinged->law;
     const double angle = hinged->hinge.rest;
-    const double moment = -assembly.body_residual()[6 * k + kHingeFreedom];  // of all but the stop, tip down
+    const double moment = -assembly.body_residual()[6 * k + kHingeFreedom];  // of everything but the stop, tip down
     if (moment > 0.0 && std::abs(angle - law.down) < kAtStop) {
       law.down = angle - moment / law.stop_stiffness;
     } else if (moment < 0.0 && std::abs(angle - law.up) < kAtStop) {

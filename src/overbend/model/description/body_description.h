@@ -1,4 +1,4 @@
-/// Other bodies than the lay vessel that lines are on: a tug, a second vessel, a platform.
+/// Bodies other than the lay vessel to which lines are attached: a tug, a second vessel, a platform.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-/// Of the size of a harbour tug.
+/// Returns a hull with the main dimensions of a harbour tug.
 inline VesselDescription tug_hull() {
   VesselDescription hull;
   hull.length = 30.0;
@@ -20,8 +20,8 @@ inline VesselDescription tug_hull() {
 
 struct BodyDescription {
   std::string name;
-  Vec3 place = Vec3::Zero();            ///< Of its origin, midship on its water line, W [m].
-  VesselDescription hull = tug_hull();  ///< Heading, heel, trim, sizes and motion, as of the vessel.
+  Vec3 place = Vec3::Zero();            ///< Origin, midship on the water line, W [m].
+  VesselDescription hull = tug_hull();  ///< Heading, heel, trim, dimensions and motion, as for the vessel.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Water, seabed, current and sea as the model file has them.
+/// Water, seabed, current and waves as given in the model file.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 namespace overbend {
 
 struct CurrentPoint {
-  double depth = 0.0;    ///< Below the mean water level [m].
+  double depth = 0.0;    ///< Depth below the mean water level [m].
   double speed = 0.0;    ///< [m/s]
   double towards = 0.0;  ///< Azimuth the current goes to [rad].
 };
@@ -18,7 +18,7 @@ struct EnvironmentDescription {
   double water_depth = 0.0;               ///< At the stern shoe [m].
   double water_weight_density = 10.05e3;  ///< [N/m3]
   SeabedDescription seabed;
-  std::vector<CurrentPoint> current;  ///< By increasing depth.
+  std::vector<CurrentPoint> current;  ///< Rows by increasing depth.
   WavesDescription waves;
 };
 

@@ -22,7 +22,8 @@ struct RadiationPoint {
   Mat6 damping = Mat6::Zero();     ///< [N s/m, N s, N m s]
 };
 
-/// What depends on frequency and heading. Headings: where the waves go to, anticlockwise from the hull's x, [0, 2 pi).
+/// Axes of a table by frequency and heading. Heading: direction of travel of the waves, anticlockwise from the hull's x
+/// axis, in [0, 2 pi).
 struct HeadingTable {
   std::vector<double> omega;    ///< Ascending [rad/s].
   std::vector<double> heading;  ///< Ascending [rad].
@@ -30,12 +31,12 @@ struct HeadingTable {
 };
 
 struct HydrodynamicData {
-  std::string source;  ///< Stem or file it was read from.
-  /// Point of the hull that all matrices and forces are about, frame V: the model's centre of gravity [m].
+  std::string source;  ///< File or common stem of the files.
+  /// Reference point of all matrices and forces: the model's centre of gravity, frame V [m].
   Vec3 origin_V = Vec3::Zero();
-  /// Point that the file's values are about, where that is another: they were moved from there. Frame V [m].
+  /// Reference point of the file's values if it differs; the values were transferred from it. Frame V [m].
   std::optional<Vec3> file_origin_V;
-  double water_density = 0.0, gravity = 0.0;  ///< The values were given their dimension with [kg/m3, m/s2].
+  double water_density = 0.0, gravity = 0.0;  ///< Used to make the values dimensional [kg/m3, m/s2].
 
   std::vector<RadiationPoint> radiation;  ///< By ascending, finite and positive frequency.
   Mat6 added_mass_infinite = Mat6::Zero();
@@ -47,10 +48,10 @@ struct HydrodynamicData {
   /// HeadingTable::index. [N/m, N]
   std::vector<CVec6> force;
 
-  HeadingTable drift;            ///< Empty where there is none.
-  std::vector<Vec6> mean_drift;  ///< Per squared amplitude, surge, sway and yaw; the others zero. [N/m2, N/m]
+  HeadingTable drift;            ///< Axes of `mean_drift`; empty if there is none.
+  std::vector<Vec6> mean_drift;  ///< Per squared amplitude: surge, sway and yaw; other modes zero. [N/m2, N/m]
 
-  Mat6 hydrostatic_stiffness = Mat6::Zero();  ///< With the weight: C44 = M g GM. [N/m, N, N m]
+  Mat6 hydrostatic_stiffness = Mat6::Zero();  ///< Weight included: C44 = M g GM. [N/m, N, N m]
 };
 
 }  // namespace overbend

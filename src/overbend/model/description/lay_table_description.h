@@ -1,4 +1,4 @@
-/// A table of lays: one quantity varied, each row an equilibrium of its own.
+/// Lay table: one quantity varied, each row an independent equilibrium.
 #pragma once
 
 #include <optional>
@@ -8,29 +8,29 @@
 namespace overbend {
 
 enum class LayTableVary {
-  tension,   ///< At the tensioner.
-  lay_back,  ///< Stern shoe to touchdown; the tension follows.
-  depth,     ///< Of the water, at a held tension.
+  tension,   ///< Tension at the tensioner.
+  lay_back,  ///< Distance from stern shoe to touchdown; the tension follows.
+  depth,     ///< Water depth, at a constant tension.
 };
 
-/// How the tension of the rows along a route is chosen.
+/// Selection of the tension of the rows along a route.
 enum class RouteTension {
-  hold,   ///< That of the tensioner.
-  least,  ///< The least with which every governing check is passed.
+  hold,     ///< Tension of the tensioner.
+  minimum,  ///< Minimum tension that passes every governing check.
 };
 
-/// A point of the route at which a lay is calculated.
+/// Point of the route at which a lay is calculated.
 struct RouteDepth {
-  double distance = 0.0;  ///< Along the route, KP [m].
-  double depth = 0.0;     ///< Of the water at the stern shoe [m].
+  double distance = 0.0;  ///< KP along the route [m].
+  double depth = 0.0;     ///< Water depth at the stern shoe [m].
 };
 
 struct LayTableDescription {
   LayTableVary vary = LayTableVary::tension;
-  std::optional<double> from, to;             ///< Of what varies [N] or [m].
-  int steps = 20;                             ///< Rows are one more.
-  std::vector<RouteDepth> profile;            ///< Instead: rows at the points of a route, by increasing distance.
-  RouteTension tension = RouteTension::hold;  ///< Of the rows of a profile.
+  std::optional<double> from, to;             ///< Range of the varied quantity [N] or [m].
+  int steps = 20;                             ///< Number of steps; there is one more row.
+  std::vector<RouteDepth> profile;            ///< Alternative: rows at points of a route, by increasing distance.
+  RouteTension tension = RouteTension::hold;  ///< Tension of the rows of a profile.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Lines besides the pipe: mooring lines, and lines that stand by themselves between two ends. SI.
+/// Lines other than the pipe: mooring lines and free lines between two ends. SI.
 #pragma once
 
 #include <algorithm>
@@ -11,95 +11,95 @@
 
 namespace overbend {
 
-/// Of a six-strand wire rope.
+/// Core of a six-strand wire rope.
 enum class RopeCore { wire, fibre };
-/// Of chain of grade R4.
+/// Links of chain of grade R4.
 enum class ChainLink { studless, studlink };
 
-/// A cable, chain or flexible by its numbers. Weights are per unstressed length.
+/// Properties of a cable, chain or flexible. Weights are per unstressed length.
 struct LineTypeDescription {
   std::string name;
-  std::string made_from;                ///< How the numbers came about: "given", "wire rope, 64 mm, wire core" ...
+  std::string made_from;                ///< Origin of the numbers: "given", "wire rope, 64 mm, wire core" ...
   double diameter = 0.0;                ///< Nominal [m].
-  double volume_diameter = 0.0;         ///< Of a cylinder with the displaced volume [m].
+  double volume_diameter = 0.0;         ///< Diameter of a cylinder with the displaced volume [m].
   double weight_in_air = 0.0;           ///< [N/m]
-  double weight_submerged = 0.0;        ///< Negative where the line floats [N/m].
+  double weight_submerged = 0.0;        ///< Negative if the line floats [N/m].
   double axial_stiffness = 0.0;         ///< EA [N]
   double bending_stiffness = 0.0;       ///< EI [N m2]
-  std::optional<bool> compression;      ///< Whether it bears compression; see bears_compression().
+  std::optional<bool> compression;      ///< Carries compression; see bears_compression().
   std::optional<double> breaking_load;  ///< MBL [N]
-  double drag_diameter = 0.0;           ///< Of the drag coefficients [m].
+  double drag_diameter = 0.0;           ///< Reference diameter of the drag coefficients [m].
   double drag_normal = 1.2, drag_axial = 0.0;
-  double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< On the displaced water [-].
-  std::optional<double> friction;                          ///< On the bed [-].
+  double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< Relative to the displaced water [-].
+  std::optional<double> friction;                          ///< Coulomb friction on the seabed [-].
 };
 
 struct LineSegmentDescription {
   std::string name;
-  std::optional<double> length;  ///< Unstressed [m]; the first segment's may follow from a tension.
+  std::optional<double> length;  ///< Unstressed [m]; that of the first segment may follow from a tension.
   LineTypeDescription type;
-  std::optional<SectionDescription> section = {};  ///< Of pipe, from which the numbers of `type` follow.
+  std::optional<SectionDescription> section = {};  ///< Pipe section from which the numbers of `type` follow.
 };
 
 enum class PointKind { clump, buoy };
 enum class BuoyShape { sphere, cylinder };
 
-/// A clump weight or a buoy at a place of a line, or at the end of a tether there.
+/// Clump weight or buoy on a line, or at the end of a tether on it.
 struct LinePointDescription {
   std::string name;
   PointKind kind = PointKind::clump;
-  double at = 0.0;    ///< Unstressed length from the line's first end given (fairlead, or the first of `ends`) [m].
-  double mass = 0.0;  ///< [kg]
-  double net_force = 0.0;   ///< Upwards under water: buoyancy less weight; a clump's is negative [N].
-  double volume = 0.0;      ///< Of displaced water [m3].
+  double at = 0.0;          ///< Unstressed length from the line's first end (fairlead, or the first of `ends`) [m].
+  double mass = 0.0;        ///< [kg]
+  double net_force = 0.0;   ///< Upward force under water, buoyancy less weight; negative for a clump [N].
+  double volume = 0.0;      ///< Displaced volume [m3].
   double drag_area = 0.0;   ///< C_d A [m2]
   double added_mass = 0.0;  ///< [kg]
   BuoyShape shape = BuoyShape::sphere;
-  double height = 0.0;     ///< Of a cylinder; a sphere's diameter follows from the volume [m].
+  double height = 0.0;     ///< Height of a cylinder; the diameter of a sphere follows from the volume [m].
   double tether = 0.0;     ///< Length of an inextensible tether; 0: fixed to the line [m].
-  bool by_weight = false;  ///< Given by weight and buoyancy, until resolve_lines() makes mass and net force of them.
+  bool by_weight = false;  ///< Given by weight and buoyancy; resolve_lines() converts these to mass and net force.
 };
 
-/// Word for the lay vessel where an end of a line names its body.
+/// Body name of the lay vessel in line ends.
 inline constexpr const char* kVesselName = "vessel";
 
 enum class LineEndKind { fixed, body, bed, water, free, line };
 
-/// What holds an end of a line.
+/// Attachment of a line end.
 struct LineEndDescription {
   LineEndKind kind = LineEndKind::fixed;
-  Vec3 at = Vec3::Zero();          ///< W for fixed, on the bed and in the water; frame of the body for body [m].
-  std::string body = kVesselName;  ///< Of body: its name.
-  std::string line;                ///< Of line: the one it is on.
-  double arc_length = 0.0;         ///< There, unstressed, from that line's first end [m].
-  bool clamped = false;            ///< Direction held as well as place.
-  Vec3 direction = Vec3::Zero();   ///< Of the line there, if clamped; frame as `at`.
+  Vec3 at = Vec3::Zero();          ///< W for fixed, bed and water; body frame for body [m].
+  std::string body = kVesselName;  ///< Name of the body, for `body`.
+  std::string line;                ///< Name of the line, for `line`.
+  double arc_length = 0.0;         ///< Unstressed length from the first end of that line [m].
+  bool clamped = false;            ///< True if the direction is fixed as well as the position.
+  Vec3 direction = Vec3::Zero();   ///< Direction of the line at a clamped end; frame as `at`.
   /// Prescribed motion of a fixed end about `at`: amplitude along W axes, period and phase of a harmonic motion.
   Vec3 amplitude = Vec3::Zero();
   double period = 0.0, phase = 0.0;  ///< amplitude * sin(2 pi t / period + phase) [s, rad].
 };
 
-/// A line alone between two ends. Lengths of segments run from the first end.
+/// Free line between two ends. Segment lengths count from the first end.
 struct FreeLineDescription {
   std::string name;
   LineEndDescription first, second;
   std::vector<LineSegmentDescription> segments;
   std::vector<LinePointDescription> points;
-  std::optional<double> element;  ///< Length of its elements [m].
-  std::optional<Vec3> start;      ///< Place of a free end before anything is lifted: x and y, W [m].
+  std::optional<double> element;  ///< Element length [m].
+  std::optional<Vec3> start;      ///< Initial position of a free end before any lifting: x and y, W [m].
 };
 
-/// Whether an end of a line is on the lay vessel.
+/// Returns true if a line end is on the lay vessel.
 inline bool is_on_vessel(const LineEndDescription& end) {
   return end.kind == LineEndKind::body && end.body == kVesselName;
 }
 
-/// Whether pipe is in a line.
+/// Returns true if a segment of the line is pipe.
 inline bool has_pipe_section(const FreeLineDescription& line) {
   return std::ranges::any_of(line.segments, [](const auto& segment) { return segment.section.has_value(); });
 }
 
-/// Whether an end of a line is on another line, or free.
+/// Returns true if an end of the line is free or attached to another line.
 inline bool is_linked(const FreeLineDescription& line) {
   const auto linked = [](const LineEndDescription& end) {
     return end.kind == LineEndKind::line || end.kind == LineEndKind::free;
@@ -107,14 +107,14 @@ inline bool is_linked(const FreeLineDescription& line) {
   return linked(line.first) || linked(line.second);
 }
 
-/// Unstressed, of all segments [m].
+/// Returns the unstressed length of all segments [m].
 inline double unstressed_length(const FreeLineDescription& line) {
   double sum = 0.0;
   for (const LineSegmentDescription& segment : line.segments) sum += segment.length.value_or(0.0);
   return sum;
 }
 
-/// EA of a line whose segments stretch one after the other [N].
+/// Returns EA of the segments in series [N].
 inline double axial_stiffness(const FreeLineDescription& line) {
   double compliance = 0.0;
   for (const LineSegmentDescription& segment : line.segments) {
@@ -123,7 +123,7 @@ inline double axial_stiffness(const FreeLineDescription& line) {
   return unstressed_length(line) / compliance;
 }
 
-/// Whether a line is a straight wire: all of one type that weighs nothing and does not bend.
+/// Returns true if the line is a straight wire: one type, without weight and bending stiffness.
 inline bool is_weightless(const FreeLineDescription& line) {
   return line.points.empty() && std::ranges::all_of(line.segments, [](const auto& segment) {
            return segment.type.weight_in_air == 0.0 && segment.type.weight_submerged == 0.0 &&

@@ -7,13 +7,12 @@
 
 namespace overbend {
 
-/// Six freedoms at rising instants; signs as in RaoTable.
+/// Six degrees of freedom at increasing times; signs as in RaoTable.
 struct MotionHistory {
   std::vector<double> time;                     ///< [s]
   std::vector<std::array<double, 6>> freedoms;  ///< Surge, sway, heave [m], roll, pitch, yaw [rad].
-  std::string source;                           ///< File it was read from.
-  int passages =
-      0;  ///< Times that an angle of the file passes from one end of the circle to the other; none does here.
+  std::string source;                           ///< Source file.
+  int passages = 0;  ///< Number of angle wrap-arounds in the file; the stored angles are continuous.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The pipe as the model file has it.
+/// Pipe as given in the model file.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// A stretch of line with a section of its own, counted from the tensioner astern.
+/// Length of line with its own section, counted from the tensioner astern.
 struct SegmentDescription {
   std::string name;
   double length = 0.0;  ///< Unstressed length [m].
@@ -19,9 +19,9 @@ struct SegmentDescription {
 };
 
 struct PipeDescription {
-  SectionDescription section;                    ///< Of the line where no segment says otherwise.
-  std::vector<SegmentDescription> segments;      ///< From the tensioner astern; the rest has `section`.
-  std::vector<StructureDescription> structures;  ///< Built in, over segments and all.
+  SectionDescription section;                    ///< Main section, used outside the segments.
+  std::vector<SegmentDescription> segments;      ///< From the tensioner astern; the remaining line has `section`.
+  std::vector<StructureDescription> structures;  ///< In-line structures; they replace the segments at their position.
   std::vector<LinePointDescription> points;      ///< Clumps and buoys; lengths from the tensioner.
   std::optional<double> length;                  ///< Unstressed length from tensioner to anchor [m].
   std::optional<double> anchor;                  ///< Horizontal distance of the anchor astern of the stern shoe [m].

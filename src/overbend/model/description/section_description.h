@@ -1,4 +1,4 @@
-/// What a cross-section of the pipe is described by: steel, coatings, joints, hydrodynamic coefficients.
+/// Cross-section of the pipe as given: steel, coatings, joints, hydrodynamic coefficients.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace overbend {
 
-/// What relates moment to curvature. Beyond `linear` the steel yields, unloads elastically and hardens kinematically.
+/// Relation between moment and curvature. All laws except `linear` yield, unload elastically and harden kinematically.
 enum class MaterialLaw { linear, moment_ramberg_osgood, ramberg_osgood, bilinear, stress_strain, moment_curvature };
 
-/// A point of a user's curve: strain [-] and stress [Pa], or curvature [1/m] and moment [N m].
+/// Point of a user-defined curve: strain [-] and stress [Pa], or curvature [1/m] and moment [N m].
 struct CurvePoint {
   double x = 0.0, y = 0.0;
 };
@@ -18,12 +18,12 @@ struct CurvePoint {
 struct MaterialDescription {
   MaterialLaw law = MaterialLaw::linear;
   std::optional<double> moment_coefficient;  ///< A of kappa/kappa_y = M/M_y + A (M/M_y)^B; fitted if not given.
-  std::optional<double> moment_exponent;     ///< B of the same.
+  std::optional<double> moment_exponent;     ///< B of the same law.
   std::optional<double> hardening_exponent;  ///< n of strain = stress/E + plastic part (stress/SMYS)^n.
   double yield_strain = 0.005;               ///< Total strain at SMYS [-].
-  double hardening_modulus = 0.0;            ///< Slope beyond yield of `bilinear` [Pa].
-  std::vector<CurvePoint> stress_strain;     ///< From the origin on, which is not given.
-  std::vector<CurvePoint> moment_curvature;  ///< The same.
+  double hardening_modulus = 0.0;            ///< Slope of `bilinear` beyond yield [Pa].
+  std::vector<CurvePoint> stress_strain;     ///< From the origin, which is not listed.
+  std::vector<CurvePoint> moment_curvature;  ///< From the origin, which is not listed.
 };
 
 struct SteelDescription {
@@ -41,17 +41,18 @@ struct CoatingDescription {
   std::string name;
   double thickness = 0.0;                     ///< [m]
   double weight_density = 0.0;                ///< [N/m3]
-  std::optional<double> youngs_modulus = {};  ///< Against rollers; rigid if not given [Pa].
+  std::optional<double> youngs_modulus = {};  ///< For contact with rollers; rigid if not given [Pa].
 };
 
-/// Pipe joint with a bare length at its ends where infill takes the place of the outermost coating.
+/// Pipe joint with uncoated ends, where infill replaces the outermost coating.
 struct JointDescription {
-  double length = 12.2;                ///< One pipe joint [m].
+  double length = 12.2;                ///< Length of a pipe joint [m].
   double field_joint = 0.0;            ///< Length without the outermost coating, per joint [m].
   double infill_weight_density = 0.0;  ///< [N/m3]
-  double coated_stiffness = 1.0;       ///< EI between the field joints over that of the steel [-].
-  std::optional<double> first = {};  ///< Tensioner to the middle of the first field joint; half a joint if absent [m].
-  /// Strain at a field joint over that of the pipe beside it [-]; 1 with a warning where not given.
+  double coated_stiffness = 1.0;       ///< EI between the field joints divided by that of the steel [-].
+  /// Distance from the tensioner to the middle of the first field joint; half a joint if not given [m].
+  std::optional<double> first = {};
+  /// Strain at a field joint divided by that of the adjacent pipe [-]; 1 with a warning if not given.
   std::optional<double> strain_factor = {};
 };
 
@@ -62,15 +63,15 @@ struct HydrodynamicsDescription {
   double added_mass_axial = 0.0;
 };
 
-/// Cross-section of a stretch of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic
+/// Cross-section of a length of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic
 /// coefficients.
 struct SectionDescription {
   SteelDescription steel;
   std::vector<CoatingDescription> coatings;
   std::optional<JointDescription> joint;
   HydrodynamicsDescription hydrodynamics;
-  double contents_weight_density = 0.0;  ///< Of what fills the pipe; 0 = empty [N/m3].
-  double internal_pressure = 0.0;        ///< At z = 0 [Pa].
+  double contents_weight_density = 0.0;  ///< Contents of the pipe; 0 = empty [N/m3].
+  double internal_pressure = 0.0;        ///< Pressure at z = 0 [Pa].
 };
 
 }  // namespace overbend

@@ -1,6 +1,5 @@
-/// A stinger in sections on hinges: what it weighs, what carries it, what stops it. Frame S, SI.
-///
-/// Angles are positive when the tip goes down from where the section is drawn.
+/// Stinger in hinged sections: weight, supports and stops. Frame S, SI. Angles are relative to the position as drawn,
+/// positive when the tip goes down.
 #pragma once
 
 #include <optional>
@@ -9,77 +8,78 @@
 
 namespace overbend {
 
-/// A place in the vertical plane of the stinger, frame S: x astern, z up [m].
+/// Point in the vertical plane of the stinger, frame S: x astern, z up [m].
 struct StingerPoint {
   double x = 0.0, z = 0.0;
 };
 
-/// Weight of the structure and its buoyancy, at points fixed in the section.
+/// Structural weight and buoyancy, acting at points fixed in the section.
 struct StingerBodyDescription {
-  double weight = 0.0;                       ///< In air [N].
-  StingerPoint at;                           ///< Where it acts [m].
-  double buoyancy = 0.0;                     ///< Constant: of what stays under water [N].
-  std::optional<StingerPoint> buoyancy_at;   ///< Where that acts; with the weight where not given [m].
-  std::optional<double> radius_of_gyration;  ///< About `at`; of an even rod from hinge to tip where not given [m].
-  double added_mass = 0.0;                   ///< Of the water that goes with it, at `buoyancy_at` [kg].
-  double drag_area = 0.0;                    ///< Cd A of motion across it, at `buoyancy_at` [m2].
+  double weight = 0.0;                      ///< Weight in air [N].
+  StingerPoint at;                          ///< Point of application of the weight [m].
+  double buoyancy = 0.0;                    ///< Constant buoyancy of the permanently submerged parts [N].
+  std::optional<StingerPoint> buoyancy_at;  ///< Point of application of the buoyancy; `at` if not given [m].
+  /// About `at`; that of a uniform rod from hinge to tip if not given [m].
+  std::optional<double> radius_of_gyration;
+  double added_mass = 0.0;  ///< Added mass at `buoyancy_at` [kg].
+  double drag_area = 0.0;   ///< C_d A for transverse motion, at `buoyancy_at` [m2].
 };
 
-/// A round tank, straight from one point to the other.
+/// Cylindrical tank, straight between two points.
 struct StingerTankDescription {
   std::string name;
   StingerPoint from, to;
-  double y = 0.0;                       ///< Across, to starboard [m].
+  double y = 0.0;                       ///< Transverse position, to starboard [m].
   double diameter = 0.0;                ///< [m]
-  double weight = 0.0;                  ///< Empty, acts at mid-length [N].
-  double ballast = 0.0;                 ///< Fraction of its volume that is flooded [-].
-  double drag = 1.0, added_mass = 1.0;  ///< Coefficients across the axis [-].
+  double weight = 0.0;                  ///< Weight of the empty tank, acts at mid-length [N].
+  double ballast = 0.0;                 ///< Flooded fraction of the volume [-].
+  double drag = 1.0, added_mass = 1.0;  ///< Transverse coefficients [-].
 };
 
-/// A tower's wire or a strut as a spring between the barge and the section.
+/// Tower wire or strut: spring between the barge and the section.
 struct StingerSpringDescription {
   std::string name;
-  StingerPoint on_barge, on_stinger;  ///< The second goes with the section.
+  StingerPoint on_barge, on_stinger;  ///< `on_stinger` moves with the section.
   double stiffness = 0.0;             ///< [N/m]
-  double pretension = 0.0;            ///< As drawn [N].
-  bool wire = true;                   ///< Pulls only.
+  double pretension = 0.0;            ///< Tension in the position as drawn [N].
+  bool wire = true;                   ///< True: tension only.
 };
 
-/// A stop on either side, or one.
+/// Hinge stops in one or both directions.
 struct StingerLimits {
-  double up = 0.0, down = 0.0;  ///< Least and largest angle [rad].
+  double up = 0.0, down = 0.0;  ///< Min. and max. angle [rad].
 };
 
-/// What turns about one hinge. The first hangs on the barge, each other on the one before it.
+/// Section that rotates about a hinge. The first is hinged to the barge, each further one to the section before it.
 struct StingerSectionDescription {
   std::string name;
   StingerPoint hinge;
   std::optional<double>
-      angle;  ///< Held there by the ship; of a section with weight or tanks: it finds its angle [rad].
+      angle;  ///< Prescribed angle; result of the equilibrium for a section with weight or tanks [rad].
   std::optional<StingerBodyDescription> body;
   std::vector<StingerTankDescription> tanks;
   std::vector<StingerSpringDescription> springs;
   std::optional<StingerLimits> limits;
-  double stop_stiffness = 1e9;  ///< Of a stop in motion, as a moment [N m/rad].
-  double hinge_friction = 0.0;  ///< Moment that the hinge bears before it turns [N m].
+  double stop_stiffness = 1e9;  ///< Rotational stiffness of a stop in dynamics [N m/rad].
+  double hinge_friction = 0.0;  ///< Friction moment that the hinge resists before it rotates [N m].
 
-  /// Whether the forces on it decide its angle.
+  /// Returns true if the angle follows from the forces on the section.
   bool floats() const { return body.has_value() || !tanks.empty(); }
 };
 
-/// Angles of the sections under a name, as a ship keeps them in its table of settings.
+/// Named set of section angles, as in a ship's table of stinger settings.
 struct StingerSettingDescription {
   std::string name;
-  std::vector<double> angles;  ///< Of the sections from the barge astern [rad].
+  std::vector<double> angles;  ///< Section angles from the barge astern [rad].
 };
 
-/// Boxes on an arc of constant radius, of which none is typed.
+/// Boxes generated on an arc of constant radius.
 struct BoxRowDescription {
   int count = 0;
-  double spacing = 0.0;  ///< Along the arc, from box to box [m].
-  StingerPoint first;    ///< Where the underside of the pipe rests at the first box [m].
-  double incline = 0.0;  ///< Of the arc there, positive when it dips astern [rad].
-  double length = 0.0;   ///< Of each box [m].
+  double spacing = 0.0;  ///< Arc length between boxes [m].
+  StingerPoint first;    ///< Point of the underside of the pipe at the first box [m].
+  double incline = 0.0;  ///< Inclination of the arc at the first box, positive when it dips astern [rad].
+  double length = 0.0;   ///< Length of each box [m].
 };
 
 }  // namespace overbend

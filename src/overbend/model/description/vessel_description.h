@@ -1,4 +1,4 @@
-/// The vessel as the model file has it.
+/// Vessel as given in the model file.
 #pragma once
 
 #include <map>
@@ -33,12 +33,12 @@ struct VesselDescription {
   double stern_shoe_x = 0.0;  ///< Frame V [m].
   double stern_shoe_z = 0.0;  ///< Frame V, above the water [m].
   VesselMotion motion = VesselMotion::fixed;
-  std::string motion_file;  ///< For raos, history, coupled; resolved against the model file's folder.
+  std::string motion_file;  ///< File for raos, history, coupled; resolved against the model file's folder.
   std::map<std::string, HarmonicMotion> harmonic;  ///< By degree of freedom: surge, sway, heave, roll, pitch, yaw.
-  Vec3 motion_reference_V = Vec3::Zero();          ///< Point that harmonic and recorded motion are of, frame V [m].
-  std::optional<RaoTable> raos;                    ///< Contents of the motion file, when it is there to be read.
-  std::optional<MotionHistory> history;            ///< Likewise.
-  std::optional<CoupledHullDescription> coupled;   ///< The hull that floats free.
+  Vec3 motion_reference_V = Vec3::Zero();          ///< Reference point of harmonic and recorded motion, frame V [m].
+  std::optional<RaoTable> raos;                    ///< Contents of the motion file; empty if it is not read.
+  std::optional<MotionHistory> history;            ///< Contents of the motion file; empty if it is not read.
+  std::optional<CoupledHullDescription> coupled;   ///< Floating hull.
   std::optional<HydrostaticsDescription> hydrostatics;
   std::vector<VesselLoadDescription> loads;
 };

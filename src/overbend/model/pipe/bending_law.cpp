@@ -11,21 +11,21 @@
 namespace overbend {
 namespace {
 
-constexpr double kOnset = 1e-4;          ///< Lack of moment, relative, at which the first sliders slide.
-constexpr double kLargestStrain = 0.03;  ///< At the outer fibre, up to which the springs are fitted.
-constexpr double kLeastRest = 1e-4;      ///< Of EI: a pipe never loses all stiffness.
+constexpr double kOnset = 1e-4;                 ///< Relative moment deficit at which the first sliders slide.
+constexpr double kMaxFitStrain = 0.03;          ///< Outer-fibre strain up to which the springs are fitted.
+constexpr double kMinStiffnessFraction = 1e-4;  ///< Fraction of EI: a pipe never loses all stiffness.
 constexpr int kFitPoints = 40;
 
 using MomentAt = std::function<MomentPoint(double curvature, double guess)>;
 
-/// Range over which a moment curve is fitted.
+/// Curvature range of a fit.
 struct FitRange {
-  double first = 0.0, last = 0.0;  ///< Onset of yielding, largest curvature [1/m].
+  double first = 0.0, last = 0.0;  ///< Onset of yielding and max. curvature [1/m].
 };
 
-/// Curvature at which the moment falls short of EI kappa by kOnset.
-double onset(const MomentAt& moment, double EI, double largest) {
-  double low = 0.0, high = largest;
+/// Returns the curvature at which the moment is below EI kappa by the fraction kOnset.
+double onset(const MomentAt& moment, double EI, double max_curvature) {
+  double low = 0.0, high = max_curvature;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
     const bool straight = moment(middle, 0.0).moment > (1.0 - kOnset) * EI * middle;
@@ -34,9 +34,9 @@ double onset(const MomentAt& moment, double EI, double largest) {
   return 0.5 * (low + high);
 }
 
-/// What all directions' sliders of one limit take off the elastic moment, for unit stiffness, bent along a d_j (`turn`
-/// 0) or between two (0.5).
-double taken_off(double limit, double curvature, double turn) {
+/// Returns the reduction of the elastic moment by the sliders with one limit in all directions, for unit stiffness,
+/// bent along a d_j (`turn` 0) or between two (0.5).
+double moment_reduction(double limit, double curvature, double turn) {
   double sum = 0.0;
   for (int j = 0; j < kDirections; ++j) {
     const double c = std::cos(std::numbers::pi * (j + 0.5 + turn) / kDirections);
@@ -45,11 +45,11 @@ double taken_off(double limit, double curvature, double turn) {
   return sum;
 }
 
-double taken_off(double limit, double curvature) {
-  return 0.5 * (taken_off(limit, curvature, 0.0) + taken_off(limit, curvature, 0.5));
+double moment_reduction(double limit, double curvature) {
+  return 0.5 * (moment_reduction(limit, curvature, 0.0) + moment_reduction(limit, curvature, 0.5));
 }
 
-/// Limits close together where the curve bends most, just beyond onset.
+/// Chooses limits close together where the curve bends most, just beyond onset.
 void set_limits(BendingLaw& law, const FitRange& range) {
   for (std::size_t i = 0; i < kSliders; ++i) {
     const double u = static_cast<double>(i) / kSliders;
@@ -68,20 +68,24 @@ std::vector<double> fit_curvatures(const FitRange& range) {
   return k;
 }
 
-/// Least squares of the relative lack of moment.
+/// Least-squares fit of the relative moment deficit.
 std::array<double, kSliders> fit_stiffness(const BendingLaw& law, const std::vector<double>& k,
                                            const std::vector<double>& moment) {
   Eigen::MatrixXd A(kFitPoints, kSliders);
   Eigen::VectorXd b(kFitPoints);
   for (int p = 0; p < kFitPoints; ++p) {
-    const std::size_t at = static_cast<std::size_t>(p);
-    for (int i = 0; i < kSliders; ++i) A(p, i) = taken_off(law.limit[static_cast<std::size_t>(i)], k[at]) / moment[at];
-    b(p) = law.EI * k[at] / moment[at] - 1.0;
+    const std::size_t index = static_cast<std::size_t>(p);
+    for (int i = 0; i < kSliders; ++i) {
+      A(p, i) = moment_reduction(law.limit[static_cast<std::size_t>(i)], k[index]) / moment[index];
+    }
+    b(p) = law.EI * k[index] / moment[index] - 1.0;
   }
   const Eigen::VectorXd x = nonnegative_fit(A, b);
-  const double all = 0.5 * kDirections * x.sum(), most = (1.0 - kLeastRest) * law.EI;
+  const double all = 0.5 * kDirections * x.sum(), max_total = (1.0 - kMinStiffnessFraction) * law.EI;
   std::array<double, kSliders> stiffness{};
-  for (int i = 0; i < kSliders; ++i) stiffness[static_cast<std::size_t>(i)] = x(i) * (all > most ? most / all : 1.0);
+  for (int i = 0; i < kSliders; ++i) {
+    stiffness[static_cast<std::size_t>(i)] = x(i) * (all > max_total ? max_total / all : 1.0);
+  }
   return stiffness;
 }
 
@@ -139,28 +143,30 @@ BendingLaw from_form(const SteelDescription& steel, double EI) {
   const auto moment = [&](double k, double) {
     return MomentPoint{yield.moment * relative_moment(form, k / yield.curvature), 0.0};
   };
-  const double last = std::max(2.0 * kLargestStrain / steel.outside_diameter, 4.0 * yield.curvature);
+  const double last = std::max(2.0 * kMaxFitStrain / steel.outside_diameter, 4.0 * yield.curvature);
   return from_moments(moment, EI, {onset(moment, EI, 2.0 * yield.curvature), last});
 }
 
 BendingLaw from_steel(const SteelDescription& steel, double EI, const std::vector<LevelLoads>& levels) {
   const double yield = first_yield(steel).curvature;
   FitRange range;
-  range.last = std::max(2.0 * kLargestStrain / steel.outside_diameter, 4.0 * yield);
+  range.last = std::max(2.0 * kMaxFitStrain / steel.outside_diameter, 4.0 * yield);
   std::vector<WallIntegral> walls;
   for (const LevelLoads& level : levels) walls.emplace_back(steel, level.wall, range.last);
-  const auto moment_of = [](const WallIntegral& wall) {
+  const auto make_moment_curve = [](const WallIntegral& wall) {
     return [&wall](double k, double guess) { return wall.at(k, guess); };
   };
   range.first = range.last;
-  for (const WallIntegral& wall : walls) range.first = std::min(range.first, onset(moment_of(wall), EI, 2.0 * yield));
+  for (const WallIntegral& wall : walls) {
+    range.first = std::min(range.first, onset(make_moment_curve(wall), EI, 2.0 * yield));
+  }
   BendingLaw law;
   law.EI = EI;
   set_limits(law, range);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    add_level(law, moment_of(walls[i]), levels[i].z, walls[i].at(0.0).mid_strain, range);
+    add_level(law, make_moment_curve(walls[i]), levels[i].z, walls[i].at(0.0).mid_strain, range);
   }
-  law.steel.emplace(steel, plastic_strain(steel), 0.0, 1.5 * kLargestStrain);
+  law.steel.emplace(steel, plastic_strain(steel), 0.0, 1.5 * kMaxFitStrain);
   return law;
 }
 
@@ -190,15 +196,15 @@ LevelMix level_at(const BendingLaw& law, double z) {
 
 namespace {
 
-/// Of both levels, what belongs to the mix.
-class Between {
+/// Interpolates the levels at both ends of a mix.
+class InterpolatedLevel {
  public:
-  Between(const BendingLaw& law, const LevelMix& mix)
+  InterpolatedLevel(const BendingLaw& law, const LevelMix& mix)
       : lower_(law.levels[static_cast<std::size_t>(mix.lower)]),
         upper_(law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)]),
         share_(mix.share) {}
   double stiffness(std::size_t slider) const { return mixed(lower_.stiffness[slider], upper_.stiffness[slider]); }
-  double mid_strain(std::size_t at) const { return mixed(lower_.mid_strain[at], upper_.mid_strain[at]); }
+  double mid_strain(std::size_t index) const { return mixed(lower_.mid_strain[index], upper_.mid_strain[index]); }
 
  private:
   double mixed(double a, double b) const { return a + share_ * (b - a); }
@@ -211,7 +217,7 @@ class Between {
 
 double axis_strain(const BendingLaw& law, const LevelMix& mix, double curvature) {
   if (!(curvature > law.curvature.front())) return 0.0;
-  const Between between(law, mix);
+  const InterpolatedLevel between(law, mix);
   const auto after = std::lower_bound(law.curvature.begin(), law.curvature.end() - 1, curvature);
   const std::size_t i = static_cast<std::size_t>(after - law.curvature.begin());
   const double share = (curvature - law.curvature[i - 1]) / (law.curvature[i] - law.curvature[i - 1]);
@@ -220,10 +226,10 @@ double axis_strain(const BendingLaw& law, const LevelMix& mix, double curvature)
 }
 
 MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvature) {
-  const Between between(law, mix);
+  const InterpolatedLevel between(law, mix);
   MomentPoint point{law.EI * curvature, axis_strain(law, mix, curvature)};
   for (std::size_t i = 0; i < kSliders; ++i) {
-    point.moment -= between.stiffness(i) * taken_off(law.limit[i], curvature);
+    point.moment -= between.stiffness(i) * moment_reduction(law.limit[i], curvature);
   }
   return point;
 }

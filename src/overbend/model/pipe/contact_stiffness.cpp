@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Eight points of Gauss and Legendre on [-1, 1], the positive half.
+/// Positive half of the eight Gauss-Legendre points on [-1, 1].
 constexpr double kPoint[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 constexpr double kWeight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
@@ -67,16 +67,16 @@ double Shell::response(double n, double lambda) const {
 }
 
 double shell_stiffness(const Shell& shell, double bearing) {
-  constexpr int kMostWaves = 400;
-  constexpr double kEnough = 1e-5;
+  constexpr int kMaxWaveNumber = 400;
+  constexpr double kSumTolerance = 1e-5;
   const double half_angle = std::min(0.5 * bearing / shell.radius, 0.5 * std::numbers::pi);
   double sum = 0.0;
-  for (int n = 2; n < kMostWaves; ++n) {
+  for (int n = 2; n < kMaxWaveNumber; ++n) {
     const double angle = n * half_angle;
     const double spread = angle > 0.0 ? std::sin(angle) / angle : 1.0;
     const double wave = over_wave_numbers(shell, n);
     sum += spread * spread * wave;
-    if (n * wave < kEnough * sum) break;  // the rest falls like n^-3
+    if (n * wave < kSumTolerance * sum) break;  // the remaining terms decrease as n^-3
   }
   return std::numbers::pi * std::numbers::pi * shell.radius * shell.radius / sum;
 }

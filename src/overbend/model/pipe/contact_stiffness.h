@@ -1,20 +1,20 @@
-/// How stiff pipe and roller are against each other: springs in series of pipe shell, coating and roller structure.
+/// Contact stiffness between pipe and roller: springs in series of pipe shell, coating and roller structure.
 #pragma once
 
 #include "model/pipe/section.h"
 
 namespace overbend {
 
-/// Structure of a roller with its bearings and box where the model gives none [N/m]: half a millimetre under 25 kN.
+/// Default stiffness of a roller with its bearings and box [N/m]: half a millimetre under 25 kN.
 inline constexpr double kRollerStructure = 50e6;
 
 /// Parts of a contact's stiffness; 0 means a rigid part.
 struct ContactStiffness {
-  double shell = 0.0;      ///< Of the pipe's wall, which flattens under the roller [N/m].
+  double shell = 0.0;      ///< Pipe wall, flattened by the roller [N/m].
   double coating = 0.0;    ///< [N/m]
-  double structure = 0.0;  ///< Of the roller, its bearings and its box [N/m].
+  double structure = 0.0;  ///< Roller, its bearings and its box [N/m].
 
-  /// Of the parts in series; 0 where all are rigid [N/m].
+  /// Returns the stiffness of the parts in series; 0 if all are rigid [N/m].
   double total() const;
 };
 
@@ -22,7 +22,7 @@ struct ContactStiffness {
 /// just touches the steel, but not more than the roller's face. 0 for a pipe without coating.
 ///
 ///        ___---___
-///     .-----------.   <- chord       roller below or beside, its axis along the chord
+///     .-----------.   <- chord       roller below or at the side, axis along the chord
 ///    /  .-steel-.  \.
 ///
 double contact_length(double roller_face, double outer_diameter, double steel_diameter);
@@ -39,13 +39,14 @@ struct Shell {
   double response(double n, double lambda) const;
 };
 
-/// Radial stiffness of a long shell under a load on one line across it, over `bearing` [m] of its
-/// circumference [N/m]: the sum of `Shell::response` over all waves of a load P, without n = 0 and n = 1, which do not
-/// flatten the section (the second is the bending of the pipe as a beam, which the rod has).
+/// Radial stiffness of a long shell under a load on one line across it, over `bearing` [m] of its circumference [N/m]:
+/// the sum of `Shell::response` over all wave numbers of a load P, without n = 0 and n = 1, which do not flatten the
+/// section (the second is the bending of the pipe as a beam, which the rod has).
 double shell_stiffness(const Shell& shell, double bearing);
 
-/// Of a roller of `face` [m] against a pipe. The coating's layers bear over `contact_length` and, as the load spreads
-/// along the pipe at half a right angle, over its thickness; layers without a modulus are rigid. `structure` [N/m].
+/// Returns the contact stiffness of a roller of `face` [m] on a pipe. The coating layers are loaded over
+/// `contact_length` across and over their thickness along the pipe (load spread at 45 deg); layers without a modulus
+/// are rigid. `structure` [N/m].
 ContactStiffness contact_stiffness(const Section& pipe, const SectionDescription& layers, double face,
                                    double structure);
 

@@ -9,7 +9,7 @@ namespace overbend {
 namespace {
 
 struct RadialPoint {
-  double xi, weight;  ///< On [0, 1].
+  double xi, weight;  ///< Position on [0, 1] and weight.
 };
 
 /// Two Gauss points integrate area and second moment of the wall exactly; more are used for comparison.
@@ -30,10 +30,10 @@ double second_moment(double outside_diameter, double wall_thickness) {
          (std::pow(outside_diameter, 4) - std::pow(outside_diameter - 2.0 * wall_thickness, 4));
 }
 
-WallIntegral::WallIntegral(const SteelDescription& steel, const WallLoads& loads, double largest_curvature, int angles,
+WallIntegral::WallIntegral(const SteelDescription& steel, const WallLoads& loads, double max_curvature, int angles,
                            int rings)
     : wall_tension_(loads.wall_tension),
-      curve_(steel, plastic_strain(steel), loads.hoop_stress, 1.5 * largest_curvature * 0.5 * steel.outside_diameter) {
+      curve_(steel, plastic_strain(steel), loads.hoop_stress, 1.5 * max_curvature * 0.5 * steel.outside_diameter) {
   const double outer = 0.5 * steel.outside_diameter, wall = steel.wall_thickness;
   for (const RadialPoint& ring : radial_points(rings)) {
     const double r = outer - wall * (1.0 - ring.xi);
@@ -49,10 +49,10 @@ MomentPoint WallIntegral::at(double curvature, double guess) const {
     double force = 0.0, slope = 0.0;
     point.moment = 0.0;
     for (const Fibre& fibre : fibres_) {
-      const FibreCurve::Value at = curve_.at(point.mid_strain + curvature * fibre.y);
-      force += at.stress * fibre.area;
-      slope += at.modulus * fibre.area;
-      point.moment += at.stress * fibre.area * fibre.y;
+      const FibreCurve::Value value = curve_.at(point.mid_strain + curvature * fibre.y);
+      force += value.stress * fibre.area;
+      slope += value.modulus * fibre.area;
+      point.moment += value.stress * fibre.area * fibre.y;
     }
     const double step = (wall_tension_ - force) / slope;
     if (std::abs(step) < 1e-10) break;
@@ -68,7 +68,7 @@ FirstYield first_yield(const SteelDescription& steel) {
 
 double relative_moment(const MomentRambergOsgood& law, double relative_curvature) {
   double m = std::min(relative_curvature, std::pow(relative_curvature / law.coefficient, 1.0 / law.exponent));
-  for (int i = 0; i < 60; ++i) {  // convex: Newton from above falls towards the root
+  for (int i = 0; i < 60; ++i) {  // convex: Newton from above decreases monotonically towards the root
     const double power = law.coefficient * std::pow(m, law.exponent);
     const double step = (m + power - relative_curvature) / (1.0 + law.exponent * power / m);
     m -= step;
@@ -98,7 +98,7 @@ MomentRambergOsgood fit_moment_law(const SteelDescription& steel) {
   law.exponent = (kPoints * sxy - sx * sy) / (kPoints * sxx - sx * sx);
   law.coefficient = std::exp((sy - law.exponent * sx) / kPoints);
   for (std::size_t j = 0; j < kPoints; ++j) {
-    law.largest_error = std::max(law.largest_error, std::abs(relative_moment(law, k[j]) / m[j] - 1.0));
+    law.max_error = std::max(law.max_error, std::abs(relative_moment(law, k[j]) / m[j] - 1.0));
   }
   return law;
 }

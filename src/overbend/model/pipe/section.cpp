@@ -11,7 +11,7 @@ double disc(double diameter) {
   return 0.25 * std::numbers::pi * diameter * diameter;
 }
 
-/// Weight of all coatings per length [N/m]; `diameter` grows from the steel to the outermost layer.
+/// Returns the weight of all coatings per length [N/m]; increases `diameter` from the steel to the outermost layer.
 double coating_weight(const SectionDescription& description, double& diameter) {
   double weight = 0.0;
   for (std::size_t i = 0; i < description.coatings.size(); ++i) {
@@ -68,8 +68,8 @@ Section derive_section(const std::string& name, const SectionDescription& descri
 
 Section cable_section(const CableDescription& cable, double water_weight_density) {
   constexpr double kSteelModulus = 200e9, kSteelWeight = 77e3;  // of wires [Pa], [N/m3]
-  // A solid bar has EA D^2/16. This is a hundred-thousandth of that: no shape or tension of a taut cable hangs on it,
-  // and a slack one keeps some stiffness across.
+  // 1e-5 of the bending stiffness of a solid bar, EA D^2/16: negligible for a taut cable, but keeps the shape of a
+  // slack one defined.
   constexpr double kBending = 1e-5 / 16.0;
   Section section;
   section.kind = SectionKind::cable;
@@ -81,7 +81,7 @@ Section cable_section(const CableDescription& cable, double water_weight_density
   section.second_moment = disc(cable.diameter) * cable.diameter * cable.diameter / 16.0;
   section.EA = cable.axial_stiffness;
   section.EI = kBending * cable.axial_stiffness * cable.diameter * cable.diameter;
-  section.poissons_ratio = 0.5;  // its axial stiffness is that of the effective tension: pressure makes none
+  section.poissons_ratio = 0.5;  // its axial stiffness refers to the effective tension, which excludes pressure
   section.external_area = (cable.weight_in_air - cable.weight_submerged) / water_weight_density;
   section.weight_in_air = cable.weight_in_air;
   section.weight_submerged = cable.weight_submerged;

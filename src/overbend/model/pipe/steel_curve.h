@@ -1,4 +1,4 @@
-/// Stress and strain of the steel beyond yield, under a load that only grows.
+/// Stress-strain relation of the steel beyond yield under monotonic loading.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace overbend {
 
-/// Plastic strain over equivalent stress: (yield_strain - SMYS/E) (s/SMYS)^n [ramberg1943], or straight from point to
-/// point of a test, which a bilinear law is a case of.
+/// Plastic strain as a function of equivalent stress: (yield_strain - SMYS/E) (s/SMYS)^n [ramberg1943], or piecewise
+/// linear through test points, which includes the bilinear law.
 struct PlasticStrain {
-  double coefficient = 0.0, exponent = 0.0, reference = 1.0;  ///< Of the power law; without points only.
-  std::vector<CurvePoint> points;                             ///< Plastic strain (x) over stress (y), rising.
-  double beyond = 0.0;                                        ///< Slope after the last point [1/Pa].
+  double coefficient = 0.0, exponent = 0.0, reference = 1.0;  ///< Power law; without points only.
+  std::vector<CurvePoint> points;                             ///< Plastic strain (x) and stress (y), increasing.
+  double beyond = 0.0;                                        ///< Slope beyond the last point [1/Pa].
 
   struct Value {
     double value, slope;  ///< [-], [1/Pa]
@@ -20,16 +20,16 @@ struct PlasticStrain {
   Value at(double stress) const;
 };
 
-/// Of a law in stress and strain; otherwise of the stress-strain data given in addition (moment_ramberg_osgood).
+/// Returns the plastic strain of a stress-strain law, or of the stress-strain data given in addition
+/// (moment_ramberg_osgood).
 PlasticStrain plastic_strain(const SteelDescription& steel);
 
-/// Axial stress of a fibre over its axial strain while the hoop stress stays: deformation theory of plasticity
-/// (Hencky 1924) with von Mises' equivalent stress s_e^2 = s^2 - s s_h + s_h^2,
-///     strain = (s - nu s_h)/E + plastic(s_e)/s_e (s - s_h/2),
-/// tabulated, with cubic interpolation. Radial stress is neglected.
+/// Axial stress of a fibre as a function of its axial strain at constant hoop stress: deformation theory of plasticity
+/// (Hencky 1924) with von Mises' equivalent stress s_e^2 = s^2 - s s_h + s_h^2, strain = (s - nu s_h)/E +
+/// plastic(s_e)/s_e (s - s_h/2), tabulated, with cubic interpolation. Radial stress is neglected.
 class FibreCurve {
  public:
-  FibreCurve(const SteelDescription& steel, const PlasticStrain& plastic, double hoop_stress, double largest_strain);
+  FibreCurve(const SteelDescription& steel, const PlasticStrain& plastic, double hoop_stress, double max_strain);
 
   struct Value {
     double stress, modulus;  ///< [Pa]
@@ -37,7 +37,7 @@ class FibreCurve {
   Value at(double strain) const;
 
  private:
-  double largest_;
+  double max_strain_;
   std::vector<double> tension_, tension_slope_, compression_, compression_slope_;  ///< At largest_ (j/n)^2.
 };
 

@@ -14,11 +14,12 @@ namespace overbend {
 namespace {
 
 constexpr std::size_t kNearest = 9;
-constexpr double kMostPoints = 1e6;
-constexpr double kMostCrossings = 4e6;
-constexpr double kSamePlace = 1e-6;  ///< Coordinates this close are one [m].
-constexpr double kMostEmpty = 4.0;   ///< Crossings per depth up to which depths stand on lines.
-constexpr int kFurthest = 24;        ///< Rings of cells that are looked through.
+constexpr double kMaxGridPoints = 1e6;
+constexpr double kMaxCrossings = 4e6;
+constexpr double kCoordinateTolerance = 1e-6;  ///< Coordinates closer than this are identical [m].
+/// Ratio of crossings to depths up to which the depths are treated as survey lines.
+constexpr double kMaxEmptyRatio = 4.0;
+constexpr int kMaxRings = 24;  ///< Max. number of rings of cells searched.
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Extent {
@@ -30,7 +31,7 @@ Extent extent(const std::vector<double>& v) {
   return {*low, *high};
 }
 
-/// Points sorted into square cells, so that the nearest are found without looking at all.
+/// Points sorted into square cells, for fast search of the nearest.
 class Cells {
  public:
   Cells(const Bathymetry& points, double size, const Extent& east, const Extent& north)
@@ -43,9 +44,9 @@ class Cells {
     }
   }
 
-  /// Indices of the nearest points, as many as are wanted and there; fewer, or none, where they are far.
+  /// Returns the indices of the nearest points; fewer, or none, if they are far away.
   std::vector<std::size_t> nearest(double east, double north) const {
-    const int c = column(east), r = row(north), widest = std::min(std::max(columns_, rows_), kFurthest);
+    const int c = column(east), r = row(north), widest = std::min(std::max(columns_, rows_), kMaxRings);
     std::vector<std::size_t> found;
     int ring = 0;
     for (int further = 0; ring <= widest && further < 2; ++ring) {
@@ -71,14 +72,14 @@ class Cells {
   std::size_t cell(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  /// The cells of the ring alone: its first and last row whole, of the others both ends.
+  /// Cells of one ring: its first and last row entirely, of the other rows both ends.
   void add_ring(int column, int row, int ring, std::vector<std::size_t>& found) const {
     for (int r = std::max(row - ring, 0); r <= std::min(row + ring, rows_ - 1); ++r) {
       const int step = ring == 0 || std::abs(r - row) == ring ? 1 : 2 * ring;
       for (int c = column - ring; c <= column + ring; c += step) {
         if (c < 0 || c >= columns_) continue;
-        const std::vector<std::size_t>& here = cells_[cell(c, r)];
-        found.insert(found.end(), here.begin(), here.end());
+        const std::vector<std::size_t>& cell_points = cells_[cell(c, r)];
+        found.insert(found.end(), cell_points.begin(), cell_points.end());
       }
     }
   }
@@ -93,35 +94,36 @@ double depth_at(const Bathymetry& points, const std::vector<std::size_t>& neares
                 double spacing) {
   Mat3 sum = Mat3::Zero();
   Vec3 right = Vec3::Zero();
-  double least = 1e300, most = -1e300;
+  double min_depth = 1e300, max_depth = -1e300;
   for (const std::size_t i : nearest) {
-    const Vec3 at(1.0, (points.east[i] - east) / spacing, (points.north[i] - north) / spacing);
-    const double weight = 1.0 / (at.y() * at.y() + at.z() * at.z() + 1e-12);
-    sum += weight * at * at.transpose();
-    right += weight * points.depth[i] * at;
-    least = std::min(least, points.depth[i]);
-    most = std::max(most, points.depth[i]);
+    const Vec3 basis(1.0, (points.east[i] - east) / spacing, (points.north[i] - north) / spacing);
+    const double weight = 1.0 / (basis.y() * basis.y() + basis.z() * basis.z() + 1e-12);
+    sum += weight * basis * basis.transpose();
+    right += weight * points.depth[i] * basis;
+    min_depth = std::min(min_depth, points.depth[i]);
+    max_depth = std::max(max_depth, points.depth[i]);
   }
-  // Points on one line leave the plane's fall across it open: the smallest that fits.
-  const Vec3 plane = shortest_least_squares(sum, right);
-  return std::clamp(plane.x(), least, most);
+  // Points on one line leave the slope across it undetermined: take the minimum-norm solution.
+  const Vec3 plane = min_norm_solution(sum, right);
+  return std::clamp(plane.x(), min_depth, max_depth);
 }
 
-/// The coordinates that occur, each once.
-std::vector<double> occurring(std::vector<double> values) {
+/// Distinct coordinates.
+std::vector<double> distinct_sorted(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   std::vector<double> once;
   for (const double value : values) {
-    if (once.empty() || value > once.back() + kSamePlace) once.push_back(value);
+    if (once.empty() || value > once.back() + kCoordinateTolerance) once.push_back(value);
   }
   return once;
 }
 
-std::size_t place_of(const std::vector<double>& once, double value) {
-  return static_cast<std::size_t>(std::lower_bound(once.begin(), once.end(), value - kSamePlace) - once.begin());
+std::size_t find_index(const std::vector<double>& once, double value) {
+  return static_cast<std::size_t>(std::lower_bound(once.begin(), once.end(), value - kCoordinateTolerance) -
+                                  once.begin());
 }
 
-/// A grid on these lines, without depths.
+/// Grid on these lines, without depths.
 Bathymetry empty_grid(const std::vector<double>& east, const std::vector<double>& north) {
   Bathymetry grid;
   grid.columns = static_cast<int>(east.size());
@@ -136,20 +138,20 @@ Bathymetry empty_grid(const std::vector<double>& east, const std::vector<double>
   return grid;
 }
 
-/// Depths of a survey on lines of which some crossings are left out or told twice keep their lines: the mean of what
-/// is told at a crossing. Nothing where most crossings would be empty.
-std::optional<Bathymetry> on_lines(const Bathymetry& points) {
-  const std::vector<double> east = occurring(points.east), north = occurring(points.north);
+/// Keeps the lines of a survey in which some crossings have no depth or several: uses the mean at each crossing. Empty
+/// if most crossings would have no depth.
+std::optional<Bathymetry> grid_on_survey_lines(const Bathymetry& points) {
+  const std::vector<double> east = distinct_sorted(points.east), north = distinct_sorted(points.north);
   const double crossings = static_cast<double>(east.size()) * static_cast<double>(north.size());
-  const double most = std::min(kMostCrossings, kMostEmpty * static_cast<double>(points.depth.size()));
-  if (east.size() < 2 || north.size() < 2 || crossings > most) return std::nullopt;
+  const double max_crossings = std::min(kMaxCrossings, kMaxEmptyRatio * static_cast<double>(points.depth.size()));
+  if (east.size() < 2 || north.size() < 2 || crossings > max_crossings) return std::nullopt;
   Bathymetry grid = empty_grid(east, north);
-  std::vector<int> told(grid.depth.size(), 0);
+  std::vector<int> counts(grid.depth.size(), 0);
   for (std::size_t i = 0; i < points.depth.size(); ++i) {
-    const std::size_t at = place_of(north, points.north[i]) * east.size() + place_of(east, points.east[i]);
-    const double before = told[at] > 0 ? grid.depth[at] : 0.0;
-    ++told[at];
-    grid.depth[at] = before + (points.depth[i] - before) / told[at];
+    const std::size_t index = find_index(north, points.north[i]) * east.size() + find_index(east, points.east[i]);
+    const double before = counts[index] > 0 ? grid.depth[index] : 0.0;
+    ++counts[index];
+    grid.depth[index] = before + (points.depth[i] - before) / counts[index];
   }
   return grid;
 }
@@ -161,14 +163,14 @@ std::vector<double> even_lines(const Extent& extent, double spacing) {
   return lines;
 }
 
-/// Median distance of a point from its nearest neighbour at another place, of a thousand points.
-double usual_distance(const Bathymetry& points, const Cells& cells) {
+/// Median distance of a point from its nearest neighbour at another position, from a thousand points.
+double median_neighbour_distance(const Bathymetry& points, const Cells& cells) {
   std::vector<double> distances;
   const std::size_t step = 1 + points.depth.size() / 1000;
   for (std::size_t i = 0; i < points.depth.size(); i += step) {
     for (const std::size_t j : cells.nearest(points.east[i], points.north[i])) {
       const double away = std::hypot(points.east[j] - points.east[i], points.north[j] - points.north[i]);
-      if (away <= kSamePlace) continue;
+      if (away <= kCoordinateTolerance) continue;
       distances.push_back(away);
       break;
     }
@@ -179,59 +181,60 @@ double usual_distance(const Bathymetry& points, const Cells& cells) {
   return *middle;
 }
 
-/// Points of the grid that no depths are near take the mean of their neighbours, from the depths outwards.
-void spread(Bathymetry& grid) {
+/// Grid points without nearby depths get the mean of their neighbours, outwards from the depths.
+void fill_gaps(Bathymetry& grid) {
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-  const auto neighbours = [&](std::size_t at, auto&& visit) {
-    const std::size_t column = at % columns, row = at / columns;
-    if (column > 0) visit(at - 1);
-    if (column + 1 < columns) visit(at + 1);
-    if (row > 0) visit(at - columns);
-    if (row + 1 < rows) visit(at + columns);
+  const auto neighbours = [&](std::size_t index, auto&& visit) {
+    const std::size_t column = index % columns, row = index / columns;
+    if (column > 0) visit(index - 1);
+    if (column + 1 < columns) visit(index + 1);
+    if (row > 0) visit(index - columns);
+    if (row + 1 < rows) visit(index + columns);
   };
   std::vector<std::size_t> front;
   std::vector<bool> waits(grid.depth.size(), false);
-  const auto wait_beside = [&](std::size_t at, std::vector<std::size_t>& list) {
-    neighbours(at, [&](std::size_t next) {
+  const auto queue_empty_neighbours = [&](std::size_t index, std::vector<std::size_t>& list) {
+    neighbours(index, [&](std::size_t next) {
       if (!std::isnan(grid.depth[next]) || waits[next]) return;
       waits[next] = true;
       list.push_back(next);
     });
   };
-  for (std::size_t at = 0; at < grid.depth.size(); ++at) {
-    if (!std::isnan(grid.depth[at])) wait_beside(at, front);
+  for (std::size_t index = 0; index < grid.depth.size(); ++index) {
+    if (!std::isnan(grid.depth[index])) queue_empty_neighbours(index, front);
   }
   while (!front.empty()) {
     std::vector<std::pair<std::size_t, double>> filled;
-    for (const std::size_t at : front) {
+    for (const std::size_t index : front) {
       double sum = 0.0;
       int count = 0;
-      neighbours(at, [&](std::size_t next) {
+      neighbours(index, [&](std::size_t next) {
         if (std::isnan(grid.depth[next])) return;
         sum += grid.depth[next];
         ++count;
       });
-      filled.emplace_back(at, sum / count);
+      filled.emplace_back(index, sum / count);
     }
-    for (const auto& [at, depth] : filled) grid.depth[at] = depth;
+    for (const auto& [index, depth] : filled) grid.depth[index] = depth;
     front.clear();
-    for (const auto& [at, depth] : filled) wait_beside(at, front);
+    for (const auto& [index, depth] : filled) queue_empty_neighbours(index, front);
   }
 }
 
 }  // namespace
 
-Bathymetry gridded(const Bathymetry& scattered) {
+Bathymetry grid_scattered_depths(const Bathymetry& scattered) {
   const Extent east = extent(scattered.east), north = extent(scattered.north);
   const double width = east.high - east.low, height = north.high - north.low;
-  const double count = std::min(static_cast<double>(scattered.depth.size()), kMostPoints);
-  const double longest = std::max(width, height);
-  double spacing = std::max(std::sqrt(width * height / count), 1e-3 * longest);
-  std::optional<Bathymetry> lines = on_lines(scattered);
+  const double count = std::min(static_cast<double>(scattered.depth.size()), kMaxGridPoints);
+  const double max_extent = std::max(width, height);
+  double spacing = std::max(std::sqrt(width * height / count), 1e-3 * max_extent);
+  std::optional<Bathymetry> lines = grid_on_survey_lines(scattered);
   if (!lines) {
-    // By how far points lie apart, not by the area of their extent: that of a corridor across it is mostly empty.
-    const double apart = usual_distance(scattered, Cells(scattered, 2.0 * spacing, east, north));
-    const double finest = std::max(std::sqrt(width * height / kMostPoints), 1e-3 * std::min(width, height));
+    // Based on the distance between points, not on the area of their extent, which is mostly empty for a diagonal
+    // corridor.
+    const double apart = median_neighbour_distance(scattered, Cells(scattered, 2.0 * spacing, east, north));
+    const double finest = std::max(std::sqrt(width * height / kMaxGridPoints), 1e-3 * std::min(width, height));
     if (apart > 0.0) spacing = std::min(spacing, std::max(0.5 * apart, finest));
   }
   const bool kept = lines.has_value();
@@ -242,7 +245,7 @@ Bathymetry gridded(const Bathymetry& scattered) {
     const std::vector<std::size_t> nearest = cells.nearest(grid.east[i], grid.north[i]);
     if (!nearest.empty()) grid.depth[i] = depth_at(scattered, nearest, grid.east[i], grid.north[i], spacing);
   }
-  spread(grid);
+  fill_gaps(grid);
   return grid;
 }
 

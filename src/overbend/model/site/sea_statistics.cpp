@@ -25,7 +25,7 @@ SeaStatistics sea_statistics(const std::vector<SpectrumPoint>& points) {
   return {4.0 * std::sqrt(m0), kTurn / peak->omega, kTurn * std::sqrt(m0 / m2)};
 }
 
-std::string sea_statistics_words(const std::vector<SpectrumPoint>& points) {
+std::string sea_statistics_label(const std::vector<SpectrumPoint>& points) {
   const SeaStatistics sea = sea_statistics(points);
   return fmt::format("Hs {}, Tp {:.3g} s, Tz {:.3g} s", shown_digits(sea.hs, "m", 3), sea.tp, sea.tz);
 }

@@ -6,12 +6,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kStraight = 1e5;  // [m]: no structure is bent to a larger radius on purpose
+constexpr double kStraight = 1e5;  // [m]: larger radii count as straight
 
 /// Centre (x, z) and radius.
 using Circle = Eigen::Vector3d;
 
-/// Least squares of x^2 + z^2 = 2 a x + 2 b z + c, near enough to start from.
+/// Least squares of x^2 + z^2 = 2 a x + 2 b z + c, as a starting point.
 Circle algebraic_circle(const std::vector<Eigen::Vector2d>& points) {
   Eigen::MatrixX3d lines(static_cast<Eigen::Index>(points.size()), 3);
   Eigen::VectorXd squares(lines.rows());
@@ -24,7 +24,7 @@ Circle algebraic_circle(const std::vector<Eigen::Vector2d>& points) {
   return {found.x(), found.y(), std::sqrt(found.z() + found.head<2>().squaredNorm())};
 }
 
-/// A Gauss-Newton step of the distances from the circle.
+/// Performs a Gauss-Newton step on the distances from the circle.
 Circle improved(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
   Eigen::MatrixX3d slopes(static_cast<Eigen::Index>(points.size()), 3);
   Eigen::VectorXd off(slopes.rows());
@@ -42,7 +42,7 @@ Circle improved(const std::vector<Eigen::Vector2d>& points, const Circle& circle
 std::optional<double> fitted_radius(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 3) return std::nullopt;
   const double length = (points.back() - points.front()).norm();
-  std::vector<Eigen::Vector2d> scaled;  // lengths of one chord, from its middle
+  std::vector<Eigen::Vector2d> scaled;  // in units of a chord, relative to its middle
   for (const Eigen::Vector2d& p : points) scaled.emplace_back((p - 0.5 * (points.front() + points.back())) / length);
   Circle circle = algebraic_circle(scaled);
   for (int i = 0; i < 50 && circle.allFinite() && circle.z() * length < kStraight; ++i) {

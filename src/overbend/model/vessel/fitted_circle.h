@@ -1,4 +1,4 @@
-/// The circle that a ramp or stinger is bent to, from the places of its boxes.
+/// Radius of a ramp or stinger, fitted to the positions of its boxes.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,12 +9,11 @@
 
 namespace overbend {
 
-/// Radius of the circle with the least sum of squared distances to the points, (X, Z) in the frame of the boxes [m].
-/// Empty with fewer than three points, and where they lie on no arc that bends down: on a line, or with the centre
-/// above.
+/// Returns the radius of the least-squares circle through the points, (X, Z) in the frame of the boxes [m]. Empty with
+/// fewer than three points, and if they are on no arc that bends down: on a line, or with the centre above.
 std::optional<double> fitted_radius(const std::vector<Eigen::Vector2d>& points);
 
-/// The same of the coordinates of a structure's boxes, without their offsets, sections of a stinger as they are turned.
+/// The same for the boxes of a structure, without their offsets, with stinger sections at their current angles.
 std::optional<double> fitted_radius(const Supports& supports, Structure structure);
 
 }  // namespace overbend

@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Horizontal orbit over surface amplitude, mean from the surface to the draught: the mean of cosh k(z+d)/sinh kd.
+/// Ratio of horizontal orbit to surface amplitude, mean from the surface to the draught: mean of cosh k(z+d)/sinh kd.
 double mean_orbit(double k, double draught, double depth) {
   const double t = std::min(draught, depth);
   if (t <= 0.0) return 1.0 / std::tanh(k * depth);
@@ -25,7 +25,7 @@ double mean_orbit(double k, double draught, double depth) {
 RaoTable::Response water_response(const RaoTable& raos, double heading, double k, double orbit) {
   const Vec3 travel(std::cos(heading), std::sin(heading), 0.0);
   const Complex later = std::polar(1.0, -k * travel.dot(raos.reference_V - raos.wave_origin_V));
-  const Complex behind(0.0, -1.0);  // a quarter period late
+  const Complex behind(0.0, -1.0);  // lag of a quarter period
   return {later * behind * orbit * travel.x(), later * behind * orbit * travel.y(), later,
           later * behind * k * travel.y(),     -later * behind * k * travel.x(),    0.0};
 }
@@ -44,14 +44,14 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
   limits.long_enough = limits.wave_length >= 4.0 * vessel_length;
   const double orbit = mean_orbit(k, draught, depth);
   for (const double heading : {0.0, 0.5 * kPi, kPi}) {
-    const RaoTable::Response given = raos.at(heading, limits.omega);
+    const RaoTable::Response response = raos.at(heading, limits.omega);
     const RaoTable::Response water = water_response(raos, heading, k, orbit);
     for (std::size_t i = 0; i < 5; ++i) {
-      if (std::abs(water[i]) < 1e-3 * (i < 3 ? 1.0 : k)) continue;  // symmetry leaves nothing to compare
+      if (std::abs(water[i]) < 1e-3 * (i < 3 ? 1.0 : k)) continue;  // zero by symmetry
       RaoLimitRow row{heading,
                       static_cast<int>(i),
-                      std::abs(given[i]) / std::abs(water[i]),
-                      -std::arg(given[i]),
+                      std::abs(response[i]) / std::abs(water[i]),
+                      -std::arg(response[i]),
                       -std::arg(water[i]),
                       true};
       row.agrees = agree(row.ratio, row.lag - row.expected_lag);
@@ -64,20 +64,19 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
 Findings limit_findings(const RaoLimits& limits) {
   Findings findings;
   if (!limits.long_enough) return findings;
-  // Headings that mirror each other say the same of a degree of freedom: it is reported for the first only.
-  std::set<int> told;
+  // Mirrored headings are equivalent for a degree of freedom: it is reported for the first only.
+  std::set<int> reported;
   for (const RaoLimitRow& row : limits.rows) {
-    if (row.agrees || !told.insert(row.freedom).second) continue;
+    if (row.agrees || !reported.insert(row.freedom).second) continue;
     std::string headings;
-    for (const RaoLimitRow& other : limits.rows) {
-      if (other.agrees || other.freedom != row.freedom) continue;
-      headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other.heading * kToDegrees);
+    for (const RaoLimitRow& other_row : limits.rows) {
+      if (other_row.agrees || other_row.freedom != row.freedom) continue;
+      headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other_row.heading * kToDegrees);
     }
     findings.push_back(Finding{
         FindingCode::rao_conventions,
-        fmt::format("RAOs: in long waves travelling towards {} deg {} is {:.2f} times what the water does, with a "
-                    "lag of {:.0f} "
-                    "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
+        fmt::format("RAOs: in long waves travelling towards {} deg {} is {:.2f} times the water motion, with a lag of "
+                    "{:.0f} deg; a free hull has {:.0f} deg: check the conventions (vessel.motion.convention)",
                     headings, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kToDegrees,
                     row.expected_lag * kToDegrees)}
                            .on("RAO of " + std::string(kFreedomNames[static_cast<std::size_t>(row.freedom)]))

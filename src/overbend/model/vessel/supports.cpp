@@ -6,7 +6,7 @@
 
 #include "model/description/description.h"
 #include "model/pipe/contact_stiffness.h"
-#include "model/vessel/stinger_turn.h"
+#include "model/vessel/stinger_rotation.h"
 
 namespace overbend {
 namespace {
@@ -19,7 +19,7 @@ double dip(const Vec2& chord) {
   return std::atan2(-chord.y(), chord.x());
 }
 
-/// Tangents at three points of the circle through them: the tangent-chord angle is half the arc's.
+/// Tangents at three points of the circle through them: the tangent-chord angle is half that of the arc.
 struct ThreePointTangents {
   double first, middle, last;
 };
@@ -27,7 +27,7 @@ struct ThreePointTangents {
 ThreePointTangents circle_tangents(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 ab = b - a;
   const Vec2 bc = c - b;
-  // The two tangent-chord angles add up to the turn and their sines are as the chords.
+  // The two tangent-chord angles add up to the turn; their sines are in the ratio of the chords.
   const double turn = dip(bc) - dip(ab);
   const double half_ab = std::atan2(ab.norm() * std::sin(turn), bc.norm() + ab.norm() * std::cos(turn));
   const double half_bc = turn - half_ab;
@@ -49,7 +49,8 @@ Roller bottom_roller(const RollerKindDescription& kind, const RowFrame& row) {
   return roller;
 }
 
-/// A side roller leans outwards by its angle from horizontal; its distance from the centred pipe is its clearance.
+/// A side roller is inclined outwards by its angle from horizontal; its distance from the centred pipe is its
+/// clearance.
 Roller side_roller(const SideRollerDescription& side, const RowFrame& row, double pipe_radius,
                    RollerPosition position) {
   const double outward = position == RollerPosition::port ? 1.0 : -1.0;
@@ -82,7 +83,7 @@ void add_row(Supports& supports, const RollerKindDescription& kind, const RowFra
     roller.box = box;
     roller.row = static_cast<int>(supports.rows.size());
     roller.stiffness = kind.stiffness.value_or(0.0);
-    roller.own_stiffness = kind.stiffness.has_value();
+    roller.is_stiffness_given = kind.stiffness.has_value();
     roller.default_stiffness = kind.default_stiffness;
     roller.structure_stiffness = kind.structure_stiffness.value_or(kRollerStructure);
     roller.friction_axial = kind.friction_axial;
@@ -108,8 +109,8 @@ std::vector<double> curve_inclinations(const std::vector<Vec2>& points, double f
   std::vector<double> inclinations(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t middle = std::clamp<std::size_t>(i, 1, n - 2);
-    const ThreePointTangents at = circle_tangents(points[middle - 1], points[middle], points[middle + 1]);
-    inclinations[i] = i < middle ? at.first : (i > middle ? at.last : at.middle);
+    const ThreePointTangents tangents = circle_tangents(points[middle - 1], points[middle], points[middle + 1]);
+    inclinations[i] = i < middle ? tangents.first : (i > middle ? tangents.last : tangents.middle);
   }
   return inclinations;
 }
@@ -144,25 +145,25 @@ Supports place_supports(const Description& description, const std::function<doub
   double from_top = 0.0;
   Vec3 last_S(description.tensioner.x, 0.0, description.tensioner.z);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const BoxDescription& given = boxes[i];
+    const BoxDescription& described = boxes[i];
     SupportBox box;
-    box.name = given.name;
-    box.structure = given.structure;
-    box.section = given.structure == Structure::stinger && hinged ? given.section : -1;
-    box.length = given.length;
-    box.inclination = given.incline.value_or(curve[i]);
+    box.name = described.name;
+    box.structure = described.structure;
+    box.section = described.structure == Structure::stinger && hinged ? described.section : -1;
+    box.length = described.length;
+    box.inclination = described.incline.value_or(curve[i]);
     box.direction_S = Vec3(std::cos(box.inclination), 0.0, -std::sin(box.inclination));
     box.normal_S = Vec3(std::sin(box.inclination), 0.0, std::cos(box.inclination));
     const Vec3 curve_normal_S(std::sin(curve[i]), 0.0, std::cos(curve[i]));
-    box.curve_S = Vec3(given.x, 0.0, given.z);
-    box.point_S = box.curve_S + given.offset * curve_normal_S;
+    box.curve_S = Vec3(described.x, 0.0, described.z);
+    box.point_S = box.curve_S + described.offset * curve_normal_S;
     box.first_row = static_cast<int>(supports.rows.size());
     const bool springs = description.supports.contact == SupportContact::gap_springs;
-    box.row_count = springs ? 1 : given.rows;
+    box.row_count = springs ? 1 : described.rows;
     const auto kind = std::find_if(description.rollers.begin(), description.rollers.end(),
-                                   [&](const RollerKindDescription& k) { return k.name == given.roller; });
+                                   [&](const RollerKindDescription& k) { return k.name == described.roller; });
     for (int row = 0; row < box.row_count && kind != description.rollers.end(); ++row) {
-      const double along = ((row + 0.5) / box.row_count - 0.5) * given.length;
+      const double along = ((row + 0.5) / box.row_count - 0.5) * described.length;
       const RowFrame frame{box.point_S + along * box.direction_S, box.normal_S};
       from_top += (frame.point_S - last_S).norm();
       last_S = frame.point_S;
@@ -171,7 +172,7 @@ Supports place_supports(const Description& description, const std::function<doub
     }
     supports.boxes.push_back(box);
   }
-  if (hinged) turn_stinger(supports, set_angles(description.supports));
+  if (hinged) rotate_stinger(supports, prescribed_angles(description.supports));
   return supports;
 }
 

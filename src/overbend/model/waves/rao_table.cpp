@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kSlack = 1e-9;  ///< Headings that differ by less are the same [rad].
+constexpr double kHeadingTolerance = 1e-9;  ///< Headings that differ by less are equal [rad].
 
 /// Two points of an axis and the weight of the second; each may be a mirror image.
 struct Bracket {
@@ -24,12 +24,12 @@ double wrapped(double angle) {
   return turned < 0.0 ? turned + 2.0 * kPi : turned;
 }
 
-Bracket between(std::size_t low, std::size_t high, double from, double to, double at) {
-  return {low, high, false, false, to > from ? (at - from) / (to - from) : 0.0};
+Bracket between(std::size_t low, std::size_t high, double from, double to, double value) {
+  return {low, high, false, false, to > from ? (value - from) / (to - from) : 0.0};
 }
 
-/// Place of a heading among those of a whole circle.
-Bracket place_on_circle(const std::vector<double>& headings, double heading) {
+/// Bracket of a heading in a table over the whole circle.
+Bracket bracket_on_circle(const std::vector<double>& headings, double heading) {
   const std::size_t last = headings.size() - 1;
   const auto above =
       static_cast<std::size_t>(std::upper_bound(headings.begin(), headings.end(), heading) - headings.begin());
@@ -38,8 +38,9 @@ Bracket place_on_circle(const std::vector<double>& headings, double heading) {
   return between(above - 1, above, headings[above - 1], headings[above], heading);
 }
 
-/// Place of a heading between 0 and pi among headings that all lie there: beyond the outermost comes its own image.
-Bracket place_on_side(const std::vector<double>& headings, double heading) {
+/// Bracket of a heading between 0 and pi in a table over that range; beyond the outermost heading its mirror image is
+/// used.
+Bracket bracket_on_one_side(const std::vector<double>& headings, double heading) {
   const std::size_t last = headings.size() - 1;
   if (heading < headings.front()) {
     Bracket b = between(0, 0, -headings.front(), headings.front(), heading);
@@ -51,18 +52,18 @@ Bracket place_on_side(const std::vector<double>& headings, double heading) {
     b.mirror_high = true;
     return b;
   }
-  return place_on_circle(headings, heading);
+  return bracket_on_circle(headings, heading);
 }
 
 constexpr std::array<double, 6> kMirror = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
 
-/// Frequency axis with the factors for what lies outside the table.
-struct FrequencyPlace {
+/// Bracket on the frequency axis with the factors outside the table.
+struct FrequencyBracket {
   Bracket bracket;
   double translation = 1.0, rotation = 1.0;
 };
 
-FrequencyPlace place_frequency(const std::vector<double>& omegas, double omega) {
+FrequencyBracket place_frequency(const std::vector<double>& omegas, double omega) {
   const std::size_t last = omegas.size() - 1;
   if (omega <= omegas.front()) {
     return {Bracket{}, 1.0, std::max(omega, 0.0) / omegas.front()};
@@ -76,8 +77,8 @@ FrequencyPlace place_frequency(const std::vector<double>& omegas, double omega) 
   return {between(above - 1, above, omegas[above - 1], omegas[above], omega), 1.0, 1.0};
 }
 
-/// Phases from now on count from the crest at `to`, until now from that at `from`.
-void count_from(RaoTable& raos, const Vec3& from, const Vec3& to, double depth) {
+/// Changes the phase reference from the crest at `from` to the crest at `to`.
+void change_phase_reference(RaoTable& raos, const Vec3& from, const Vec3& to, double depth) {
   for (std::size_t i = 0; i < raos.headings.size(); ++i) {
     const Vec3 travel(std::cos(raos.headings[i]), std::sin(raos.headings[i]), 0.0);
     for (std::size_t j = 0; j < raos.omegas.size(); ++j) {
@@ -88,10 +89,10 @@ void count_from(RaoTable& raos, const Vec3& from, const Vec3& to, double depth) 
   }
 }
 
-/// The motions from now on are those of a point that lies `across` to port of the one until now.
-void move_across(RaoTable& raos, double across) {
-  for (std::size_t at = 0; at < raos.values.size(); at += 6) {
-    std::complex<double>* z = raos.values.data() + at;
+/// Transfers the motions to a point that is `across` further to port.
+void transfer_to_port(RaoTable& raos, double across) {
+  for (std::size_t offset = 0; offset < raos.values.size(); offset += 6) {
+    std::complex<double>* z = raos.values.data() + offset;
     z[0] -= across * z[5];
     z[2] += across * z[3];
   }
@@ -100,7 +101,7 @@ void move_across(RaoTable& raos, double across) {
 }  // namespace
 
 bool RaoTable::one_sided() const {
-  return !asymmetric && !headings.empty() && headings.back() <= kPi + kSlack;
+  return !asymmetric && !headings.empty() && headings.back() <= kPi + kHeadingTolerance;
 }
 
 RaoTable::Response RaoTable::at(double heading, double omega) const {
@@ -109,8 +110,8 @@ RaoTable::Response RaoTable::at(double heading, double omega) const {
   double turned = wrapped(heading);
   const bool other_side = one_sided() && turned > kPi;
   if (other_side) turned = 2.0 * kPi - turned;
-  const Bracket h = one_sided() ? place_on_side(headings, turned) : place_on_circle(headings, turned);
-  const FrequencyPlace w = place_frequency(omegas, omega);
+  const Bracket h = one_sided() ? bracket_on_one_side(headings, turned) : bracket_on_circle(headings, turned);
+  const FrequencyBracket w = place_frequency(omegas, omega);
   Response response{};
   for (std::size_t k = 0; k < 6; ++k) {
     const auto along = [&](std::size_t i) {
@@ -124,23 +125,23 @@ RaoTable::Response RaoTable::at(double heading, double omega) const {
   return response;
 }
 
-RaoTable counted_from_midship(RaoTable raos, double depth) {
+RaoTable with_phases_from_midship(RaoTable raos, double depth) {
   const Vec3 from(raos.wave_origin_V.x(), raos.wave_origin_V.y(), 0.0);
   if (from.isZero(0.0)) return raos;
-  count_from(raos, from, Vec3::Zero(), depth);
+  change_phase_reference(raos, from, Vec3::Zero(), depth);
   raos.wave_origin_V = Vec3(0.0, 0.0, raos.wave_origin_V.z());
   return raos;
 }
 
-RaoTable moved_to_centreline(RaoTable raos, double depth) {
-  // What was entered as a mirror image belongs to the images of the points as well.
+RaoTable transferred_to_centreline(RaoTable raos, double depth) {
+  // Mirrored entries also refer to the mirror images of the points.
   const double side = raos.starboard ? -1.0 : 1.0;
   if (raos.wave_origin_V.y() != 0.0) {
-    count_from(raos, Vec3(0.0, side * raos.wave_origin_V.y(), 0.0), Vec3::Zero(), depth);
+    change_phase_reference(raos, Vec3(0.0, side * raos.wave_origin_V.y(), 0.0), Vec3::Zero(), depth);
     raos.wave_origin_V.y() = 0.0;
   }
   if (raos.reference_V.y() != 0.0) {
-    move_across(raos, -side * raos.reference_V.y());
+    transfer_to_port(raos, -side * raos.reference_V.y());
     raos.reference_V.y() = 0.0;
   }
   return raos;

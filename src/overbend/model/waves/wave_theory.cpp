@@ -11,25 +11,25 @@
 namespace overbend {
 namespace {
 
-/// Value of a polynomial with rising powers of x.
+/// Returns the value of a polynomial with increasing powers of x.
 double polynomial(double x, std::initializer_list<double> coefficients) {
   double value = 0.0;
   for (const double* c = coefficients.end(); c != coefficients.begin();) value = value * x + *--c;
   return value;
 }
 
-/// The S of [fenton1985] and the products in the denominators.
+/// S of [fenton1985] and the factors in the denominators.
 struct Denominators {
-  double s, one, three, four;  // sech 2kd, 1 - S, 3 + 2 S, 4 + S
+  double s, one_minus_s, three, four;  // sech 2kd, 1 - S, 3 + 2 S, 4 + S
 };
 
 void potential_coefficients(const Denominators& q, double kd, StokesCoefficients& k) {
   const double s = q.s, sinh_kd = std::sinh(kd);
   const double c1 = std::cosh(kd) / sinh_kd, c2 = std::cosh(2.0 * kd), c3 = std::cosh(3.0 * kd) / sinh_kd;
   const double c4 = std::cosh(4.0 * kd), c5 = std::cosh(5.0 * kd) / sinh_kd;
-  const double one3 = std::pow(q.one, 3), one5 = std::pow(q.one, 5), one6 = std::pow(q.one, 6);
+  const double one3 = std::pow(q.one_minus_s, 3), one5 = std::pow(q.one_minus_s, 5), one6 = std::pow(q.one_minus_s, 6);
   k.a11 = c1;
-  k.a22 = c2 * 3.0 * s * s / (2.0 * q.one * q.one);
+  k.a22 = c2 * 3.0 * s * s / (2.0 * q.one_minus_s * q.one_minus_s);
   k.a31 = c1 * polynomial(s, {-4, -20, 10, -13}) / (8.0 * one3);
   k.a33 = c3 * polynomial(s, {0, 0, -2, 11}) / (8.0 * one3);
   k.a42 = c2 * polynomial(s, {0, 12, -14, -264, -45, -13}) / (24.0 * one5);
@@ -42,8 +42,8 @@ void potential_coefficients(const Denominators& q, double kd, StokesCoefficients
 
 void surface_coefficients(const Denominators& q, double kd, StokesCoefficients& k) {
   const double s = q.s, coth_kd = 1.0 / std::tanh(kd);
-  const double one3 = std::pow(q.one, 3), one4 = std::pow(q.one, 4), one6 = std::pow(q.one, 6);
-  k.b22 = coth_kd * (1.0 + 2.0 * s) / (2.0 * q.one);
+  const double one3 = std::pow(q.one_minus_s, 3), one4 = std::pow(q.one_minus_s, 4), one6 = std::pow(q.one_minus_s, 6);
+  k.b22 = coth_kd * (1.0 + 2.0 * s) / (2.0 * q.one_minus_s);
   k.b31 = -3.0 * polynomial(s, {1, 3, 3, 2}) / (8.0 * one3);
   k.b42 = coth_kd * polynomial(s, {6, -26, -182, -204, -25, 26}) / (6.0 * q.three * one4);
   k.b44 = coth_kd * polynomial(s, {24, 92, 122, 66, 67, 34}) / (24.0 * q.three * one4);
@@ -53,8 +53,8 @@ void surface_coefficients(const Denominators& q, double kd, StokesCoefficients& 
 
 void speed_coefficients(const Denominators& q, double kd, StokesCoefficients& k) {
   k.c0 = std::sqrt(std::tanh(kd));
-  k.c2 = k.c0 * polynomial(q.s, {2, 0, 7}) / (4.0 * q.one * q.one);
-  k.c4 = k.c0 * polynomial(q.s, {4, 32, -116, -400, -71, 146}) / (32.0 * std::pow(q.one, 5));
+  k.c2 = k.c0 * polynomial(q.s, {2, 0, 7}) / (4.0 * q.one_minus_s * q.one_minus_s);
+  k.c4 = k.c0 * polynomial(q.s, {4, 32, -116, -400, -71, 146}) / (32.0 * std::pow(q.one_minus_s, 5));
 }
 
 /// Angular frequency of the Stokes wave of this wave number.
@@ -86,7 +86,7 @@ double linear_wave_number(double omega, double depth) {
 }
 
 StokesCoefficients stokes_coefficients(double kd) {
-  // From k d = 18 on all coefficients have their deep-water values to machine precision; cosh would overflow later.
+  // From k d = 18 all coefficients have their deep-water values to machine precision; cosh would overflow later.
   const double limited = std::min(kd, 18.0);
   const double s = 1.0 / std::cosh(2.0 * limited);
   const Denominators q{s, 1.0 - s, 3.0 + 2.0 * s, 4.0 + s};

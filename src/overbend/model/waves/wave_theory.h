@@ -1,9 +1,9 @@
-/// Wavelengths of linear and Stokes waves, how high a regular wave can be, and how peaked a sea.
+/// Wavelengths of linear and Stokes waves, breaking height of regular waves, and peakedness of a sea.
 #pragma once
 
 namespace overbend {
 
-/// Wave number [1/m] of a linear wave: omega^2 = g k tanh(k d) to machine precision. 0 for omega = 0.
+/// Returns the wave number [1/m] of a linear wave: omega^2 = g k tanh(k d) to machine precision. 0 for omega = 0.
 double linear_wave_number(double omega, double depth);
 
 /// Coefficients of the Stokes wave of fifth order for one k d [fenton1985, table 1]. A_ij are given times cosh(j k d),
@@ -15,19 +15,19 @@ struct StokesCoefficients {
 };
 StokesCoefficients stokes_coefficients(double kd);
 
-/// Wave number [1/m] of the fifth-order Stokes wave of this height and period over water without mean Eulerian current
-/// [fenton1985, eq. 23]. Throws std::domain_error where there is none, or it would break.
+/// Returns the wave number [1/m] of the fifth-order Stokes wave of this height and period over water without mean
+/// Eulerian current [fenton1985, eq. 23]. Throws std::domain_error if there is none, or it would break.
 double stokes_wave_number(double height, double period, double depth);
 
-/// Height [m] at which a regular wave of this length breaks on a level bed: fit of the highest waves computed exactly
-/// [fenton1990]; 0.142 L in deep and 0.83 d in shallow water.
+/// Returns the height [m] at which a regular wave of this length breaks on a level seabed: fit of the highest waves
+/// computed exactly [fenton1990]; 0.142 L in deep and 0.83 d in shallow water.
 double highest_wave(double length, double depth);
 
-/// H L^2 / d^3. Stokes waves want it below `kStokesUrsell`; above, cnoidal waves are the theory [fenton1990].
+/// Returns H L^2 / d^3. Stokes theory applies below `kStokesUrsell`; above, cnoidal theory [fenton1990].
 double ursell_number(double height, double length, double depth);
 inline constexpr double kStokesUrsell = 40.0;
 
-/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205]; hs [m], tp [s].
+/// Returns the peak enhancement factor of the JONSWAP spectrum for a sea state [dnvc205]; hs [m], tp [s].
 double jonswap_gamma(double hs, double tp);
 
 }  // namespace overbend

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-const Field& row_of(const FieldNode& node, const FieldValue& value) {
+const Field& find_row(const FieldNode& node, const FieldValue& value) {
   const Field* row = node.scalar;
   if (value.kind == FieldValue::Kind::map) row = node.map;
   if (value.kind == FieldValue::Kind::list) row = node.list;
@@ -26,7 +26,7 @@ Target put(const Field& row, const FieldValue& value, Target& owner, const std::
 
 void bind_value(const FieldNode& node, const FieldValue& value, Target& target, const std::string& source_file) {
   if (!value.given) return;
-  const Field& row = row_of(node, value);
+  const Field& row = find_row(node, value);
   Target below = row.member.put ? put(row, value, target, source_file) : target;
   if (!below.has_value()) return;
   if (value.kind == FieldValue::Kind::map) bind_members(node, value, below, source_file);
@@ -35,7 +35,7 @@ void bind_value(const FieldNode& node, const FieldValue& value, Target& target, 
   }
 }
 
-/// The head's section begins as the pipe's, which the group of the operation does not know.
+/// The head's section defaults to that of the pipe, which is outside the group of the operation.
 void bind_head_section(const FieldValue& root, const std::string& source_file, Description& description) {
   const FieldValue* section = root.find("operation.head.section");
   std::optional<HeadDescription>& head = description.operation.lay.head;
@@ -47,7 +47,7 @@ void bind_head_section(const FieldValue& root, const std::string& source_file, D
 
 }  // namespace
 
-// In the order of the table, not of the file: a row may build on what is above it.
+// Binds in the order of the table, not of the file: a row may depend on rows above it.
 void bind_members(const FieldNode& node, const FieldValue& group, Target target, const std::string& source_file) {
   for (const auto& member : node.members) {
     for (const FieldValue& value : group.children) {
@@ -56,7 +56,7 @@ void bind_members(const FieldNode& node, const FieldValue& group, Target target,
   }
 }
 
-/// A lay vessel's tensioner works: a brake is chosen, not fallen into.
+/// Sets the default mode of the tensioner; a brake must be chosen explicitly.
 void choose_tensioner_mode(const FieldValue& root, TensionerDescription& tensioner) {
   const FieldValue* group = root.find("tensioner");
   if (group == nullptr || group->mentions("mode") || group->mentions("range")) return;

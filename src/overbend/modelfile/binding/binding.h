@@ -1,4 +1,4 @@
-/// From the checked values of a model file to the objects that its keys fill.
+/// Binding of the checked values of a model file to the objects that its keys fill.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace overbend {
 
-/// Fills `target` with what a file gives below a group of the field table. What is left out stays as it is. Files are
+/// Fills `target` from the values below a group of the field table. Members without a value are unchanged. Files are
 /// resolved against the folder of `source_file`.
 void bind_members(const FieldNode& node, const FieldValue& group, Target target, const std::string& source_file);
 
-/// The description of a model. Left out, a key has the default of its member.
+/// Returns the description of a model. Keys that are left out have the default of their member.
 Description bind_model(const FieldValue& root, const std::string& source_file);
 
-/// Where a file that the model names is found: beside the model file, unless its path is absolute.
+/// Returns the path of a file named in the model: relative to the model file, unless it is absolute.
 std::string resolved_file(const std::string& file, const std::string& source_file);
 
 }  // namespace overbend

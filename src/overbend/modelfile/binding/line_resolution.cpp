@@ -17,7 +17,7 @@ void resolve_type(LineTypeDescription& type, double water_weight_density) {
   if (type.made_from.empty()) type.made_from = kGivenNumbers;
 }
 
-/// Numbers of pipe, for those who ask the type for them.
+/// Sets the type's numbers of a pipe segment, for code that uses only the type.
 void resolve_pipe(LineSegmentDescription& segment, double water_weight_density) {
   segment.section->hydrodynamics = {segment.type.drag_normal, segment.type.drag_axial, segment.type.added_mass_normal,
                                     segment.type.added_mass_axial};
@@ -33,7 +33,7 @@ void resolve_pipe(LineSegmentDescription& segment, double water_weight_density) 
   type.compression = true;
 }
 
-/// The check that the name is known came before.
+/// The name of the type has been checked before.
 void resolve_segment(LineSegmentDescription& segment, const std::vector<LineTypeDescription>& types,
                      double water_weight_density) {
   if (segment.section) return resolve_pipe(segment, water_weight_density);

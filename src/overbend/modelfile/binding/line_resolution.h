@@ -1,12 +1,12 @@
-/// Numbers of lines that follow from others, after the model file is bound.
+/// Derived numbers of lines, computed after the model file is bound.
 #pragma once
 
 #include "model/description/description.h"
 
 namespace overbend {
 
-/// Segments that name a type get its numbers; what was left open (started_type) follows from diameter, weight and
-/// water.
+/// Copies the numbers of named types to the segments; open numbers (make_open_line_type) follow from diameter, weight
+/// and water.
 void resolve_lines(Description& description);
 
 }  // namespace overbend

@@ -11,13 +11,14 @@
 namespace overbend {
 namespace {
 
-/// What does not move a lay at rest whose vessel is held.
-constexpr std::array kLeftOut = {
+/// Keys without effect on the static equilibrium of a lay with a held vessel.
+constexpr std::array kExcludedKeys = {
     "overbend", "analysis", "environment.waves", "seek",          "sensitivities", "moorings",
     "lines",    "bodies",   "station_keeping",   "vessel.motion", "vessel.loads",  "vessel.hydrostatics"};
 
-/// What does not move a lay whose stinger is held where it rests, below the stinger or one of its sections.
-constexpr std::array kOfTheRest = {"body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"};
+/// Keys without effect on a lay whose stinger is held at its equilibrium angle, below the stinger or one of its
+/// sections.
+constexpr std::array kStingerKeys = {"body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"};
 
 bool is_or_below(const std::string& path, const std::string& key) {
   return path == key || path.starts_with(key + ".") || path.starts_with(key + "[");
@@ -28,15 +29,15 @@ bool is_of_the_rest(const std::string& path) {
   if (!path.starts_with(stinger)) return false;
   std::string below = path.substr(stinger.size());
   if (below.starts_with("sections[")) below.erase(0, std::min(below.find("]."), below.size() - 2) + 2);
-  return std::ranges::any_of(kOfTheRest, [&](const char* key) { return is_or_below(below, key); });
+  return std::ranges::any_of(kStingerKeys, [&](const char* key) { return is_or_below(below, key); });
 }
 
 bool left_out(const std::string& path) {
   return is_of_the_rest(path) ||
-         std::ranges::any_of(kLeftOut, [&](const std::string& key) { return is_or_below(path, key); });
+         std::ranges::any_of(kExcludedKeys, [&](const std::string& key) { return is_or_below(path, key); });
 }
 
-/// What an item of a list is called: its name, else that of a box without one, else its index.
+/// Returns the label of a list item: its name, the default name of a box, or its index.
 std::string item_name(const FieldValue& list, std::size_t index) {
   if (const auto name = list.children[index].get_text("name")) return *name;
   for (const char* structure : {"ramp", "stinger"}) {
@@ -60,8 +61,8 @@ class Collector {
       const FieldNode* below = list ? node.item.get() : node.member(child.key);
       if (below == nullptr) continue;
       place_.push_back(i);
-      const std::string at = list ? "[" + item_name(value, i) + "]" : (name.empty() ? "" : ".") + child.key;
-      visit(child, *below, name + at);
+      const std::string suffix = list ? "[" + item_name(value, i) + "]" : (name.empty() ? "" : ".") + child.key;
+      visit(child, *below, name + suffix);
       place_.pop_back();
     }
   }
@@ -78,11 +79,11 @@ class Collector {
   std::vector<std::size_t> place_;
 };
 
-FieldValue values_of(const std::string& text, const std::string& file) {
-  Diagnostics faults;
-  const std::optional<YamlNode> root = parse_yaml(text, file, faults);
+FieldValue parse_values(const std::string& text, const std::string& file) {
+  Diagnostics diagnostics;
+  const std::optional<YamlNode> root = parse_yaml(text, file, diagnostics);
   if (!root || root->kind != YamlNode::Kind::map) throw std::runtime_error("the model's text cannot be read: " + file);
-  return read_fields(*root, field_tree(), file, faults);
+  return read_fields(*root, field_tree(), file, diagnostics);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ std::vector<ModelInput> numeric_inputs(const FieldValue& root) {
 
 ModelValues::ModelValues(const Description& description)
     : source_file_(description.source_file),
-      root_(values_of(description.source_text, description.source_file)),
+      root_(parse_values(description.source_text, description.source_file)),
       inputs_(numeric_inputs(root_)),
       bathymetry_(description.environment.seabed.bathymetry) {}
 
@@ -107,12 +108,12 @@ std::optional<std::size_t> ModelValues::find(const std::string& key_or_name) con
 }
 
 Description ModelValues::with(const ModelInput& input, double value) {
-  FieldValue* at = &root_;
-  for (const std::size_t i : input.place) at = &at->children[i];
-  const double before = at->number;
-  at->number = value;
+  FieldValue* node = &root_;
+  for (const std::size_t i : input.place) node = &node->children[i];
+  const double before = node->number;
+  node->number = value;
   Description description = bind_model(root_, source_file_);
-  at->number = before;
+  node->number = before;
   description.environment.seabed.bathymetry = bathymetry_;
   return description;
 }

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/vessel/supports.h"
 
 namespace overbend {
 namespace {
 
-/// The curve before the first box of a structure: of the stinger that of the ramp, of a ramp the tensioner's direction.
+/// Inclination of the curve before the first box of a structure: for the stinger that of the ramp, for a ramp that of
+/// the tensioner.
 double incline_before(const Description& description, Structure structure) {
   const std::optional<BoxPlace> end = structure == Structure::stinger ? ramp_end(description) : std::nullopt;
   return end ? end->incline : description.tensioner.incline;
@@ -18,7 +19,7 @@ double incline_before(const Description& description, Structure structure) {
 
 void complete_first(const FieldValue& root, Structure structure, double radius, Description& description,
                     BoxRowDescription& row) {
-  const FieldValue* first = root.find(std::string("supports.") + word_of(structure) + ".boxes.first");
+  const FieldValue* first = root.find(std::string("supports.") + enum_name(structure) + ".boxes.first");
   if (first != nullptr) {
     if (first->find("incline") == nullptr) {
       row.incline = incline_before(description, structure);
@@ -69,7 +70,7 @@ void place_box_rows(const FieldValue& root, Description& description) {
     const bool ramp = structure == Structure::ramp;
     std::optional<BoxRowDescription>& row = ramp ? supports.ramp_row : supports.stinger_row;
     std::optional<double>& radius = ramp ? supports.ramp_radius : supports.stinger_radius;
-    if (!row) radius.reset();  // listed boxes have none
+    if (!row) radius.reset();  // listed boxes have no radius
     if (row && radius) {
       complete_first(root, structure, *radius, description, *row);
       place_row(*row, *radius, structure, supports.boxes);

@@ -1,5 +1,5 @@
-/// What follows from the keys of ramp and stinger once all of them are bound: places of boxes told as a row, angles of
-/// the setting that was chosen.
+/// Values that follow from the keys of ramp and stinger once all are bound: positions of generated boxes, angles of the
+/// selected setting.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 
 namespace overbend {
 
-/// The end of the ramp's curve at its last box, which a stinger's row continues: by the box's own incline, else the
-/// tangent of the curve through the ramp's boxes. Empty without a ramp.
+/// Returns the end of the ramp's curve at its last box, which a stinger's row continues: the box's own inclination,
+/// otherwise the tangent of the curve through the ramp's boxes. Empty without a ramp.
 std::optional<BoxPlace> ramp_end(const Description& description);
 
-/// Places the boxes of ramp_row and stinger_row, which stand in `boxes` without places. What `first` leaves out
-/// follows: the incline from the curve before, and of a stinger the place, one spacing behind the ramp's last box.
+/// Places the boxes of ramp_row and stinger_row, which are in `boxes` without positions. If `first` gives no
+/// inclination, it follows from the curve before; if it gives no position, the stinger continues one spacing behind the
+/// ramp's last box.
 void place_box_rows(const FieldValue& root, Description& description);
 
-/// Gives the stinger's sections the angles of the setting that was chosen.
+/// Assigns the angles of the selected setting to the stinger's sections.
 void choose_stinger_setting(SupportsDescription& supports);
 
 }  // namespace overbend

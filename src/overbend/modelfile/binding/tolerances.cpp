@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/constants.h"
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "modelfile/schema/check_helper.h"
@@ -25,17 +25,17 @@ struct ToleranceReading {
 };
 
 ToleranceReading read_tolerance(const std::string& text, const ModelInput& input) {
-  const std::string_view whole = trim(text);
-  if (whole.ends_with('%')) {
-    const std::optional<double> percent = parse_number(trim(whole.substr(0, whole.size() - 1)));
+  const std::string_view trimmed = trim(text);
+  if (trimmed.ends_with('%')) {
+    const std::optional<double> percent = parse_number(trim(trimmed.substr(0, trimmed.size() - 1)));
     if (percent) return {1e-2 * *percent * std::abs(input.value), {}};
     return {std::nullopt, "'" + for_display(text) + "'"};
   }
   if (input.unit != "1") {
-    const QuantityReading reading = parse_quantity(whole, input.unit);
+    const QuantityReading reading = parse_quantity(trimmed, input.unit);
     return {reading.value, reading.found};
   }
-  return {parse_number(whole), "'" + for_display(text) + "'"};
+  return {parse_number(trimmed), "'" + for_display(text) + "'"};
 }
 
 const std::vector<FieldValue>& entries(const FieldValue& root) {
@@ -46,8 +46,8 @@ const std::vector<FieldValue>& entries(const FieldValue& root) {
 
 std::string expected_for(const ModelInput& input) {
   return input.unit == "1" ? "a number or per cent, such as 2 %"
-                           : dimension_words(input.unit) + " such as " +
-                                 format_quantity(usual_tolerance(input), input.unit, input.show) + ", or per cent";
+                           : dimension_phrase(input.unit) + " such as " +
+                                 format_quantity(default_tolerance(input), input.unit, input.show) + ", or per cent";
 }
 
 void check_entry(Checker& check, const FieldValue& entry, const std::vector<ModelInput>& inputs) {
@@ -69,9 +69,9 @@ void check_entry(Checker& check, const FieldValue& entry, const std::vector<Mode
   std::vector<std::string> names;
   for (const ModelInput& input : inputs) names.push_back(input.name);
   const std::string near = nearest_word(entry.key, names);
-  check.error(entry, "the tolerance of a key that this file does not have",
-              "a number of this file, such as " + (names.empty() ? std::string("tensioner.tension") : names.front()),
-              near.empty() ? "'*' stands for any letters: supports.*.boxes[*].z" : "did you mean '" + near + "'?");
+  check.error(entry, "the tolerance of a key that is not in this file",
+              "a number in this file, such as " + (names.empty() ? std::string("tensioner.tension") : names.front()),
+              near.empty() ? "'*' matches any characters: supports.*.boxes[*].z" : "did you mean '" + near + "'?");
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ bool is_place(const ModelInput& input) {
   return input.unit == "m" && (last == "x" || last == "y" || last == "z" || last == "offset");
 }
 
-double usual_tolerance(const ModelInput& input) {
+double default_tolerance(const ModelInput& input) {
   if (is_place(input)) return kOfPlace;
   return input.unit == "rad" ? kOfAngle : kOfValue * std::abs(input.value);
 }
@@ -89,7 +89,7 @@ double usual_tolerance(const ModelInput& input) {
 std::vector<InputTolerance> input_tolerances(const FieldValue& root, const std::vector<ModelInput>& inputs) {
   std::vector<InputTolerance> tolerances;
   for (const ModelInput& input : inputs) {
-    InputTolerance& tolerance = tolerances.emplace_back(InputTolerance{usual_tolerance(input), false});
+    InputTolerance& tolerance = tolerances.emplace_back(InputTolerance{default_tolerance(input), false});
     for (const FieldValue& entry : entries(root)) {
       if (!matches(entry.key, input)) continue;
       if (const auto value = read_tolerance(entry.text, input).value) tolerance = {*value, true};

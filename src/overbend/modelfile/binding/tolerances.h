@@ -1,4 +1,4 @@
-/// How far the inputs of a model may be off: the key `sensitivities.tolerances`.
+/// Tolerances of the inputs of a model: the key `sensitivities.tolerances`.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@ namespace overbend {
 
 struct InputTolerance {
   double value = 0.0;  ///< Either way, SI.
-  bool given = false;  ///< In the file; else it is the usual one.
+  bool given = false;  ///< True if given in the file; false for the default.
 };
 
-/// A place along one axis, or how far something is moved from its place.
+/// Returns true for a position along an axis or an offset from a position.
 bool is_place(const ModelInput& input);
 
-/// What is taken where the file says nothing: 10 mm for a place, 0.1 deg for an angle, 1 % of anything else.
-double usual_tolerance(const ModelInput& input);
+/// Returns the default tolerance: 10 mm for positions, 0.1 deg for angles, 1 % of anything else.
+double default_tolerance(const ModelInput& input);
 
-/// Of every input, in their order. The last entry that an input's key or name matches counts.
+/// Returns the tolerance of every input, in their order. The last entry that matches an input's key or name counts.
 std::vector<InputTolerance> input_tolerances(const FieldValue& root, const std::vector<ModelInput>& inputs);
 
-/// The tolerances of a file: each has to match a number in it, and to be of its dimension or in per cent.
+/// Checks the tolerances of a file: each must match a number in it, and have its dimension or be in per cent.
 void check_tolerances(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -16,12 +16,12 @@ bool is_used(const FieldValue& root, const std::string& name) {
   return false;
 }
 
-/// The file of a motion, which statics do without.
+/// Warns of a missing motion file, which statics does not need.
 void check_file(Checker& check, const FieldValue& motion, const std::string& source_file) {
   for (const char* key : {"raos", "history"}) {
     const FieldValue* named = motion.find(key);
-    std::error_code fault;
-    if (named == nullptr || std::filesystem::exists(resolved_file(named->text, source_file), fault)) continue;
+    std::error_code code;
+    if (named == nullptr || std::filesystem::exists(resolved_file(named->text, source_file), code)) continue;
     check.warn(*named, "the file " + named->shown + " does not exist; dynamic analysis will require it");
   }
 }
@@ -36,7 +36,7 @@ void check_bodies(Checker& check, const std::string& file) {
     if (names[i] == kVesselName) {
       check.error(bodies[i], "the name 'vessel', which is that of the lay vessel", "another name");
     } else if (!is_used(check.root(), names[i])) {
-      check.warn(bodies[i], "no line is on this body", FindingCode::unused_input);
+      check.warn(bodies[i], "no line is attached to this body", FindingCode::unused_input);
     }
     if (const FieldValue* motion = bodies[i].find("motion")) {
       check_motion_source(check, *motion);

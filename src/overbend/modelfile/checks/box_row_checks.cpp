@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostIncline = 85.0 * kDegree;
+constexpr double kMaxIncline = 85.0 * kDegree;
 
 double first_incline(const FieldValue& root, const FieldValue& row) {
   return row.get_number("first.incline").value_or(root.get_number("tensioner.incline").value_or(0.0));
@@ -20,7 +20,7 @@ double arc_length(const FieldValue& row) {
   return static_cast<double>(row.get_integer("count").value_or(1) - 1) * row.get_number("spacing").value_or(0.0);
 }
 
-/// How many sections there are to be set.
+/// Number of sections that a setting has to give.
 std::size_t section_count(const FieldValue& stinger) {
   const std::vector<FieldValue>& sections = Checker::items(stinger, "sections");
   return sections.empty() && stinger.find("hinge") != nullptr ? 1 : sections.size();
@@ -39,15 +39,15 @@ void check_angles(Checker& check, const FieldValue& setting, std::size_t section
     }
     return;
   }
-  const FieldValue& given = angle != nullptr ? *angle : *angles;
+  const FieldValue& entry = angle != nullptr ? *angle : *angles;
   const std::size_t count = angle != nullptr ? 1 : angles->children.size();
   if (sections > 0 && count != sections) {
-    check.error(given, fmt::format("{} angle{}", count, count == 1 ? "" : "s"),
+    check.error(entry, fmt::format("{} angle{}", count, count == 1 ? "" : "s"),
                 fmt::format("{}, one for each section", sections));
   }
 }
 
-/// Angles of a setting lie between the stops of their sections, as an angle that a section is held at.
+/// Checks that the angles of a setting are between the stops of their sections.
 void check_stops(Checker& check, const FieldValue& stinger, const FieldValue& setting) {
   const std::vector<FieldValue>& sections = Checker::items(stinger, "sections");
   const FieldValue* alone = setting.find("angle");
@@ -70,7 +70,7 @@ void check_chosen(Checker& check, const FieldValue& stinger, const std::map<std:
   std::vector<std::string> known;
   for (const auto& [name, line] : names) known.push_back(name);
   if (known.empty()) {
-    check.error(*chosen, "the setting " + chosen->shown, "a table supports.stinger.settings that has it");
+    check.error(*chosen, "the setting " + chosen->shown, "a table supports.stinger.settings that contains it");
     return;
   }
   const std::string near = nearest_word(chosen->text, known);
@@ -80,13 +80,13 @@ void check_chosen(Checker& check, const FieldValue& stinger, const std::map<std:
 
 }  // namespace
 
-const FieldValue* box_row_of(const FieldValue& structure) {
+const FieldValue* find_box_row(const FieldValue& structure) {
   const FieldValue* boxes = structure.find("boxes");
   return boxes != nullptr && boxes->kind == FieldValue::Kind::map ? boxes : nullptr;
 }
 
 std::optional<BoxPlace> end_of_row(const FieldValue& root, const FieldValue& structure) {
-  const FieldValue* row = box_row_of(structure);
+  const FieldValue* row = find_box_row(structure);
   const auto radius = structure.get_number("radius");
   const auto x = row != nullptr ? row->get_number("first.x") : std::nullopt;
   const auto z = row != nullptr ? row->get_number("first.z") : std::nullopt;
@@ -97,23 +97,23 @@ std::optional<BoxPlace> end_of_row(const FieldValue& root, const FieldValue& str
 }
 
 void check_box_row(Checker& check, const FieldValue& structure) {
-  const FieldValue* row = box_row_of(structure);
+  const FieldValue* row = find_box_row(structure);
   if (row == nullptr) {
     return;
   }
   if (!structure.mentions("radius")) {
-    check.missing(structure, "radius", "the radius of the arc that the row of boxes stands on, a length in m");
+    check.missing(structure, "radius", "the radius of the arc of the row of boxes, a length in m");
   }
   const bool after_ramp = structure.key == "stinger" && check.root().find("supports.ramp") != nullptr;
   if (!row->mentions("first") && !after_ramp) {
-    check.missing(*row, "first", "the place of the first box", "there is no ramp that the row could continue");
+    check.missing(*row, "first", "the position of the first box", "without a ramp the row has no curve to continue");
   }
   const FieldValue* radius = structure.find("radius");
   if (radius == nullptr) {
     return;
   }
   const double incline = first_incline(check.root(), *row) + arc_length(*row) / radius->number;
-  if (incline > kMostIncline) {
+  if (incline > kMaxIncline) {
     check.error(*radius,
                 fmt::format("{}, on which the last box dips by {:.0f} deg", radius->shown, incline * kToDegrees),
                 "at most 85 deg at the last box", "a larger radius, fewer boxes or less spacing");
@@ -129,7 +129,7 @@ void check_stinger_settings(Checker& check) {
   const std::size_t sections = section_count(*stinger);
   for (const FieldValue& setting : Checker::items(*stinger, "settings")) {
     if (sections == 0) {
-      check.error(setting, "a setting of a stinger without a hinge", "a hinge, or sections, that it sets",
+      check.error(setting, "a setting of a stinger without a hinge", "a hinge or sections to which it applies",
                   "add supports.stinger.hinge");
     }
     check_angles(check, setting, sections);
@@ -138,13 +138,13 @@ void check_stinger_settings(Checker& check) {
     if (name == nullptr) continue;
     const auto [first, fresh] = names.emplace(name->text, name->line);
     if (!fresh) {
-      check.error(*name, "the name '" + for_display(name->text) + "' again", "a name of its own",
-                  "it is used already in line " + std::to_string(first->second));
+      check.error(*name, "the name '" + for_display(name->text) + "' again", "a unique name",
+                  "it is already used in line " + std::to_string(first->second));
     }
   }
   check_chosen(check, *stinger, names);
   if (const FieldValue* angle = stinger->find("angle"); angle != nullptr && stinger->find("setting") != nullptr) {
-    check.error(*angle, "angle and setting", "one of them", "a setting has the angles of all sections");
+    check.error(*angle, "angle and setting", "one of them", "a setting gives the angles of all sections");
   }
 }
 

@@ -1,4 +1,4 @@
-/// Checks of boxes told as a row and of the table of stinger settings.
+/// Checks of rows of boxes and of the table of stinger settings.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,21 @@
 
 namespace overbend {
 
-/// The group of a row of boxes under a structure's group; null where its boxes are listed, or not there.
-const FieldValue* box_row_of(const FieldValue& structure);
+/// Returns the group of a row of boxes in a structure's group; null if its boxes are listed or missing.
+const FieldValue* find_box_row(const FieldValue& structure);
 
-/// Where a row ends, as far as the keys of its structure say by themselves where it begins.
+/// Returns the end of a row, if the keys of its structure determine its beginning.
 std::optional<BoxPlace> end_of_row(const FieldValue& root, const FieldValue& structure);
 
-/// A row has a radius, a begin, and does not bend beyond the vertical.
+/// Checks that a row has a radius and a beginning, and does not bend beyond the vertical.
 void check_box_row(Checker& check, const FieldValue& structure);
 
-/// What there is to do for who wants the radius of listed boxes to be another.
-inline constexpr const char* kVaryListedBoxes =
-    "listed boxes stand by their coordinates and have no radius: replace the list by a row of boxes on it, boxes: "
-    "{count, "
-    "spacing, first}, or vary the boxes' x and z";
+/// Hint for a variation of the radius of listed boxes.
+inline constexpr const char* kListedBoxesHint =
+    "listed boxes are placed by their coordinates and have no radius: replace the list by a row of boxes, boxes: "
+    "{count, spacing, first}, or vary the boxes' x and z";
 
-/// Settings have names of their own and an angle for each section; the one chosen is among them.
+/// Checks that settings have unique names and an angle for each section, and that the selected one exists.
 void check_stinger_settings(Checker& check);
 
 }  // namespace overbend

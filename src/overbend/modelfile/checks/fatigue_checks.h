@@ -1,4 +1,4 @@
-/// What the keys of fatigue demand of the rest of the model.
+/// Requirements of the fatigue keys on the rest of the model.
 #pragma once
 
 #include "modelfile/schema/check_helper.h"

@@ -21,14 +21,14 @@ const FieldValue* find_line(const FieldValue& root, const std::string& name) {
   return found == names.end() ? nullptr : &lines[static_cast<std::size_t>(found - names.begin())];
 }
 
-/// Whether a line is attached to another, be it by way of others.
-bool hangs_on(const FieldValue& root, const FieldValue& line, const FieldValue& other, int depth = 0) {
-  constexpr int kDeepest = 100;
+/// Returns true if a line is attached to another, directly or through other lines.
+bool is_attached_to(const FieldValue& root, const FieldValue& line, const FieldValue& target, int depth = 0) {
+  constexpr int kMaxDepth = 100;
   for (const FieldValue& end : Checker::items(line, "ends")) {
     const FieldValue* name = end.find("line");
     const FieldValue* on = name == nullptr ? nullptr : find_line(root, name->text);
-    if (on == &other) return true;
-    if (on != nullptr && on != &line && depth < kDeepest && hangs_on(root, *on, other, depth + 1)) return true;
+    if (on == &target) return true;
+    if (on != nullptr && on != &line && depth < kMaxDepth && is_attached_to(root, *on, target, depth + 1)) return true;
   }
   return false;
 }
@@ -46,9 +46,9 @@ void check_place(Checker& check, const FieldValue& end) {
   }
 }
 
-/// Length of a line, where all its segments have theirs.
-std::optional<double> length_of(const FieldValue& line) {
-  if (const auto own = line.get_number("length")) return own;
+/// Returns the length of a line if all its segments have one.
+std::optional<double> compute_line_length(const FieldValue& line) {
+  if (const auto length = line.get_number("length")) return length;
   double sum = 0.0;
   const std::vector<FieldValue>& segments = Checker::items(line, "segments");
   for (const FieldValue& segment : segments) {
@@ -59,26 +59,25 @@ std::optional<double> length_of(const FieldValue& line) {
   return segments.empty() ? std::nullopt : std::optional(sum);
 }
 
-/// Whether a line is of one type that weighs nothing.
+/// Returns true if a line has a single type without weight.
 bool is_wire(const FieldValue& root, const FieldValue& line) {
   const FieldValue* type = line.find("type");
   const FieldValue* numbers = type == nullptr ? nullptr : root.find("moorings.types." + type->text);
   return numbers != nullptr && numbers->get_number("weight_in_air") == 0.0;
 }
 
-/// At an end that something holds there is nothing to hang on.
+/// Checks that an attachment is not at an end of the line that is held.
 void check_not_held(Checker& check, const FieldValue& line, const FieldValue& place, std::optional<double> length) {
   constexpr double kSameNode = 0.02;  // [m]
   const std::vector<FieldValue>& ends = Checker::items(line, "ends");
   for (std::size_t i = 0; i < ends.size() && ends.size() == 2; ++i) {
-    const bool there = i == 0 ? place.number < kSameNode : length && std::abs(*length - place.number) < kSameNode;
-    if (!there || ends[i].mentions("free")) continue;
-    check.error(place, place.shown + ", where the line's end is held",
-                "a place between its ends, or an end that is free");
+    const bool at_end = i == 0 ? place.number < kSameNode : length && std::abs(*length - place.number) < kSameNode;
+    if (!at_end || ends[i].mentions("free")) continue;
+    check.error(place, place.shown + ", which is the held end of that line", "a point between its ends, or a free end");
   }
 }
 
-/// A place on the pipe that is laid, between its tensioner and its end.
+/// Checks that a point on the laid pipe is between the tensioner and the pipe's end.
 void check_on_pipe(Checker& check, const FieldValue& end) {
   const FieldValue* place = end.find("arc_length");
   if (place == nullptr) return;
@@ -89,35 +88,37 @@ void check_on_pipe(Checker& check, const FieldValue& end) {
   }
 }
 
-/// An end on another line: which is there, is not the line itself, does not hang on it in turn, and is long enough.
+/// Checks an end on another line: the line exists, is a different one, is not attached to this line in turn, and is
+/// long enough.
 void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   const FieldValue* name = end.find("line");
   const FieldValue* place = end.find("arc_length");
   if (!end.mentions("arc_length")) {
-    check.missing(end, "arc_length", "a length with its unit", "where on the other line");
+    check.missing(end, "arc_length", "a length with its unit", "arc length on the other line");
   }
   if (name == nullptr) return;
   if (name->text == "pipe" && is_given(check.root(), "pipe")) return check_on_pipe(check, end);
-  const FieldValue* other = find_line(check.root(), name->text);
-  if (other == nullptr) {
+  const FieldValue* target = find_line(check.root(), name->text);
+  if (target == nullptr) {
     std::vector<std::string> known = line_names(Checker::items(check.root(), "lines"));
     if (is_given(check.root(), "pipe")) known.emplace_back("pipe");
     check_name(check, *name, known, "lines");
     return;
   }
-  if (other == &line) {
+  if (target == &line) {
     check.error(*name, "the line itself, " + name->shown, "the name of another line");
     return;
   }
-  if (hangs_on(check.root(), *other, line)) {
-    check.error(*name, name->shown + ", which is attached to this line in turn", "a line that is not");
+  if (is_attached_to(check.root(), *target, line)) {
+    check.error(*name, name->shown + ", which is attached to this line in turn",
+                "a line that is not attached to this one");
   }
-  if (is_wire(check.root(), *other)) {
+  if (is_wire(check.root(), *target)) {
     check.error(*name, name->shown + ", a straight wire without weight", "a line with weight",
-                "nothing can be attached to it between its ends");
+                "nothing can be attached between its ends");
   }
-  const auto length = length_of(*other);
-  if (place != nullptr) check_not_held(check, *other, *place, length);
+  const auto length = compute_line_length(*target);
+  if (place != nullptr) check_not_held(check, *target, *place, length);
   if (place != nullptr && length && place->number > *length) {
     check.error(*place, place->shown,
                 "at most the length of '" + name->text + "', " + format_quantity(*length, "m", "m"));
@@ -128,11 +129,11 @@ bool is_free(const FieldValue& end) {
   return end.mentions("free");
 }
 
-/// Nothing holds a line whose ends are both free but what is attached to it; where it lies has to be said.
+/// Checks that a line with two free ends has a start position, since only its attachments hold it.
 void check_free_ends(Checker& check, const FieldValue& line) {
   const std::vector<FieldValue>& ends = Checker::items(line, "ends");
   if (ends.size() != 2 || !is_free(ends[0]) || !is_free(ends[1]) || line.mentions("start")) return;
-  check.missing(line, "start", "x and y of its first end", "both its ends are free: nothing says where it lies");
+  check.missing(line, "start", "x and y of its first end", "both its ends are free, so its position is not determined");
 }
 
 void check_body_name(Checker& check, const FieldValue& name) {
@@ -142,20 +143,20 @@ void check_body_name(Checker& check, const FieldValue& name) {
 }
 
 void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
-  std::vector<std::string> given;
+  std::vector<std::string> kinds;
   for (const std::string& kind : end_kinds()) {
-    if (end.mentions(kind)) given.push_back(kind);
+    if (end.mentions(kind)) kinds.push_back(kind);
   }
-  if (given.size() != 1) {
-    check.error(end, given.empty() ? "none of " + join_words(end_kinds(), "and") : join_words(given, "and"),
+  if (kinds.size() != 1) {
+    check.error(end, kinds.empty() ? "none of " + join_items(end_kinds(), "and") : join_items(kinds, "and"),
                 one_of(end_kinds()));
     return;
   }
-  if (given.front() == "line") check_link(check, line, end);
-  const bool body = given.front() == "body";
-  const FieldValue* at = end.find("at");
+  if (kinds.front() == "line") check_link(check, line, end);
+  const bool body = kinds.front() == "body";
+  const FieldValue* point = end.find("at");
   if (body && !end.mentions("at")) check.missing(end, "at", "the point of the body that holds the end: x, y and z");
-  if (!body && at != nullptr) check.error(*at, "a point of a body", "no 'at' for an end that is on no body");
+  if (!body && point != nullptr) check.error(*point, "a point of a body", "no 'at' for an end that is not on a body");
   if (body && end.find("motion") != nullptr && end.find("motion")->given) {
     check.error(*end.find("motion"), "a prescribed motion", "none for an end on a body", "it moves with the body");
   }
@@ -163,7 +164,7 @@ void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
   const bool vessel = name != nullptr && name->text == kVesselName;
   if (body && name != nullptr && !vessel) check_body_name(check, *name);
   if (vessel && !is_given(check.root(), "vessel")) {
-    check.missing(check.root(), "vessel", "a group of keys", "an end of a line is on it");
+    check.missing(check.root(), "vessel", "a group of keys", "line ends are attached to it");
   }
   const FieldValue* direction = end.find("direction");
   if (direction != nullptr && direction->given) {

@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/pipe/section.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/checks/line_checks.h"
@@ -13,7 +13,7 @@
 namespace overbend {
 namespace {
 
-const FieldValue* coupled_of(const FieldValue& root) {
+const FieldValue* find_coupled(const FieldValue& root) {
   const FieldValue* hull = root.find("vessel.motion.coupled");
   return hull != nullptr && hull->given ? hull : nullptr;
 }
@@ -24,21 +24,21 @@ bool has_current(const FieldValue& root) {
                      [](const FieldValue& row) { return row.get_number("speed").value_or(0.0) != 0.0; });
 }
 
-/// One statement of whether the hull floats.
+/// Checks that the hull is declared free to float in one way only.
 void check_freedom(Checker& check) {
   const FieldValue& root = check.root();
   const FieldValue* stiffness = root.find("vessel.hydrostatics");
   if (stiffness == nullptr) return;
   const FieldValue* motion = root.find("vessel.motion");
-  if (coupled_of(root) != nullptr) {
+  if (find_coupled(root) != nullptr) {
     check.error(*stiffness, "hydrostatics and a coupled hull, whose files contain them", "one of them");
   } else if (motion != nullptr && motion->given && motion->kind == FieldValue::Kind::text) {
-    check.error(*stiffness, "hydrostatics of a hull that 'motion: fixed' holds", "one of them");
+    check.error(*stiffness, "hydrostatics for a hull that 'motion: fixed' holds", "one of them");
   }
   if (has_current(root)) {
-    check.warn(
-        *stiffness,
-        "the current acts on lines and pipe alone: give its force on the hull under vessel.loads, or a coupled hull");
+    check.warn(*stiffness,
+               "the current acts on lines and pipe only: give its force on the hull under vessel.loads, or use a "
+               "coupled hull");
   }
 }
 
@@ -57,12 +57,12 @@ void check_damping(Checker& check, const FieldValue& hull) {
   if (damping == nullptr) return;
   for (const FieldValue& mode : damping->children) {
     if (mode.find("ratio") != nullptr && mode.find("linear") != nullptr) {
-      check.error(*mode.find("linear"), "a share of critical damping and a coefficient", "one of them");
+      check.error(*mode.find("linear"), "a fraction of critical damping and a coefficient", "one of them");
     }
   }
 }
 
-/// Forces from a table need to know what it means.
+/// Checks that a table of coefficients states its convention.
 void check_table(Checker& check, const FieldValue& group, const std::string& file) {
   const FieldValue* table = group.find("table");
   for (const char* key : {"axes", "frontal_area", "lateral_area", "length"}) {
@@ -73,10 +73,10 @@ void check_table(Checker& check, const FieldValue& group, const std::string& fil
   }
   if (table == nullptr) return;
   for (const char* key : {"axes", "frontal_area", "lateral_area"}) {
-    if (!group.mentions(key)) check.missing(group, key, "the meaning of the table", "there is no usual one");
+    if (!group.mentions(key)) check.missing(group, key, "the convention of the table", "there is no default");
   }
-  std::error_code fault;
-  if (!std::filesystem::exists(resolved_file(table->text, file), fault)) {
+  std::error_code code;
+  if (!std::filesystem::exists(resolved_file(table->text, file), code)) {
     check.error(*table, "the file " + table->shown + ", which does not exist", "a CSV file with angle_deg,cx,cy,cz");
   }
 }
@@ -85,7 +85,7 @@ void check_hull_current(Checker& check, const FieldValue& hull, const std::strin
   const FieldValue* current = hull.find("current");
   if (current == nullptr || !current->given) {
     if (has_current(check.root()) && !hull.mentions("current")) {
-      check.missing(hull, "current", "how the current acts on the hull",
+      check.missing(hull, "current", "the current load on the hull",
                     "give {transverse: 0.8, longitudinal: 0.5} for strips, a table, or none");
     }
     return;
@@ -93,15 +93,15 @@ void check_hull_current(Checker& check, const FieldValue& hull, const std::strin
   if (current->kind != FieldValue::Kind::map) return;
   check_table(check, *current, file);
   const bool by_table = current->find("table") != nullptr;
-  const bool by_dimensions = current->get_word<HullCurrentForm>("form") == HullCurrentForm::ufc;
+  const bool by_dimensions = current->get_word<HullCurrentModel>("form") == HullCurrentModel::ufc;
   for (const char* key : {"form", "transverse", "longitudinal", "relative_to"}) {
     const FieldValue* value = current->find(key);
     if (value == nullptr || !value->given) continue;
     const bool coefficient = key == std::string("transverse") || key == std::string("longitudinal");
     if (by_table) {
-      check.error(*value, "a key of strips beside a table", "one of them");
+      check.error(*value, "a key of strips together with a table", "one of them");
     } else if (by_dimensions && coefficient) {
-      check.error(*value, "a coefficient beside form: ufc, which has its own", "one of them");
+      check.error(*value, "a coefficient together with form: ufc, which has its own", "one of them");
     }
   }
 }
@@ -113,28 +113,28 @@ void check_wind(Checker& check, const FieldValue& hull, const std::string& file)
   const FieldValue* table = wind->find("table");
   if (table != nullptr && wind->mentions("areas")) check.error(*table, "a table and areas", "one of them");
   if (table == nullptr && !wind->mentions("areas") && wind->get_number("speed").value_or(0.0) > 0.0) {
-    check.missing(*wind, "areas", "a list of areas", "or a table; without them the wind acts on nothing");
+    check.missing(*wind, "areas", "a list of areas", "or a table; without either the wind has no effect");
   }
 }
 
-/// The file of a stem with the radiation coefficients, or the file itself.
+/// Checks that the radiation file of a stem, or the file itself, exists.
 void check_hydrodynamics(Checker& check, const FieldValue& hull, const std::string& file) {
   const FieldValue* stem = hull.find("hydrodynamics");
   if (stem == nullptr) return;
   const std::string path = resolved_file(stem->text, file);
-  std::error_code fault;
-  const bool there = std::filesystem::is_regular_file(path, fault);
+  std::error_code code;
+  const bool exists = std::filesystem::is_regular_file(path, code);
   const bool known = hydrodynamics_stem(path) != path || std::filesystem::path(path).extension() == ".nc";
-  if ((there && known) || std::filesystem::is_regular_file(path + ".1", fault)) return;
-  if (there) {
-    return check.error(*stem, "the file " + stem->shown + ", of a kind that is not read",
-                       "the common stem of WAMIT's files .1, .3, .8 and .hst, or a netCDF file of Capytaine (.nc)");
+  if ((exists && known) || std::filesystem::is_regular_file(path + ".1", code)) return;
+  if (exists) {
+    return check.error(*stem, "the file " + stem->shown + ", whose type is not supported",
+                       "the common stem of WAMIT files .1, .3, .8 and .hst, or a netCDF file of Capytaine (.nc)");
   }
   check.error(*stem, "the stem " + stem->shown + ", but there is no file '" + stem->text + ".1'",
-              "the common stem of files .1, .3, .8 and .hst beside the model file");
+              "the common stem of files .1, .3, .8 and .hst in the folder of the model file");
 }
 
-/// No hull displaces more than the box around it.
+/// Checks that the hull does not displace more than its bounding box.
 void check_mass(Checker& check, const FieldValue& hull) {
   const FieldValue* mass = hull.find("mass");
   const FieldValue* vessel = check.root().find("vessel");
@@ -152,13 +152,13 @@ void check_mass(Checker& check, const FieldValue& hull) {
 }  // namespace
 
 bool hull_floats(const FieldValue& root) {
-  return root.find("vessel.hydrostatics") != nullptr || coupled_of(root) != nullptr;
+  return root.find("vessel.hydrostatics") != nullptr || find_coupled(root) != nullptr;
 }
 
 void check_hull(Checker& check, const std::string& file) {
   check_freedom(check);
   check_held(check);
-  const FieldValue* hull = coupled_of(check.root());
+  const FieldValue* hull = find_coupled(check.root());
   if (hull == nullptr) return;
   check_damping(check, *hull);
   check_hull_current(check, *hull, file);

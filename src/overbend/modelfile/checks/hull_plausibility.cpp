@@ -44,22 +44,22 @@ class HullChecker {
   }
 
   void check_mass() {
-    constexpr double kShare = 0.02;  // of the displaced mass that may be pull of lines and pipe
+    constexpr double kShare = 0.02;  // fraction of the displaced mass that may be pull of lines and pipe
     const auto estimate =
         displaced_volume(*hull_.data, {vessel_.length, vessel_.draught, description_.environment.water_depth});
     if (!estimate) return check_fineness();
     const double displaced = water_density_ * estimate->volume, ratio = hull_.mass / displaced;
     if (std::abs(ratio - 1.0) <= kShare + estimate->uncertainty) return;
     report(Severity::error, "mass", "a mass of " + format_quantity(hull_.mass, "kg", "t"),
-           fmt::format("the {} of water that the hull displaces, as the forces of long waves in its files have it, "
-                       "within {:.1f} %",
-                       format_quantity(displaced, "kg", "t", 5), 100.0 * (kShare + estimate->uncertainty)),
-           fmt::format("constant forces of {} would hold the difference{}",
+           fmt::format(
+               "the {} of water displaced by the hull, which the long-wave forces in its files give within {:.1f} %",
+               format_quantity(displaced, "kg", "t", 5), 100.0 * (kShare + estimate->uncertainty)),
+           fmt::format("constant forces of {} would balance the difference{}",
                        format_quantity(std::abs(hull_.mass - displaced) * kGravity, "N", "MN", 3),
                        ratio < 2e-3 ? "; is the mass in t?" : ""));
   }
 
-  /// Without long waves in the files: block and waterplane coefficient go together.
+  /// Without long waves in the files: block coefficient and waterplane coefficient are related.
   void check_fineness() {
     constexpr double kError = 0.4, kUnusual = 0.6;
     const double plane = hull_.data->hydrostatic_stiffness(2, 2) / (hull_.data->water_density * hull_.data->gravity);
@@ -72,7 +72,7 @@ class HullChecker {
            ratio < 2e-3 ? "is the mass in t?" : "");
   }
 
-  /// A radius of gyration outside of what hulls have, as a share of a dimension.
+  /// Checks a radius of gyration against typical fractions of a hull dimension.
   void check_radius(const char* key, double radius, double size, const char* size_name, double low, double high) {
     const double share = radius / size;
     if (share >= low && share <= high) return;
@@ -88,11 +88,11 @@ class HullChecker {
     check_radius("yaw", r.z(), vessel_.length, "length", 0.18, 0.35);
     const Vec3 inertia = r.cwiseAbs2();
     Eigen::Index axis = 0;
-    const double largest = inertia.maxCoeff(&axis);
-    if (largest <= 1.01 * (inertia.sum() - largest)) return;
+    const double max_inertia = inertia.maxCoeff(&axis);
+    if (max_inertia <= 1.01 * (inertia.sum() - max_inertia)) return;
     constexpr const char* kKeys[] = {"roll", "pitch", "yaw"};
     report(Severity::error, std::string("gyration.") + kKeys[axis], fmt::format("{:.4g} m", r(axis)),
-           "a square that is at most the sum of the squares of the other two, as of any body");
+           "a square not larger than the sum of the squares of the other two, as for any rigid body");
   }
 
   void check_centre_of_gravity() {
@@ -100,10 +100,11 @@ class HullChecker {
     const double deck = vessel_.depth - vessel_.draught;
     const auto outside = [&](const char* axis, double value, double low, double high) {
       if (value >= low && value <= high) return;
-      report(Severity::warning, std::string("centre_of_gravity.") + axis,
-             fmt::format("{:.4g} m is outside of the hull, from {:.4g} m to {:.4g} m; is it measured from midship at "
-                         "the water line?",
-                         value, low, high));
+      report(
+          Severity::warning, std::string("centre_of_gravity.") + axis,
+          fmt::format(
+              "{:.4g} m is outside the hull, from {:.4g} m to {:.4g} m; is it measured from midship at the water line?",
+              value, low, high));
     };
     outside("x", g.x(), -0.5 * vessel_.length, 0.5 * vessel_.length);
     outside("y", g.y(), -0.5 * vessel_.beam, 0.5 * vessel_.beam);
@@ -115,27 +116,28 @@ class HullChecker {
     check_metacentre("pitch", 4, vessel_.beam * std::pow(vessel_.length, 3) / 12.0, 0.1 * vessel_.length);
   }
 
-  /// `inertia` of the waterplane of a box: no hull of its size has more.
+  /// `inertia`: that of the waterplane of a box, the maximum for a hull of this size.
   void check_metacentre(const char* freedom, int mode, double inertia, double lowest) {
     const double stiffness = hull_.data->hydrostatic_stiffness(mode, mode);
-    if (!(stiffness > 0.0)) return;  // an error already
+    if (!(stiffness > 0.0)) return;  // reported as an error before
     const double weight = hull_.mass * kGravity, height = stiffness / weight;
     const double highest = hull_.data->water_density * hull_.data->gravity * inertia / weight + vessel_.draught;
     if (height > 1.05 * highest) {
       report(Severity::error, "hydrodynamics",
-             fmt::format("a metacentric height of {} in {} by the files' stiffness and the mass",
+             fmt::format("a metacentric height of {} in {}, from the stiffness in the files and the mass",
                          shown_digits(height, "m", 4), freedom),
              fmt::format("at most {}, that of a box of this length, beam and draught", shown_digits(highest, "m", 4)),
              "is convention.length_scale right, and are these the files of this hull?");
     } else if (height < lowest) {
       report(Severity::warning, "hydrodynamics",
-             fmt::format("the metacentric height in {} is {} by the files' stiffness and the mass: the hull hardly "
-                         "rights itself; do the files refer to this centre of gravity?",
+             fmt::format("the metacentric height in {} is {}, from the stiffness in the files and the mass: the hull "
+                         "is nearly unstable; do the files refer to this centre of gravity?",
                          freedom, shown_digits(height, "m", 2)));
     }
   }
 
-  /// The centre of the waterplane, which the files give from the centre of gravity, near midship and the centreline.
+  /// Checks that the centre of flotation, which the files give relative to the centre of gravity, is near midship and
+  /// the centreline.
   void check_flotation() {
     constexpr double kOfLength = 0.1, kOfBeam = 0.05;
     const Mat6& stiffness = hull_.data->hydrostatic_stiffness;
@@ -148,8 +150,8 @@ class HullChecker {
     const double place = gravity + arm;
     if (std::abs(gravity) > 0.5 * size || std::abs(place) <= share * size) return;
     report(Severity::warning, std::string("centre_of_gravity.") + axis,
-           fmt::format("with the centre of gravity at {} the centre of the waterplane is at {}, by the files' "
-                       "stiffness; usual is within {} of {}: do the files refer to the centre of gravity?",
+           fmt::format("with the centre of gravity at {} the centre of the waterplane is at {}, from the stiffness in "
+                       "the files; it is usually within {} of {}: do the files refer to the centre of gravity?",
                        shown_digits(gravity, "m", 4), shown_digits(place, "m", 4), shown_digits(share * size, "m", 3),
                        axis[0] == 'x' ? "midship" : "the centreline"));
   }
@@ -159,8 +161,8 @@ class HullChecker {
     const double file = hull_.data->water_density;
     if (std::abs(file / water_density_ - 1.0) <= kSame) return;
     report(Severity::warning, "convention.water_density",
-           fmt::format("the files' values are for water of {:.5g} kg/m^3, the model's water has {:.5g} kg/m^3 "
-                       "(environment.water_weight_density): forces and stiffness of the hull differ by {:.1f} %",
+           fmt::format("the values in the files are for water of {:.5g} kg/m^3, the water of the model has {:.5g} "
+                       "kg/m^3 (environment.water_weight_density): forces and stiffness of the hull differ by {:.1f} %",
                        file, water_density_, 100.0 * std::abs(file / water_density_ - 1.0)));
   }
 

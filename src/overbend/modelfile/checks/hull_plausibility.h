@@ -1,4 +1,4 @@
-/// Numbers of a floating hull against each other and against its size.
+/// Plausibility of a floating hull: its numbers against each other and its dimensions.
 #pragma once
 
 #include "base/diagnostics.h"
@@ -7,9 +7,9 @@
 
 namespace overbend {
 
-/// Mass against the water that the hull displaces (an error: the difference would be held by constant forces), centre
-/// of gravity and radii of gyration against its dimensions, metacentric height, and the density of water behind the
-/// files' values against that of the model. After the hull's files were read.
+/// Checks the mass against the displaced water (an error, since constant forces would balance the difference), centre
+/// of gravity and radii of gyration against the dimensions, metacentric height, and the water density of the files
+/// against that of the model. Call after the hull's files are read.
 void check_hull_plausibility(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 }  // namespace overbend

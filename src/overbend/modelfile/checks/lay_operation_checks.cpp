@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 
@@ -15,7 +15,7 @@ bool cable_from_winch(OperationType type) {
   return type == abandonment || type == recovery || type == lay_down;
 }
 
-/// The key of a stage that says how far the operation has gone.
+/// Returns the key of a stage that measures the progress of the operation.
 const char* progress_key(OperationType type) {
   using enum OperationType;
   if (type == OperationType::ballast) return "ballast";
@@ -26,10 +26,10 @@ const char* progress_key(OperationType type) {
 
 void need_group(Checker& check, const FieldValue& operation, const std::string& key, OperationType type) {
   if (is_given(operation, key) || operation.mentions(key)) return;
-  check.missing(operation, key, "a group of keys", std::string(word_of(type)) + " needs it");
+  check.missing(operation, key, "a group of keys", std::string(enum_name(type)) + " requires it");
 }
 
-/// Both weights of a cable or a head.
+/// Checks both weights of a cable or a head.
 void check_weights(Checker& check, const FieldValue& body, const char* what) {
   const FieldValue *air = body.find("weight_in_air"), *submerged = body.find("weight_submerged");
   if (air == nullptr || submerged == nullptr) return;
@@ -47,12 +47,12 @@ void check_cable(Checker& check, const FieldValue& operation, OperationType type
   check_weights(check, *cable, "a cable");
   const FieldValue *length = cable->find("length"), *friction = cable->find("friction");
   if (friction != nullptr && friction->given && !drags_along_bed(type)) {
-    check.error(*friction, "friction of the cable", "none: only in shore_pull and hold_back it is dragged");
+    check.error(*friction, "friction of the cable", "none: it is used in shore_pull and hold_back only");
   }
   if (type == start_up && !cable->mentions("length")) {
     check.missing(*cable, "length", "a length with its unit", "from the head to the anchor");
   } else if (cable_from_winch(type) && length != nullptr) {
-    check.error(*length, "a length of the cable", "none: cable_out of each stage says how much is out");
+    check.error(*length, "a length of the cable", "none: cable_out of each stage gives the length");
   }
 }
 
@@ -64,7 +64,7 @@ void check_anchor_depth(Checker& check, const FieldValue& operation) {
   }
 }
 
-/// The keys of the place of the winch that this type has, each of them.
+/// Checks that the winch has exactly the position keys of its type.
 void check_winch(Checker& check, const FieldValue& operation, OperationType type) {
   const FieldValue* winch = operation.find("winch");
   if (winch == nullptr || !winch->given) return;
@@ -72,10 +72,10 @@ void check_winch(Checker& check, const FieldValue& operation, OperationType type
   for (const auto& [key, far] : {std::pair{"x", false}, {"z", false}, {"distance", true}, {"depth", true}}) {
     const FieldValue* value = winch->find(key);
     if (far == away && !winch->mentions(key)) {
-      check.missing(*winch, key, "a length with its unit", std::string("operation.winch of ") + word_of(type));
+      check.missing(*winch, key, "a length with its unit", std::string("operation.winch of ") + enum_name(type));
     } else if (far != away && value != nullptr && value->given) {
       check.error(*value, std::string(key) + " of a winch " + (far ? "at a distance" : "on the vessel"),
-                  std::string(away ? "distance and depth" : "x and z") + " in " + word_of(type));
+                  std::string(away ? "distance and depth" : "x and z") + " in " + enum_name(type));
     }
   }
   const FieldValue* depth = winch->find("depth");
@@ -85,15 +85,15 @@ void check_winch(Checker& check, const FieldValue& operation, OperationType type
   }
 }
 
-/// The pipe ends before the winch, and the cable of the winch reaches its head.
+/// Checks that the pipe ends before the winch and that the cable reaches its head.
 void check_pipe_out(Checker& check, const FieldValue& operation, const FieldValue* out) {
   const auto distance = operation.get_number("winch.distance"), head = operation.get_number("head.length");
   if (out == nullptr || !out->given || !distance || !head) return;
-  const double way = *distance - check.root().get_number("tensioner.x").value_or(0.0);
-  const double left = way - out->number - *head;
+  const double distance_to_winch = *distance - check.root().get_number("tensioner.x").value_or(0.0);
+  const double left = distance_to_winch - out->number - *head;
   if (left <= 0.0) {
-    check.error(*out, "pipe with its head as far as " + format_quantity(out->number + *head, "m", "m"),
-                "less than the distance from tensioner to winch, " + format_quantity(way, "m", "m"),
+    check.error(*out, "a pipe whose head is at " + format_quantity(out->number + *head, "m", "m"),
+                "less than the distance from tensioner to winch, " + format_quantity(distance_to_winch, "m", "m"),
                 "the pipe has passed the winch");
     return;
   }
@@ -104,10 +104,10 @@ void check_pipe_out(Checker& check, const FieldValue& operation, const FieldValu
               "it does not reach the pipe at " + out->path + " of " + out->shown);
 }
 
-/// A stage or a list of tensions beside an anchor whose place decides the tension.
+/// Checks that no tension is given together with an anchor position that determines it.
 void check_tension_is_free(Checker& check, const FieldValue& operation, const FieldValue* tension) {
   if (tension == nullptr || !tension->given || operation.find("anchor.distance") == nullptr) return;
-  check.error(*tension, "a tension beside anchor.distance", "one of them", "the tension follows from the distance");
+  check.error(*tension, "a tension and anchor.distance", "one of them", "the tension follows from the distance");
 }
 
 void check_breaking_load(Checker& check, const FieldValue& operation, const FieldValue* tension) {
@@ -116,7 +116,8 @@ void check_breaking_load(Checker& check, const FieldValue& operation, const Fiel
   check.error(*tension, tension->shown, "less than the cable's breaking load, " + breaking->shown);
 }
 
-/// Whether the tensioner's tension stands in for that of a stage; without a tensioner that is complained of elsewhere.
+/// Returns true if the tensioner's tension is the default of a stage, or if the missing tensioner is reported
+/// elsewhere.
 bool tensioner_pulls(const FieldValue& root) {
   const FieldValue* tensioner = root.find("tensioner");
   return tensioner == nullptr || tensioner->mentions("tension");
@@ -126,31 +127,32 @@ void check_stage(Checker& check, const FieldValue& operation, OperationType type
   const std::string key = progress_key(type);
   const bool emptied = type == OperationType::ballast && stage.mentions("weight");
   if (!stage.mentions(key) && type == OperationType::ballast && !emptied) {
-    check.missing(stage, key, "a fraction or a weight", "what is in the tank at this stage");
+    check.missing(stage, key, "a fraction or a weight", "the contents of the tank at this stage");
   } else if (!stage.mentions(key) && !emptied) {
-    check.missing(stage, key, "a length with its unit", "how far the line has gone at this stage");
+    check.missing(stage, key, "a length with its unit", "the progress of the line at this stage");
   }
   const FieldValue *tension = stage.find("tension"), *bottom = stage.find("bottom_tension");
   if (tension != nullptr && bottom != nullptr) {
-    check.error(*bottom, "a tension and a bottom_tension", "one of them", "the other follows");
+    check.error(*bottom, "a tension and a bottom_tension", "one of them", "the other follows from it");
   }
   check_tension_is_free(check, operation, tension);
   check_tension_is_free(check, operation, bottom);
   if (cable_from_winch(type)) check_breaking_load(check, operation, tension);
   if (drags_along_bed(type)) check_pipe_out(check, operation, stage.find("pipe_out"));
-  const bool given = stage.mentions("tension") || stage.mentions("bottom_tension") || tensioner_pulls(check.root());
-  if (!given && operation.find("anchor.distance") == nullptr) {
+  const bool has_tension =
+      stage.mentions("tension") || stage.mentions("bottom_tension") || tensioner_pulls(check.root());
+  if (!has_tension && operation.find("anchor.distance") == nullptr) {
     check.missing(stage, "tension", "a force with its unit", "or give tensioner.tension for all stages");
   }
 }
 
-/// Where a line of given length ends, pipe has to lie: behind the head, however much cable is out.
+/// Checks that a line of given length ends in pipe, behind the head, for every cable length.
 void check_line_length(Checker& check, const FieldValue& operation) {
   const FieldValue *length = check.root().find("pipe.length"), *stages = operation.find("stages");
   if (length == nullptr || stages == nullptr) return;
-  const FieldValue* longest = nullptr;
+  const FieldValue* max_cable = nullptr;
   const auto take = [&](const FieldValue* cable) {
-    if (cable != nullptr && (longest == nullptr || cable->number > longest->number)) longest = cable;
+    if (cable != nullptr && (max_cable == nullptr || cable->number > max_cable->number)) max_cable = cable;
   };
   if (stages->kind == FieldValue::Kind::map) {
     for (const char* end : {"from", "to"}) take(stages->find(end));
@@ -158,13 +160,13 @@ void check_line_length(Checker& check, const FieldValue& operation) {
     for (const FieldValue& stage : stages->children) take(stage.find("cable_out"));
   }
   const double head = operation.get_number("head.length").value_or(0.0);
-  if (longest == nullptr || longest->number + head < length->number) return;
+  if (max_cable == nullptr || max_cable->number + head < length->number) return;
   check.error(*length, "a line of " + length->shown,
-              "more than the longest cable with the head, " + format_quantity(longest->number + head, "m", "m"),
-              "see " + longest->path + "; or omit pipe.length, and the line is made long enough");
+              "more than the longest cable with the head, " + format_quantity(max_cable->number + head, "m", "m"),
+              "see " + max_cable->path + "; or omit pipe.length, and the program chooses a sufficient length");
 }
 
-/// The stages of a recovery stand in the file as those of the abandonment.
+/// Warns if the stages of a recovery are not listed in the order of the abandonment.
 void check_order(Checker& check, OperationType type, const FieldValue& stages) {
   using enum OperationType;
   if (type != recovery || stages.children.size() < 2) return;
@@ -172,24 +174,24 @@ void check_order(Checker& check, OperationType type, const FieldValue& stages) {
   const auto last = stages.children.back().get_number("cable_out");
   if (first && last && *first > *last) {
     check.warn(stages,
-               "the stages of a recovery are done in reverse order: from the last listed, with the shortest "
-               "cable here, to the first; list them as those of the abandonment");
+               "the stages of a recovery are run in reverse order, from the last listed, with the shortest cable here, "
+               "to the first; list them as for the abandonment");
   }
 }
 
-/// A key of generated stages that only one way to choose the tension has.
+/// Checks a key of generated stages that is valid for one way to choose the tension only.
 void only_with(Checker& check, const FieldValue& program, const char* key, StageTension wanted, StageTension tension) {
   const FieldValue* value = program.find(key);
   if (value == nullptr || !value->given || tension == wanted) return;
-  check.error(*value, std::string("a key of tension: ") + word_of(wanted),
-              std::string("none with tension: ") + word_of(tension));
+  check.error(*value, std::string("a key of tension: ") + enum_name(wanted),
+              std::string("none with tension: ") + enum_name(tension));
 }
 
 void check_program(Checker& check, const FieldValue& operation, OperationType type, const FieldValue& program) {
   using enum OperationType;
   const FieldValue *from = program.find("from"), *to = program.find("to");
   if (from != nullptr && to != nullptr && from->number == to->number) {
-    check.error(*to, to->shown, "another length than from, " + from->shown);
+    check.error(*to, to->shown, "a length other than from, " + from->shown);
   }
   for (const FieldValue* end : {from, to}) {
     if (end == nullptr || end->number > 0.0 || type == move || type == passage) continue;
@@ -204,15 +206,15 @@ void check_program(Checker& check, const FieldValue& operation, OperationType ty
     only_with(check, program, key, StageTension::seek, tension);
   }
   if (tension == StageTension::bottom && !program.mentions("bottom_tension")) {
-    check.missing(program, "bottom_tension", "a force with its unit", "tension: bottom needs it");
+    check.missing(program, "bottom_tension", "a force with its unit", "tension: bottom requires it");
   }
   check_tension_is_free(check, operation, program.find("tension"));
   if (cable_from_winch(type)) {
     for (const FieldValue& value : Checker::items(program, "tension")) check_breaking_load(check, operation, &value);
   }
-  const FieldValue *least = program.find("tension_from"), *most = program.find("tension_to");
-  if (least != nullptr && most != nullptr && least->number >= most->number) {
-    check.error(*most, most->shown, "more than tension_from, " + least->shown);
+  const FieldValue *low = program.find("tension_from"), *high = program.find("tension_to");
+  if (low != nullptr && high != nullptr && low->number >= high->number) {
+    check.error(*high, high->shown, "more than tension_from, " + low->shown);
   }
   const FieldValue* force = program.find("tension");
   const bool one_force = force != nullptr && force->kind == FieldValue::Kind::number;
@@ -223,7 +225,7 @@ void check_program(Checker& check, const FieldValue& operation, OperationType ty
   }
 }
 
-/// The tank that is filled or emptied.
+/// Checks the tank that is flooded or emptied.
 void check_tank(Checker& check, const FieldValue& operation) {
   std::vector<std::string> names;
   for (const FieldValue* section : stinger_sections(check.root())) {
@@ -236,7 +238,7 @@ void check_tank(Checker& check, const FieldValue& operation) {
   if (const FieldValue* tank = operation.find("tank"); tank != nullptr && tank->given) {
     check_name(check, *tank, names, "supports.stinger.tanks");
   } else {
-    check.missing(operation, "tank", "the name of a tank of the stinger", "its ballast changes");
+    check.missing(operation, "tank", "the name of a tank of the stinger", "the operation changes its ballast");
   }
 }
 
@@ -244,9 +246,10 @@ void check_stages(Checker& check, const FieldValue& operation, OperationType typ
   const FieldValue* stages = operation.find("stages");
   if (!operation.mentions("stages") || (stages != nullptr && !stages->given)) {
     check.missing(operation, "stages", "a list of stages, or from, to and steps",
-                  std::string(word_of(type)) + " needs it");
+                  std::string(enum_name(type)) + " requires it");
   } else if (stages != nullptr && stages->kind == FieldValue::Kind::map && type == OperationType::ballast) {
-    check.error(*stages, "stages at even steps", "a list of stages", "such are made of lengths of the line only");
+    check.error(*stages, "evenly spaced stages", "a list of stages",
+                "stages are generated from lengths of the line only");
   } else if (stages != nullptr && stages->kind == FieldValue::Kind::map) {
     check_program(check, operation, type, *stages);
   } else if (stages != nullptr && stages->children.empty()) {
@@ -262,7 +265,7 @@ void check_stages(Checker& check, const FieldValue& operation, OperationType typ
 void check_lay_operation(Checker& check, const FieldValue& operation, OperationType type) {
   using enum OperationType;
   if (!check.root().mentions("pipe")) {
-    check.missing(check.root(), "pipe", "a group of keys", "the operation is one of the line");
+    check.missing(check.root(), "pipe", "a group of keys", "the operation acts on the laid line");
   }
   if (cable_from_winch(type) || type == start_up || drags_along_bed(type)) {
     need_group(check, operation, "head", type);

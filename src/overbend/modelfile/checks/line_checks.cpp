@@ -5,16 +5,16 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/model_checks.h"
 
 namespace overbend {
 namespace {
 
-/// Keys by which a type is given in numbers.
+/// Keys that define a type by its numbers.
 constexpr const char* kNumbers[] = {"diameter", "mass", "weight_in_air", "weight_submerged", "axial_stiffness"};
 constexpr const char* kKinds[] = {"wire_rope", "chain"};
-/// Keys of a type that may stand in a segment.
+/// Keys of a type that are allowed in a segment.
 constexpr const char* kAny[] = {
     "wire_rope",        "chain",           "diameter",          "mass",          "weight_in_air",
     "weight_submerged", "axial_stiffness", "bending_stiffness", "breaking_load", "friction"};
@@ -24,11 +24,11 @@ void need(Checker& check, const FieldValue& group, const std::string& key, const
   if (!group.mentions(key)) check.missing(group, key, expected, hint);
 }
 
-/// A segment names a type or has properties of its own.
+/// Checks that a segment either names a type or has properties of its own.
 void check_segment(Checker& check, const FieldValue& segment, const std::vector<std::string>& types,
                    std::set<std::string>& used) {
   const FieldValue* name = segment.find("type");
-  const auto* own = std::find_if(std::begin(kAny), std::end(kAny), [&](const char* key) {
+  const auto* own_key = std::find_if(std::begin(kAny), std::end(kAny), [&](const char* key) {
     const FieldValue* value = segment.find(key);
     return value != nullptr && value->given;
   });
@@ -36,22 +36,23 @@ void check_segment(Checker& check, const FieldValue& segment, const std::vector<
     used.insert(name->text);
     check_name(check, *name, types, "moorings.types");
     if (const FieldValue* steel = segment.find("steel"); steel != nullptr && steel->given) {
-      check.error(*steel, "steel beside the type " + name->shown, "one of them", "a segment is pipe or of a type");
+      check.error(*steel, "steel and the type " + name->shown, "one of them", "a segment is either pipe or of a type");
     }
-    if (own != std::end(kAny)) {
-      check.error(*segment.find(*own), "a property beside the type " + name->shown, "a type or properties in place",
-                  "put the property into the type");
+    if (own_key != std::end(kAny)) {
+      check.error(*segment.find(*own_key), "a property in addition to the type " + name->shown,
+                  "either a type or properties in place", "put the property into the type");
     }
   } else if (segment.mentions("steel")) {
-    if (own != std::end(kAny)) {
-      check.error(*segment.find(*own), "a property of a cable beside steel", "steel, coatings and contents alone");
+    if (own_key != std::end(kAny)) {
+      check.error(*segment.find(*own_key), "a property of a cable in a segment with steel",
+                  "only steel, coatings and contents");
     }
   } else if (!segment.mentions("type")) {
     check_line_type(check, segment);
   }
 }
 
-/// Lengths along the line; empty where one of them is open.
+/// Returns the total length of the segments; empty if one has no length.
 std::optional<double> total_length(const std::vector<FieldValue>& segments) {
   double total = 0.0;
   for (const FieldValue& segment : segments) {
@@ -65,19 +66,20 @@ std::optional<double> total_length(const std::vector<FieldValue>& segments) {
 void check_points(Checker& check, const FieldValue& line, std::optional<double> length) {
   for (const char* kind : {"clumps", "buoys"}) {
     for (const FieldValue& point : Checker::items(line, kind)) {
-      const FieldValue* at = point.find("at");
-      if (at != nullptr && length && at->number >= *length) {
-        check.error(*at, at->shown, "less than the line's length, " + format_quantity(*length, "m", "m"));
+      const FieldValue* arc_length = point.find("at");
+      if (arc_length != nullptr && length && arc_length->number >= *length) {
+        check.error(*arc_length, arc_length->shown,
+                    "less than the line's length, " + format_quantity(*length, "m", "m"));
       }
       const bool cylinder = point.get_word<BuoyShape>("shape") == BuoyShape::cylinder;
       if (cylinder && point.get_number("height").value_or(0.0) == 0.0 && !point.mentions("height")) {
-        check.missing(point, "height", "a length with its unit", "a cylinder needs its height");
+        check.missing(point, "height", "a length with its unit", "required for a cylinder");
       }
     }
   }
 }
 
-/// Length of the only segment, or of the first of several.
+/// Checks the length of the only segment, or of the first of several.
 void check_first_length(Checker& check, const FieldValue& line, const FieldValue& holder, const std::string& tension) {
   const bool open = !tension.empty() && line.mentions(tension);
   const FieldValue* length = holder.find("length");
@@ -108,7 +110,7 @@ std::vector<std::string> names_below(const FieldValue& root, const std::string& 
   std::vector<std::string> names;
   if (const FieldValue* found = root.find(group)) {
     for (const FieldValue& item : found->children) names.push_back(item.key);
-    names.insert(names.end(), found->refused.begin(), found->refused.end());
+    names.insert(names.end(), found->rejected_keys.begin(), found->rejected_keys.end());
   }
   return names;
 }
@@ -147,13 +149,13 @@ void check_unique_names(Checker& check, const std::vector<FieldValue>& items, co
   std::map<std::string, int> lines;
   int number = 0;
   for (const FieldValue& item : items) {
-    const FieldValue* given = item.find("name");
-    const std::string name = given != nullptr ? given->text : kind + " " + std::to_string(number + 1);
+    const FieldValue* name_value = item.find("name");
+    const std::string name = name_value != nullptr ? name_value->text : kind + " " + std::to_string(number + 1);
     ++number;
     const auto [first, fresh] = lines.emplace(name, item.line);
     if (fresh) continue;
-    check.error(given != nullptr ? *given : item, "the name '" + for_display(name) + "' again", "a name of its own",
-                "it is used already in line " + std::to_string(first->second));
+    check.error(name_value != nullptr ? *name_value : item, "the name '" + for_display(name) + "' again",
+                "a unique name", "it is already used in line " + std::to_string(first->second));
   }
 }
 
@@ -165,7 +167,7 @@ void check_line_type(Checker& check, const FieldValue& type) {
   if (kinds > 0) {
     for (const char* key : {"diameter", "mass"}) {
       const FieldValue* number = type.find(key);
-      if (number != nullptr) check.error(*number, "a number beside wire_rope or chain", "one of them");
+      if (number != nullptr) check.error(*number, "a number together with wire_rope or chain", "one of them");
     }
     return;
   }
@@ -174,7 +176,7 @@ void check_line_type(Checker& check, const FieldValue& type) {
       std::any_of(std::begin(kNumbers), std::end(kNumbers), [&](const char* key) { return type.mentions(key); });
   if (!any) {
     check.missing(type, "diameter", "wire_rope, chain or the numbers of a line",
-                  "a line needs diameter, weight_in_air or mass, and axial_stiffness");
+                  "a line needs a diameter, weight_in_air or mass, and axial_stiffness");
     return;
   }
   need(check, type, "diameter", "a length with its unit", hint);
@@ -201,14 +203,15 @@ void check_line_body(Checker& check, const FieldValue& line, const std::string& 
     return;
   }
   for (const char* key : {"type", "length"}) {
-    const FieldValue* own = line.find(key);
-    if (own != nullptr) check.error(*own, std::string("segments and the line's own ") + key, "one of them");
+    const FieldValue* own_value = line.find(key);
+    if (own_value != nullptr) check.error(*own_value, std::string("segments and the line's own ") + key, "one of them");
   }
   for (const FieldValue& segment : segments) check_segment(check, segment, types, used);
   if (segments.empty()) return;
   check_first_length(check, line, segments.front(), tension);
   for (std::size_t i = 1; i < segments.size(); ++i) {
-    need(check, segments[i], "length", "a length with its unit", "only the first segment's follows from a tension");
+    need(check, segments[i], "length", "a length with its unit",
+         "only the length of the first segment follows from a tension");
   }
   check_points(check, line, total_length(segments));
 }

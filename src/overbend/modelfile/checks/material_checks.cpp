@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/pipe/moment_curve.h"
 #include "modelfile/checks/model_checks.h"
 #include "modelfile/schema/check_helper.h"
@@ -17,21 +17,21 @@ double steel_number(const FieldValue& section, const FieldValue& pipe, const std
   return section.get_number("steel." + key).value_or(pipe.get_number("steel." + key).value_or(otherwise));
 }
 
-/// What stands for the straight part of a curve, and how steep a user may make it.
+/// Reference for the linear part of a curve, and its maximum slope.
 struct StraightPart {
-  double slope = 0.0;      ///< SI; 0 where it is not known.
-  const char* name = "";   ///< Of the slope, in words.
-  const char* unit = "";   ///< Of the ordinate.
-  const char* shown = "";  ///< Unit to show it in.
-  double min_share = 0.0;  ///< Share of the slope that the first point has to reach; 0 where its own slope is used.
+  double slope = 0.0;      ///< SI; 0 if it is not known.
+  const char* name = "";   ///< Description of the slope.
+  const char* unit = "";   ///< Unit of the ordinate.
+  const char* shown = "";  ///< Display unit of the slope.
+  double min_share = 0.0;  ///< Fraction of the slope that the first point must reach; 0 if its own slope is used.
 };
 
-constexpr double kMinStraightShare = 0.9;  ///< Of a tension test whose first point ends the straight part.
+constexpr double kMinStraightShare = 0.9;  ///< For a tension test whose first point ends the linear part.
 
-/// A curve rises, ever less steeply, and begins along its straight part.
+/// Checks that a curve increases, is concave, and starts along its linear part.
 void check_curve(Checker& check, const std::vector<FieldValue>& points, const char* x, const char* y,
                  const StraightPart& straight) {
-  constexpr double kSlack = 1.05;  // tests are read to a few per cent
+  constexpr double kSlack = 1.05;  // test data are accurate to a few per cent
   double last_x = 0.0, last_y = 0.0, last_slope = straight.slope > 0.0 ? kSlack * straight.slope : 1e300;
   for (const FieldValue& point : points) {
     const auto at_x = point.get_number(x), at_y = point.get_number(y);
@@ -64,7 +64,7 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
   }
 }
 
-/// Whether the file gives a key, right or wrong; a default is not given.
+/// Returns true if the file gives a key, valid or not; a default is not given.
 bool gives(const FieldValue& group, const char* key) {
   const FieldValue* value = group.find(key);
   return value != nullptr ? value->given : group.mentions(key);
@@ -81,7 +81,7 @@ bool describes(const FieldValue& material) {
 void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {
   const FieldValue* material = section.find("steel.material");
   if (material == nullptr || !material->given) return;
-  const FieldValue* line = pipe.find("steel.material");  // what a segment leaves out is the line's
+  const FieldValue* line = pipe.find("steel.material");  // values missing in a segment are those of the main section
   const auto mentions = [&](const char* key) {
     return material->mentions(key) || (line != nullptr && line->mentions(key));
   };
@@ -129,21 +129,21 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
   check_curve(check, moment_curvature, "curvature", "moment", {EI, "the bending stiffness", "N*m", "kN*m"});
 }
 
-/// Whether a stretch has another value of its own.
+/// Returns true if a segment has a value of its own that differs.
 bool differs(const FieldValue& section, const FieldValue& pipe, const char* key, double otherwise) {
-  const auto own = section.get_number(std::string("steel.") + key);
-  constexpr double kSame = 1e-9;  // other units may round otherwise
+  const auto section_value = section.get_number(std::string("steel.") + key);
+  constexpr double kSame = 1e-9;  // rounding of other units
   const double line = pipe.get_number(std::string("steel.") + key).value_or(otherwise);
-  return own && std::abs(*own - line) > kSame * std::abs(line);
+  return section_value && std::abs(*section_value - line) > kSame * std::abs(line);
 }
 
-/// What a stretch takes over from the line's steel although it belongs to that steel, or to that pipe, alone.
+/// Checks properties that a segment takes from the main section although they belong to that steel or pipe only.
 void check_inherited(Checker& check, const FieldValue& section, const FieldValue& pipe) {
   const FieldValue* steel = section.find("steel");
   if (steel == nullptr) return;
-  const FieldValue *own = section.find("steel.material"), *line = pipe.find("steel.material");
-  const auto gives_own = [&](const char* key) { return own != nullptr && gives(*own, key); };
-  const auto own_law = own != nullptr ? own->get_word<MaterialLaw>("law") : std::nullopt;
+  const FieldValue *own_material = section.find("steel.material"), *line = pipe.find("steel.material");
+  const auto gives_own = [&](const char* key) { return own_material != nullptr && gives(*own_material, key); };
+  const auto own_law = own_material != nullptr ? own_material->get_word<MaterialLaw>("law") : std::nullopt;
   const auto law = own_law ? own_law : line != nullptr ? line->get_word<MaterialLaw>("law") : std::nullopt;
   const bool yields_else = differs(section, pipe, "yield_stress", 0.0);
   const bool another = yields_else || differs(section, pipe, "outside_diameter", 0.0) ||
@@ -162,7 +162,7 @@ void check_inherited(Checker& check, const FieldValue& section, const FieldValue
   const FieldValue* strength = pipe.find("steel.tensile_strength");
   if (strength != nullptr && strength->given && !gives(*steel, "tensile_strength")) {
     check.warn(*steel->find("yield_stress"), "the tensile strength stays that of the main section, " + strength->shown +
-                                                 ": the code checks count on it; give that of this steel");
+                                                 ": the code checks use it; give that of this steel");
   }
 }
 

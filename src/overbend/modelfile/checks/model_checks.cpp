@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "checks/steel_grades.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/binding/tolerances.h"
 #include "modelfile/checks/fatigue_checks.h"
@@ -17,16 +17,16 @@
 namespace overbend {
 namespace {
 
-/// A value of a segment, or of the line where the segment leaves it out.
+/// Returns a value of a segment, or of the main section if the segment does not give it.
 const FieldValue* own_or_line(const FieldValue& section, const FieldValue& pipe, const std::string& key) {
-  const FieldValue* own = section.find(key);
-  return own != nullptr ? own : pipe.find(key);
+  const FieldValue* own_value = section.find(key);
+  return own_value != nullptr ? own_value : pipe.find(key);
 }
 
-/// Two values of a section that limit each other; `at` is where to complain. Empty when one is absent or, in a segment,
-/// both are the line's and were judged there.
+/// Two values of a section that limit each other; `at` is the value to report. Empty when one is absent or, in a
+/// segment, both are those of the main section, where they are checked.
 struct SteelPair {
-  const FieldValue *a = nullptr, *b = nullptr, *at = nullptr;
+  const FieldValue *a = nullptr, *b = nullptr, *reported = nullptr;
 };
 
 SteelPair steel_pair(const FieldValue& section, const FieldValue& pipe, const std::string& a, const std::string& b) {
@@ -74,7 +74,7 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
   const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
   if (uncoated) {
-    check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect",
+    check.warn(*joint, "without coatings there is nothing to replace with infill; the field joint has no effect",
                FindingCode::unused_input);
   }
 }
@@ -98,7 +98,7 @@ void check_pipe(Checker& check) {
   }
 }
 
-/// The wall that is left for collapse.
+/// Checks the wall that remains for collapse.
 void check_wall_tolerance(Checker& check) {
   const FieldValue* tolerance = check.root().find("checks.wall_tolerance");
   const FieldValue* pipe = check.root().find("pipe");
@@ -129,9 +129,9 @@ void check_tension(Checker& check) {
                 "omit pipe.anchor or tensioner.tension");
   }
   if (tension && anchor != nullptr && !pipe->mentions("length")) {
-    check.error(*anchor, "an anchor's distance beside tensioner.tension",
-                "pipe.length beside the tension, or pipe.length and pipe.anchor in its place",
-                "with a tension alone the line ends where the program takes it to");
+    check.error(*anchor, "an anchor distance and tensioner.tension",
+                "pipe.length together with the tension, or pipe.length and pipe.anchor instead of it",
+                "with only a tension the program chooses the end of the line");
   }
 }
 
@@ -153,13 +153,13 @@ void check_tensioner_range(Checker& check) {
   }
   const FieldValue* tension = tensioner->find("tension");
   if (tension != nullptr && (tension->number < low.number || tension->number > high.number)) {
-    // Statics holds the tension as given, so a sweep of tensions needs no new range; only a moving machine would.
+    // Statics uses the given tension, so a sweep of tensions needs no new range; only a governed tensioner would.
     check.warn(*range,
-               shown + " does not contain the set tension, " + tension->shown + "; dynamic analysis will require that");
+               shown + " does not contain the set tension, " + tension->shown + "; dynamic analysis will require this");
   }
 }
 
-/// A machine that is asked to move needs a speed.
+/// Checks that a controlled tensioner has a speed.
 void check_tensioner_mode(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   if (tensioner == nullptr || check.root().find("analysis.dynamic") == nullptr) return;
@@ -174,33 +174,33 @@ void check_tensioner_mode(Checker& check) {
   }
 }
 
-/// A row of the laying criteria for stronger steel than a pipe of the line is of allows it too much.
+/// Warns of a row of the laying criteria whose grade exceeds that of the pipe, which is unconservative.
 void check_grade(Checker& check) {
   const FieldValue* grade = check.root().find("checks.grade");
-  const std::optional<LayingLimits> row = grade == nullptr ? std::nullopt : laying_limits_of(grade->text);
+  const std::optional<LayingLimits> row = grade == nullptr ? std::nullopt : find_grade_limits(grade->text);
   if (!row) return;
-  constexpr double kRounded = 2.5e6;  // of a grade in MPa and rounded from ksi
+  constexpr double kRounded = 2.5e6;  // tolerance of a grade in MPa rounded from ksi
   std::vector<const FieldValue*> yields{check.root().find("pipe.steel.yield_stress")};
   for (const FieldValue& segment : Checker::items(check.root(), "pipe.segments")) {
     yields.push_back(segment.find("steel.yield_stress"));
   }
   for (const FieldValue* yield : yields) {
     if (yield == nullptr || yield->number + kRounded >= row->yield_stress) continue;
-    check.warn(*grade, std::string(grade->text) + " is of a yield stress of " +
+    check.warn(*grade, std::string(grade->text) + " is for a yield stress of " +
                            format_number(row->yield_stress / 1e6, 4) + " MPa: pipe of " + yield->shown +
-                           " does not bear its strains");
+                           " does not withstand its strains");
     return;
   }
 }
 
 void check_accepted_findings(Checker& check) {
   std::vector<std::string> serious;
-  for (const FindingKind& one : finding_kinds()) {
-    if (one.severity == FindingSeverity::serious) serious.emplace_back(one.name);
+  for (const FindingKind& kind : finding_kinds()) {
+    if (kind.severity == FindingSeverity::serious) serious.emplace_back(kind.name);
   }
   for (const FieldValue& accepted : Checker::items(check.root(), "checks.accepted_findings")) {
     if (std::ranges::find(serious, accepted.text) != serious.end()) continue;
-    check.error(accepted, accepted.shown, "the name of a serious finding: " + join_words(serious, "or"));
+    check.error(accepted, accepted.shown, "the name of a serious finding: " + join_items(serious, "or"));
   }
 }
 
@@ -227,8 +227,8 @@ void check_vessel(Checker& check) {
   const FieldValue* depth = vessel->find("depth");
   const FieldValue* draught = vessel->find("draught");
   if (depth != nullptr && draught != nullptr && draught->number >= depth->number) {
-    const FieldValue& at = draught->given ? *draught : *depth;
-    check.error(at, "a draught of " + draught->shown, "less than the vessel's depth, " + depth->shown);
+    const FieldValue& value = draught->given ? *draught : *depth;
+    check.error(value, "a draught of " + draught->shown, "less than the vessel's depth, " + depth->shown);
   }
   const FieldValue* shoe = vessel->find("stern_shoe.x");
   if (shoe != nullptr && shoe->number > 0.0) {
@@ -236,21 +236,21 @@ void check_vessel(Checker& check) {
   }
 }
 
-/// Files that only dynamics reads: their absence is told, but statics goes on. Statics needs depths and hull, whose
-/// readers ask for theirs.
+/// Warns of missing files that only dynamics reads. The readers of depths and hull data, which statics needs, check
+/// their own.
 void check_files(Checker& check, const std::string& file) {
   for (const Field& row : field_table()) {
     const FieldValue* value = row.file ? check.root().find(row.path) : nullptr;
     const bool needed = row.path.starts_with("vessel.motion.coupled.") || row.path.starts_with("environment.seabed.");
     if (value == nullptr || needed) continue;
-    std::error_code fault;
-    if (!std::filesystem::exists(resolved_file(value->text, file), fault)) {
+    std::error_code code;
+    if (!std::filesystem::exists(resolved_file(value->text, file), code)) {
       check.warn(*value, "the file " + value->shown + " does not exist; dynamic analysis will require it");
     }
   }
 }
 
-/// What a model has to consist of: a pipe with all that holds it, moorings, lines by themselves, or a floating hull.
+/// Checks that a model has a valid set of parts: a pipe with its supports, moorings, free lines, or a floating hull.
 void check_parts(Checker& check) {
   const FieldValue& root = check.root();
   const auto any = [&](std::initializer_list<const char*> keys) {

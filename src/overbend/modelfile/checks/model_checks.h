@@ -1,4 +1,4 @@
-/// What one value of a model file demands of another.
+/// Checks of values of a model file against each other.
 #pragma once
 
 #include <set>
@@ -13,14 +13,15 @@
 
 namespace overbend {
 
-/// Impossible combinations (errors) and doubtful ones (warnings). Checks whose values are absent or were refused are
-/// passed over: their complaint is there already.
+/// Reports impossible combinations (errors) and doubtful ones (warnings). Checks whose values are missing or invalid
+/// are skipped: these are reported before.
 void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
-/// Waves: what each type needs, breaking, validity of the theory. Part of check_model.
+/// Checks the waves: required keys of each type, breaking, validity of the theory. Part of check_model.
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
-/// Whether the waves of an irregular sea break on the bed; after the file with a user's spectrum was read.
+/// Warns if the waves of an irregular sea break at this depth; call after the file with a user-defined spectrum is
+/// read.
 void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 /// Supports, rollers and tensioner: part of check_model.
@@ -31,10 +32,11 @@ void check_seabed(Checker& check);
 /// A stinger on hinges: part of check_supports.
 void check_stinger(Checker& check);
 
-/// The sections of the stinger that the file tells; the stinger itself where it is one. None without a stinger.
+/// Returns the stinger sections given in the file; the stinger itself if it is a single section. Empty without a
+/// stinger.
 std::vector<const FieldValue*> stinger_sections(const FieldValue& root);
 
-/// The steel's law beyond yield: part of check_model.
+/// Checks the material law of the steel beyond yield: part of check_model.
 void check_materials(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
 /// The vessel's motion: part of check_model.
@@ -43,39 +45,39 @@ void check_motion(const FieldValue& root, const std::string& file, Diagnostics& 
 /// `lay_table`: part of check_model.
 void check_lay_table(Checker& check);
 
-/// What is built into the pipe, and its passage: part of check_model.
+/// In-line structures and their passage: part of check_model.
 void check_structures(Checker& check);
 
 /// The lay route: part of check_model.
 void check_route(Checker& check);
 
-/// Mooring lines: part of check_model. Adds the types of line in use.
+/// Mooring lines: part of check_model. Adds the line types in use to `used_types`.
 void check_moorings(Checker& check, std::set<std::string>& used_types);
 
-/// What is done with the moored vessel or the line: part of check_model.
+/// Operations of the moored vessel or the line: part of check_model.
 void check_operation(Checker& check);
 
-/// Operations on the line: cable, head, winch, anchor and stages. `type` is one of them; part of check_operation.
-/// Stages of a lift: what they name is there, and what they join can be.
+/// Operations on the laid line: cable, head, winch, anchor and stages, with `type` one of them; and stages of a lift:
+/// the names that they refer to, and the joins. Part of check_operation.
 void check_lift(Checker& check, const FieldValue& operation);
 void check_lay_operation(Checker& check, const FieldValue& operation, OperationType type);
 
-/// Bodies besides the vessel: part of check_model.
+/// Bodies other than the vessel: part of check_model.
 void check_bodies(Checker& check, const std::string& file);
 
-/// Where a motion comes from: `vessel.motion`, or that of another body; part of check_motion and check_bodies.
+/// Source of a motion: `vessel.motion`, or that of another body; part of check_motion and check_bodies.
 void check_motion_source(Checker& check, const FieldValue& motion);
 
-/// Lines by themselves: part of check_model.
+/// Free lines: part of check_model.
 void check_free_lines(Checker& check, std::set<std::string>& used_types);
 
 /// The floating hull: part of check_model.
 void check_hull(Checker& check, const std::string& file);
 
-/// What a goal seek varies and looks for: part of check_model.
+/// Variables and conditions of a goal seek: part of check_model.
 void check_seek(Checker& check);
 
-/// Whether the hull is found by statics instead of held as drawn.
+/// Returns true if statics finds the position of the hull, which is otherwise held as drawn.
 bool hull_floats(const FieldValue& root);
 
 }  // namespace overbend

@@ -2,35 +2,35 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 
 namespace overbend {
 namespace {
 
-/// Where the anchor lies: one of three ways to say it.
+/// Checks that the anchor position is given in one of three ways.
 void check_anchor(Checker& check, const FieldValue& line) {
-  std::vector<std::string> given;
+  std::vector<std::string> keys;
   for (const char* key : {"azimuth", "bearing", "anchor"}) {
-    if (line.mentions(key)) given.emplace_back(key);
+    if (line.mentions(key)) keys.emplace_back(key);
   }
-  if (given.size() != 1) {
-    check.error(line, given.empty() ? "no place of the anchor" : join_words(given, "and"),
+  if (keys.size() != 1) {
+    check.error(line, keys.empty() ? "no anchor position" : join_items(keys, "and"),
                 "one of azimuth, bearing or anchor");
     return;
   }
   const FieldValue* distance = line.find("anchor_distance");
-  if (given.front() == "anchor") {
+  if (keys.front() == "anchor") {
     if (distance != nullptr) {
-      check.error(*distance, "a distance and the place of the anchor", "one of them");
+      check.error(*distance, "a distance and the position of the anchor", "one of them");
     }
   } else if (!line.mentions("anchor_distance")) {
-    check.missing(line, "anchor_distance", "a length with its unit", "or give the place of the anchor");
+    check.missing(line, "anchor_distance", "a length with its unit", "or give the position of the anchor");
   }
 }
 
-/// A fairlead under the bed, or farther from the hull than the hull is large.
+/// Checks that a fairlead is above the seabed and not farther from the hull than the hull is large.
 void check_fairlead(Checker& check, const FieldValue& line) {
   const FieldValue* z = line.find("fairlead.z");
   const auto depth = level_bed(check.root());
@@ -53,14 +53,14 @@ void check_fairlead(Checker& check, const FieldValue& line) {
 
 void check_holding(Checker& check, const FieldValue& line) {
   const FieldValue* slides = line.find("anchor_slides");
-  if (slides != nullptr && slides->text == word_of(true) && !line.mentions("anchor_holding")) {
-    check.missing(line, "anchor_holding", "a force with its unit", "an anchor that slides needs it");
+  if (slides != nullptr && slides->text == enum_name(true) && !line.mentions("anchor_holding")) {
+    check.missing(line, "anchor_holding", "a force with its unit", "required for an anchor that slides");
   }
 }
 
 void check_winch(Checker& check, const FieldValue& winch) {
   if (winch.get_word<WinchMode>("mode") == WinchMode::tension && !winch.mentions("tension")) {
-    check.missing(winch, "tension", "a force with its unit", "mode tension needs it");
+    check.missing(winch, "tension", "a force with its unit", "required in mode tension");
   }
   const FieldValue *haul = winch.find("haul"), *stall = winch.find("stall"), *brake = winch.find("brake");
   if (haul != nullptr && stall != nullptr && stall->number < haul->number) {
@@ -71,15 +71,15 @@ void check_winch(Checker& check, const FieldValue& winch) {
   }
 }
 
-/// Steps of a program: in order, and of a mode that follows them.
+/// Checks that the steps of a program are in order and that the mode of the winch uses it.
 void check_program(Checker& check, const FieldValue& winch) {
   const std::vector<FieldValue>& steps = Checker::items(winch, "program");
   const WinchMode mode = winch.get_word<WinchMode>("mode").value_or(WinchMode::hold);
   if (!steps.empty() && mode != WinchMode::speed && mode != WinchMode::length) {
-    check.error(*winch.find("program"), std::string("a program in mode ") + word_of(mode), "mode speed or length");
+    check.error(*winch.find("program"), std::string("a program in mode ") + enum_name(mode), "mode speed or length");
   }
   if (steps.empty() && mode == WinchMode::speed) {
-    check.missing(winch, "program", "a list of time and paid_out", "mode speed needs it");
+    check.missing(winch, "program", "a list of time and paid_out", "required in mode speed");
   }
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const FieldValue *before = steps[i - 1].find("time"), *time = steps[i].find("time");
@@ -99,14 +99,14 @@ void check_winches(Checker& check, const std::set<std::string>& used) {
   }
 }
 
-/// A hull whose motion is prescribed stays as drawn, whatever its lines pull.
+/// Warns if the pose of a hull with prescribed motion is not sought.
 void check_pose(Checker& check, const FieldValue& moorings) {
   const FieldValue *find = moorings.find("find"), *motion = check.root().find("vessel.motion");
   const bool pose = find != nullptr && find->given && moorings.get_word<FindMooring>("find") == FindMooring::pose;
   if (!pose || hull_floats(check.root())) return;
   const bool prescribed = motion != nullptr && motion->given && motion->kind == FieldValue::Kind::map;
   check.warn(*find, std::string("no pose is found: the vessel is held as drawn, ") +
-                        (prescribed ? "for its motion is prescribed" : "for nothing says how it floats") +
+                        (prescribed ? "because its motion is prescribed" : "because the model gives no hydrostatics") +
                         "; give vessel.motion.coupled, or vessel.hydrostatics" +
                         (prescribed ? " without a motion" : ""));
 }
@@ -114,26 +114,26 @@ void check_pose(Checker& check, const FieldValue& moorings) {
 void check_find(Checker& check) {
   const FieldValue* moorings = check.root().find("moorings");
   if (moorings == nullptr) return;
-  const FieldValue *least = moorings->find("least_tension"), *most = moorings->find("working_load");
-  if (least != nullptr && most != nullptr && least->number >= most->number) {
-    check.error(*least, least->shown, "less than the working load, " + most->shown);
+  const FieldValue *min_tension = moorings->find("least_tension"), *working_load = moorings->find("working_load");
+  if (min_tension != nullptr && working_load != nullptr && min_tension->number >= working_load->number) {
+    check.error(*min_tension, min_tension->shown, "less than the working load, " + working_load->shown);
   }
   check_pose(check, *moorings);
   if (moorings->get_word<FindMooring>("find") != FindMooring::lengths) return;
   for (const FieldValue& line : Checker::items(*moorings, "lines")) {
     if (!line.mentions("tension")) {
-      check.missing(line, "tension", "a force with its unit", "with find: lengths each line has a wished tension");
+      check.missing(line, "tension", "a force with its unit", "find: lengths requires a target tension for each line");
     }
   }
 }
 
-/// A hull on fewer than three lines has no rest of its own.
+/// Checks that a free hull has at least three lines, without which it has no unique equilibrium.
 void check_count(Checker& check, const std::vector<FieldValue>& lines) {
   if (!hull_floats(check.root()) || lines.empty() || lines.size() >= 3) return;
   if (check.root().mentions("station_keeping") || check.root().mentions("pipe")) return;
   check.error(*check.root().find("moorings.lines"),
               std::to_string(lines.size()) + (lines.size() == 1 ? " line" : " lines") + " on a hull that floats free",
-              "at least three", "or hold the hull: leave out hydrostatics, or give station_keeping");
+              "at least three", "or hold the hull: omit hydrostatics, or give station_keeping");
 }
 
 }  // namespace

@@ -3,22 +3,22 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/model_checks.h"
 #include "modelfile/schema/check_helper.h"
 
 namespace overbend {
 namespace {
 
-/// The keys that say where the motion comes from.
-std::vector<std::string> sources(const FieldValue& motion) {
-  std::vector<std::string> words = words_of<VesselMotion>();
-  std::erase(words, word_of(VesselMotion::fixed));
-  if (!motion.path.starts_with("vessel.")) std::erase(words, word_of(VesselMotion::coupled));
-  return words;
+/// Returns the keys that select the source of the motion.
+std::vector<std::string> source_keys(const FieldValue& motion) {
+  std::vector<std::string> choices = enum_names<VesselMotion>();
+  std::erase(choices, enum_name(VesselMotion::fixed));
+  if (!motion.path.starts_with("vessel.")) std::erase(choices, enum_name(VesselMotion::coupled));
+  return choices;
 }
 
-/// Amplitude and period of a freedom that no vessel has together.
+/// Warns of an implausible amplitude and period of a degree of freedom.
 void check_harmonic(Checker& check, const FieldValue& freedom) {
   constexpr double kGravity = 9.81, kTurning = 100.0 * kDegree, kSteepest = 45.0 * kDegree;  // [m/s2, rad/s2, rad]
   const FieldValue *amplitude = freedom.find("amplitude"), *period = freedom.find("period");
@@ -44,25 +44,25 @@ void check_motion(const FieldValue& root, const std::string& file, Diagnostics& 
 
 void check_motion_source(Checker& check, const FieldValue& motion) {
   if (motion.kind != FieldValue::Kind::map) return;
-  const std::vector<std::string> known = sources(motion);
+  const std::vector<std::string> known = source_keys(motion);
   if (const FieldValue* harmonic = motion.find("harmonic"); harmonic != nullptr) {
     for (const FieldValue& freedom : harmonic->children) check_harmonic(check, freedom);
   }
-  std::vector<std::string> given;
+  std::vector<std::string> given_sources;
   for (const std::string& source : known) {
-    if (motion.mentions(source)) given.push_back(source);
+    if (motion.mentions(source)) given_sources.push_back(source);
   }
   const FieldValue* convention = motion.find("convention");
   const bool stated = convention != nullptr && convention->given;
-  if (given.size() > 1 || (given.empty() && (stated || motion.mentions("convention")))) {
-    check.error(motion, given.empty() ? "a convention without a motion" : join_words(given, "and"),
-                "1 of " + join_words(known, "or"));
+  if (given_sources.size() > 1 || (given_sources.empty() && (stated || motion.mentions("convention")))) {
+    check.error(motion, given_sources.empty() ? "a convention without a motion" : join_items(given_sources, "and"),
+                "1 of " + join_items(known, "or"));
     return;
   }
-  if (!stated || given.empty() || given.front() == word_of(VesselMotion::raos)) return;
+  if (!stated || given_sources.empty() || given_sources.front() == enum_name(VesselMotion::raos)) return;
   for (const FieldValue& key : convention->children) {
-    if (key.given && (key.key != "reference" || given.front() == word_of(VesselMotion::coupled))) {
-      check.warn(key, "has no meaning for a motion by " + given.front() + " and is not used",
+    if (key.given && (key.key != "reference" || given_sources.front() == enum_name(VesselMotion::coupled))) {
+      check.warn(key, "has no effect for a motion by " + given_sources.front() + " and is not used",
                  FindingCode::unused_input);
     }
   }

@@ -1,14 +1,14 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 
 namespace overbend {
 namespace {
 
-/// A key below `operation`, or of one of its stages, that only some types have.
+/// Key below `operation`, or of a stage, that only some types have.
 struct KeyOwners {
   const char* key;
   std::vector<OperationType> types;
@@ -66,15 +66,15 @@ const std::vector<KeyOwners>& stage_keys() {
   return kKeys;
 }
 
-/// Complains of keys of `group` that belong to other types of operation.
+/// Reports keys of `group` that belong to other types of operation.
 void check_foreign(Checker& check, const FieldValue& group, const std::vector<KeyOwners>& keys, OperationType type) {
   for (const KeyOwners& owners : keys) {
     const FieldValue* value = group.find(owners.key);
-    const bool own = std::find(owners.types.begin(), owners.types.end(), type) != owners.types.end();
-    if (value == nullptr || !value->given || own) continue;
-    std::vector<std::string> words;
-    for (const OperationType owner : owners.types) words.emplace_back(word_of(owner));
-    check.error(*value, "a key of " + join_words(words, "or"), "none in this type of operation");
+    const bool applies = std::find(owners.types.begin(), owners.types.end(), type) != owners.types.end();
+    if (value == nullptr || !value->given || applies) continue;
+    std::vector<std::string> type_names;
+    for (const OperationType owner : owners.types) type_names.emplace_back(enum_name(owner));
+    check.error(*value, "a key of " + join_items(type_names, "or"), "none in this type of operation");
   }
 }
 
@@ -85,25 +85,25 @@ void check_parted(Checker& check, const std::vector<FieldValue>& lines) {
   }
 }
 
-/// Which line, and one way to say where its anchor goes.
+/// Checks the line of an anchor move, and that its new anchor position is given in one way.
 void check_anchor_move(Checker& check, const FieldValue& operation, const std::vector<FieldValue>& lines) {
   if (const FieldValue* line = operation.find("line"); line != nullptr && line->given) {
     check_name(check, *line, line_names(lines), "moorings.lines");
   } else {
-    check.missing(operation, "line", "the name of a mooring line", "its anchor is moved");
+    check.missing(operation, "line", "the name of a mooring line", "the line whose anchor is moved");
   }
   const bool to = operation.mentions("to");
   const bool bearing = operation.mentions("bearing"), distance = operation.mentions("anchor_distance");
   if (to && (bearing || distance)) {
-    check.error(*operation.find("to"), "the place of the anchor and its direction or distance", "one of them");
+    check.error(*operation.find("to"), "the position of the anchor and its direction or distance", "one of them");
   } else if (!to && !bearing) {
-    check.missing(operation, "to", "the new place of the anchor", "or bearing and anchor_distance");
+    check.missing(operation, "to", "the new position of the anchor", "or bearing and anchor_distance");
   } else if (!to && !distance) {
-    check.missing(operation, "anchor_distance", "a length with its unit", "it goes with bearing");
+    check.missing(operation, "anchor_distance", "a length with its unit", "it is used with bearing");
   }
 }
 
-/// Operations of a moored vessel; one that is led may move without lines.
+/// Checks operations of a moored vessel; a vessel with prescribed motion may move without lines.
 void check_moored_operation(Checker& check, const FieldValue& operation, OperationType type) {
   using enum OperationType;
   const std::vector<FieldValue>& lines = Checker::items(check.root(), "moorings.lines");
@@ -112,11 +112,12 @@ void check_moored_operation(Checker& check, const FieldValue& operation, Operati
   const bool of_lines = type == anchor_move || type == anchor_plan;
   const bool positioned = !of_lines && is_given(check.root(), "station_keeping");
   if (lines.empty() && !is_given(check.root(), "moorings") && !led && !positioned) {
-    check.missing(check.root(), "moorings", "a group of keys", "the operation is that of a moored vessel");
+    check.missing(check.root(), "moorings", "a group of keys", "the operation acts on a moored vessel");
   }
   const FieldValue* stages = operation.find("stages");
   if (type == moored && stages != nullptr && stages->kind == FieldValue::Kind::map && stages->given) {
-    check.error(*stages, "stages at even steps", "a list of stages", "such are made of operations on the line only");
+    check.error(*stages, "evenly spaced stages", "a list of stages",
+                "stages are generated for operations on the line only");
   }
   check_parted(check, lines);
 }

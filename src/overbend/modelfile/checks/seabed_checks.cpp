@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "model/site/bed_shape.h"
+#include "model/site/seabed_shape.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 #include "modelfile/checks/seabed_files.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kBed = "environment.seabed";
 
-/// Plane, profile and grid exclude each other.
+/// Checks that only one of plane, profile and grid is given.
 void check_one_shape(Checker& check) {
   constexpr std::array kShapes = {"slope", "profile", "bathymetry"};
   const FieldValue* first = nullptr;
@@ -20,14 +20,14 @@ void check_one_shape(Checker& check) {
     const FieldValue* shape = check.root().find(std::string(kBed) + "." + key);
     if (shape == nullptr || !shape->given) continue;
     if (first != nullptr) {
-      check.error(*shape, shape->key + " beside " + first->key, "one of slope, profile and bathymetry",
+      check.error(*shape, shape->key + " and " + first->key, "one of slope, profile and bathymetry",
                   "each of them is the whole seabed");
     }
     first = first != nullptr ? first : shape;
   }
 }
 
-/// Points of the profile that are whole, as long as they increase.
+/// Returns the complete points of the profile as long as x increases.
 std::vector<ProfilePoint> check_profile(Checker& check, const FieldValue& list) {
   std::vector<ProfilePoint> points;
   bool good = true;
@@ -49,7 +49,7 @@ std::vector<ProfilePoint> check_profile(Checker& check, const FieldValue& list) 
   return good ? points : std::vector<ProfilePoint>{};
 }
 
-/// A bearing force belongs to soil that softens.
+/// Checks that a bearing force is given for nonlinear soil only.
 void check_soil(Checker& check) {
   const FieldValue* soil = check.root().find(std::string(kBed) + ".soil");
   if (soil == nullptr || !soil->given) return;
@@ -83,7 +83,7 @@ void check_seabed(Checker& check) {
   if (const auto found = depth_disagrees(at_shoe, depth->number)) {
     check.error(*list, *found,
                 "environment.water_depth, " + format_quantity(depth->number, "m", "m") + ", within 0.1 m",
-                "x counts from there");
+                "x is measured from there");
   }
 }
 

@@ -10,7 +10,7 @@
 #include "base/shown_unit.h"
 #include "base/units.h"
 #include "model/model.h"
-#include "model/site/bed_shape.h"
+#include "model/site/seabed_shape.h"
 #include "seafiles/bathymetry_reader.h"
 
 namespace overbend {
@@ -20,7 +20,7 @@ Vec3 stern_shoe(const VesselDescription& vessel) {
   return vessel_axes(vessel.heading, vessel.trim, vessel.heel) * Vec3(vessel.stern_shoe_x, 0.0, vessel.stern_shoe_z);
 }
 
-/// Horizontal unit vector of an azimuth.
+/// Returns the horizontal unit vector of an azimuth.
 Vec3 towards(double azimuth) {
   return vessel_axes(azimuth, 0.0, 0.0).col(0);
 }
@@ -40,7 +40,7 @@ Area extent(const Bathymetry& depths) {
   return {west, east, south, north};
 }
 
-std::string words(const Area& a) {
+std::string area_label(const Area& a) {
   return fmt::format("{:.8g} to {:.8g} m east, {:.8g} to {:.8g} m north of midship", a.west, a.east, a.south, a.north);
 }
 
@@ -48,7 +48,7 @@ double distance(const Area& a, const Vec3& p) {
   return std::hypot(std::max({a.west - p.x(), p.x() - a.east, 0.0}), std::max({a.south - p.y(), p.y() - a.north, 0.0}));
 }
 
-/// Whether the line from the stern shoe astern, along which the pipe is laid, meets the area soon.
+/// Returns true if the line from the stern shoe astern, along which the pipe is laid, enters the area within 3 km.
 bool reaches(const Area& area, const Vec3& shoe, const Vec3& astern) {
   constexpr double kStep = 10.0;  // [m]
   constexpr int kSoon = 300;      // steps
@@ -58,8 +58,8 @@ bool reaches(const Area& area, const Vec3& shoe, const Vec3& astern) {
   return false;
 }
 
-/// Distance astern of the stern shoe at which the seabed leaves the water; nothing within the reach of a pipe that is
-/// laid there.
+/// Returns the distance astern of the stern shoe at which the seabed emerges [m]; empty beyond the reach of a laid
+/// pipe.
 std::optional<double> shore_astern(const Description& description) {
   const EnvironmentDescription& environment = description.environment;
   const SeabedDescription& bed = environment.seabed;
@@ -89,24 +89,25 @@ void check_shore(const FieldValue& root, const Description& description, Diagnos
   const FieldValue* value = root.find(key);
   const std::optional<double> shore = value != nullptr ? shore_astern(description) : std::nullopt;
   if (!shore) return;
-  diagnostics.add({Severity::warning, description.source_file, value->line, 0, key,
-                   fmt::format("the seabed leaves the water {} astern of the stern shoe: it rises in the direction in "
-                               "which the pipe is laid",
-                               shown(*shore, "m", 1)),
-                   "", ""});
+  diagnostics.add(
+      {Severity::warning, description.source_file, value->line, 0, key,
+       fmt::format(
+           "the seabed emerges {} astern of the stern shoe: it rises in the direction in which the pipe is laid",
+           shown(*shore, "m", 1)),
+       "", ""});
 }
 
 void read_bathymetry_file(const FieldValue& root, Description& description, Diagnostics& diagnostics) {
   SeabedDescription& bed = description.environment.seabed;
   const FieldValue* key = root.find("environment.seabed.bathymetry");
   if (bed.bathymetry_file.empty() || key == nullptr) return;
-  const auto refuse = [&](std::string found, std::string expected, std::string hint) {
+  const auto add_error = [&](std::string found, std::string expected, std::string hint) {
     diagnostics.add({Severity::error, description.source_file, key->line, 0, key->path, std::move(found),
                      std::move(expected), std::move(hint)});
   };
-  std::error_code fault;
-  if (!std::filesystem::exists(bed.bathymetry_file, fault)) {
-    return refuse("the file " + key->shown + ", which does not exist", "a file with depths", "");
+  std::error_code code;
+  if (!std::filesystem::exists(bed.bathymetry_file, code)) {
+    return add_error("the file " + key->shown + ", which does not exist", "a file with depths", "");
   }
   bed.bathymetry = read_bathymetry(bed.bathymetry_file, diagnostics);
   if (!bed.bathymetry) return;
@@ -116,20 +117,22 @@ void read_bathymetry_file(const FieldValue& root, Description& description, Diag
   const Area area = extent(*bed.bathymetry);
   if (!reaches(area, shoe, -towards(description.vessel.heading))) {
     const double away = distance(area, shoe);
-    return refuse("an area " + format_number(away > 1e4 ? std::round(1e-3 * away) : away, 6) +
-                      (away > 1e4 ? " km" : " m") + " from the stern shoe: " + words(area),
-                  "an area in which the pipe is laid, with east and north from midship",
-                  "environment.seabed.bathymetry_midship says where midship is in the coordinates of the file");
+    return add_error(
+        "an area " + format_number(away > 1e4 ? std::round(1e-3 * away) : away, 6) + (away > 1e4 ? " km" : " m") +
+            " from the stern shoe: " + area_label(area),
+        "an area in which the pipe is laid, with east and north measured from midship",
+        "environment.seabed.bathymetry_midship gives the position of midship in the coordinates of the file");
   }
   const double wanted = description.environment.water_depth;
   double depth = depth_under(*bed.bathymetry, shoe);
-  if (depth_disagrees(depth, wanted) && !depth_disagrees(-depth, wanted)) {  // a coast, of whose grid most is land
+  // heights instead of depths; near a coast most of a grid may be land
+  if (depth_disagrees(depth, wanted) && !depth_disagrees(-depth, wanted)) {
     for (double& value : bed.bathymetry->depth) value = -value;
     depth = -depth;
   }
   if (const auto found = depth_disagrees(depth, wanted)) {
-    refuse(*found, "environment.water_depth, " + format_quantity(wanted, "m", "m") + ", within 0.1 m",
-           "east and north count from midship, or from environment.seabed.bathymetry_midship");
+    add_error(*found, "environment.water_depth, " + format_quantity(wanted, "m", "m") + ", within 0.1 m",
+              "east and north are measured from midship, or from environment.seabed.bathymetry_midship");
   }
 }
 

@@ -1,4 +1,4 @@
-/// The file with the depths of an uneven sea bed.
+/// File with the depths of an uneven seabed.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace overbend {
 
-/// How far the depth of a shaped bed at the stern shoe may be from `environment.water_depth` [m].
+/// Max. difference between the depth of the seabed shape at the stern shoe and `environment.water_depth` [m].
 inline constexpr double kDepthTolerance = 0.1;
 
-/// What is found where the depths disagree by more; nothing where they agree.
+/// Returns a message if the depths differ by more; empty otherwise.
 std::optional<std::string> depth_disagrees(double bed_depth, double water_depth);
 
-/// Fills `environment.seabed.bathymetry` from its file. Statics cannot do without: a file that is not there is an
-/// error, as is one whose depth at the stern shoe is not the water depth.
+/// Fills `environment.seabed.bathymetry` from its file. Statics needs it: a missing file is an error, as is a depth at
+/// the stern shoe that differs from the water depth.
 void read_bathymetry_file(const FieldValue& root, Description& description, Diagnostics& diagnostics);
 
-/// Warns of a bed that rises astern and leaves the water where a pipe is laid. After the bathymetry was read.
+/// Warns of a seabed that rises astern above the water where a pipe is laid. Call after the bathymetry is read.
 void check_shore(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 }  // namespace overbend

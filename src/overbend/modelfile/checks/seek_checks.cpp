@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "base/text.h"
-#include "model/description/operation_words.h"
-#include "model/description/sought_operations.h"
+#include "model/description/operation_names.h"
+#include "model/description/seek_operations.h"
 #include "modelfile/checks/box_row_checks.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
@@ -14,19 +14,19 @@ namespace overbend {
 namespace {
 
 constexpr const char* kNoStages =
-    "a goal seek looks at the lay as such, not at the stages of its operation, unless that is a lift or a pull";
+    "a goal seek evaluates the normal lay configuration, not the stages of its operation, except for a lift or a pull";
 
 bool of_operation(const std::string& path) {
   return path.starts_with("operation.") || path.starts_with("stages[");
 }
 
-bool looks_at_stages(const Checker& check) {
+bool evaluates_stages(const Checker& check) {
   const std::optional<std::string> word = check.root().get_text("operation.type");
-  const std::optional<OperationType> type = operation_of_word(word.value_or(""));
-  return type && is_sought_by_stages(*type);
+  const std::optional<OperationType> type = find_operation_type(word.value_or(""));
+  return type && is_seek_over_stages(*type);
 }
 
-/// Members of a group that is given once or as a list.
+/// Returns the members of a group that is given once or as a list.
 std::vector<const FieldValue*> groups(const FieldValue& seek, const std::string& key) {
   const FieldValue* found = seek.find(key);
   if (found == nullptr) return {};
@@ -36,38 +36,39 @@ std::vector<const FieldValue*> groups(const FieldValue& seek, const std::string&
   return all;
 }
 
-/// Of a list an item, of a group with names for keys the one of a name.
-bool is_meant(const FieldValue& group, std::size_t index, const std::string& text) {
+/// Returns true if the text selects the item: by index or name in a list, by key in a group with free names.
+bool is_selected(const FieldValue& group, std::size_t index, const std::string& text) {
   const FieldValue& item = group.children[index];
   if (group.kind == FieldValue::Kind::map) return item.given && matches_pattern(text, item.key);
   return chooses_item(text, index, item.get_text("name").value_or(""));
 }
 
-std::string name_of(const FieldValue& group, const FieldValue& item) {
+std::string item_label(const FieldValue& group, const FieldValue& item) {
   return group.kind == FieldValue::Kind::map ? item.key : item.get_text("name").value_or("an item");
 }
 
-/// Whether the lists of the model have items for the key; names of the first list that has none.
-bool has_items(const FieldValue& at, const std::vector<NamePart>& parts, std::size_t next,
+/// Returns true if the lists of the model have items for the key; otherwise sets `names` to those of the first list
+/// without a match.
+bool has_items(const FieldValue& node, const std::vector<PathPart>& parts, std::size_t next,
                std::vector<std::string>& names) {
   if (next == parts.size()) return true;
-  const NamePart& part = parts[next];
+  const PathPart& part = parts[next];
   if (!part.item) {
-    const FieldValue* member = at.find(part.text);
-    // A key that is left out is set in its group; a list that is not there has no items.
+    const FieldValue* member = node.find(part.text);
+    // A missing key can be set in its group; a missing list has no items.
     if (member == nullptr) {
       return std::none_of(parts.begin() + static_cast<std::ptrdiff_t>(next), parts.end(),
-                          [](const NamePart& later) { return later.item; });
+                          [](const PathPart& later) { return later.item; });
     }
     return has_items(*member, parts, next + 1, names);
   }
   bool any = false;
-  for (std::size_t i = 0; i < at.children.size(); ++i) {
-    if (is_meant(at, i, part.text)) any = has_items(at.children[i], parts, next + 1, names) || any;
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (is_selected(node, i, part.text)) any = has_items(node.children[i], parts, next + 1, names) || any;
   }
   if (!any && names.empty()) {
-    for (const FieldValue& item : at.children) {
-      if (item.given) names.push_back(name_of(at, item));
+    for (const FieldValue& item : node.children) {
+      if (item.given) names.push_back(item_label(node, item));
     }
   }
   return any;
@@ -75,7 +76,7 @@ bool has_items(const FieldValue& at, const std::vector<NamePart>& parts, std::si
 
 void check_value(Checker& check, const FieldValue* value, const Field& row) {
   if (value == nullptr) return;
-  const ScalarReading reading = read_value_of(value->text, row);
+  const ScalarReading reading = read_row_value(value->text, row);
   if (!reading.value) check.error(*value, reading.found, reading.expected, reading.hint);
 }
 
@@ -92,7 +93,7 @@ void check_bounds(Checker& check, const FieldValue& variable, const Field& row) 
   change.range = {.low = 0.0, .low_open = true};
   check_value(check, within, change);
   if (from == nullptr) return;
-  const ScalarReading low = read_value_of(from->text, row), high = read_value_of(to->text, row);
+  const ScalarReading low = read_row_value(from->text, row), high = read_row_value(to->text, row);
   if (low.value && high.value && low.value->number >= high.value->number) {
     check.error(*to, to->shown, "more than the lower bound, " + from->shown);
   }
@@ -104,30 +105,30 @@ void check_variable(Checker& check, const FieldValue& variable) {
   const Field* row = varied_row(key->text);
   if (row == nullptr) {
     check.error(*key, key->shown, "a key of the model file with a quantity or a number, such as tensioner.tension",
-                "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z");
+                "items of lists are selected in brackets: supports.stinger.boxes[stinger 3].z");
     return;
   }
-  if (of_operation(key->text) && !looks_at_stages(check)) {
-    check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
+  if (of_operation(key->text) && !evaluates_stages(check)) {
+    check.error(*key, key->shown, "a key of the laid line itself", kNoStages);
     return;
   }
   if (key->text == "supports.ramp.radius" || key->text == "supports.stinger.radius") {
     const FieldValue* structure = check.root().find(key->text.substr(0, key->text.rfind('.')));
-    if (structure == nullptr || box_row_of(*structure) == nullptr) {
-      check.error(*key, key->shown + " of listed boxes", "the radius of a row of boxes", kVaryListedBoxes);
+    if (structure == nullptr || find_box_row(*structure) == nullptr) {
+      check.error(*key, key->shown + " of listed boxes", "the radius of a row of boxes", kListedBoxesHint);
       return;
     }
   }
   std::vector<std::string> names;
-  if (!has_items(check.root(), name_parts(key->text).value(), 0, names)) {
-    check.error(*key, key->shown, "an item that the list has",
-                names.empty() ? "the model has no such list" : "it has " + join_words(names, "and"));
+  if (!has_items(check.root(), split_result_path(key->text).value(), 0, names)) {
+    check.error(*key, key->shown, "an item in the list",
+                names.empty() ? "the model has no such list" : "it has " + join_items(names, "and"));
     return;
   }
   check_bounds(check, variable, *row);
 }
 
-/// The result nearest to what was meant, its lists with the item of that name.
+/// Returns the most similar result name, with the list items of the given name.
 std::string nearest_result(const std::string& name) {
   const std::string path = parsed_result_name(name).path;
   const std::string near = nearest_word(path, result_paths());
@@ -135,7 +136,7 @@ std::string nearest_result(const std::string& name) {
                       : "did you mean '" + near + "'?";
 }
 
-/// Names of the stages, and of what a stage of a lift has under "lines" and "davits".
+/// Returns the names of the stages, and of the entries under "lines" and "davits" in the stages of a lift.
 std::vector<std::string> names_in_list(const Checker& check, const std::string& list) {
   std::vector<std::string> names;
   const std::vector<FieldValue>& items = Checker::items(check.root(), list == "stages" ? "operation.stages" : "lines");
@@ -145,29 +146,29 @@ std::vector<std::string> names_in_list(const Checker& check, const std::string& 
   return names;
 }
 
-/// The part of a result of a stage that names what the lift does not have, and what it has there.
-bool check_names_in_stage(Checker& check, const FieldValue& result, const std::vector<NamePart>& parts) {
+/// Reports the part of a result name that does not exist in the stages, with the existing names.
+bool check_names_in_stage(Checker& check, const FieldValue& result, const std::vector<PathPart>& parts) {
   for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
     const std::string& list = parts[i].text;
     if (parts[i].item || (list != "stages" && list != "lines" && list != "davits")) continue;
     const std::vector<std::string> names = names_in_list(check, list);
-    const NamePart& name = parts[i + 1];
+    const PathPart& name = parts[i + 1];
     bool any = false;
     for (std::size_t k = 0; k < names.size(); ++k) {
       any = any || (list == "stages" ? chooses_item(name.text, k, names[k]) : matches_pattern(name.text, names[k]));
     }
-    if (any || names.empty()) continue;  // stages at even steps have no names
+    if (any || names.empty()) continue;  // generated stages have no names
     check.error(result, result.shown, "the name of " + std::string(list == "stages" ? "a stage" : "a line"),
-                "there is no '" + for_display(name.text) + "'; the model has " + join_words(names, "and"));
+                "there is no '" + for_display(name.text) + "'; the model has " + join_items(names, "and"));
     return false;
   }
   return true;
 }
 
-/// Of a lift and of a pull the results are those of its stages.
+/// Checks that results of a lift or a pull are results of its stages.
 bool check_stage_result(Checker& check, const FieldValue& result) {
   const std::string path = parsed_result_name(result.text).path;
-  const std::optional<std::vector<NamePart>> parts = name_parts(path);
+  const std::optional<std::vector<PathPart>> parts = split_result_path(path);
   if (path.starts_with("checks.")) return true;
   if (parts && path.starts_with("operation.stages[")) return check_names_in_stage(check, result, *parts);
   check.error(
@@ -178,7 +179,7 @@ bool check_stage_result(Checker& check, const FieldValue& result) {
 
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
-  const bool stages = looks_at_stages(check);
+  const bool stages = evaluates_stages(check);
   if (!stages && of_operation(parsed_result_name(result->text).path)) {
     check.error(*result, result->shown, "the path of a number in summary.json of a static analysis", kNoStages);
     return false;

@@ -1,14 +1,14 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 
 namespace overbend {
 namespace {
 
-/// What a section is told by, besides its hinge and its boxes.
+/// Keys of a section in addition to its hinge and its boxes.
 constexpr const char* kOnHinge[] = {"angle", "body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"};
 
 const FieldValue* given(const FieldValue& group, const std::string& key) {
@@ -16,13 +16,13 @@ const FieldValue* given(const FieldValue& group, const std::string& key) {
   return value != nullptr && value->given ? value : nullptr;
 }
 
-/// Stops in order, and an angle that is set between them.
+/// Checks the order of the stops, and that a prescribed angle is between them.
 void check_limits(Checker& check, const FieldValue& section) {
   const std::vector<FieldValue>& limits = Checker::items(section, "limits");
   if (limits.size() != 2) return;
   const FieldValue &up = limits[0], &down = limits[1];
   if (down.number <= up.number) {
-    check.error(down, down.shown, "more than the first, " + up.shown, "the least angle, then the largest");
+    check.error(down, down.shown, "more than the first, " + up.shown, "the minimum angle, then the maximum");
     return;
   }
   const FieldValue* angle = given(section, "angle");
@@ -31,15 +31,15 @@ void check_limits(Checker& check, const FieldValue& section) {
   }
 }
 
-/// Both ends of a straight line differ.
+/// Checks that the ends of a straight element differ.
 void check_extent(Checker& check, const FieldValue& item, const char* from, const char* to, const char* what) {
-  const FieldValue *one = item.find(from), *other = item.find(to);
-  if (one == nullptr || other == nullptr) return;
-  const auto x = one->get_number("x"), z = one->get_number("z");
-  const auto other_x = other->get_number("x"), other_z = other->get_number("z");
+  const FieldValue *start = item.find(from), *end = item.find(to);
+  if (start == nullptr || end == nullptr) return;
+  const auto x = start->get_number("x"), z = start->get_number("z");
+  const auto other_x = end->get_number("x"), other_z = end->get_number("z");
   if (!x || !z || !other_x || !other_z) return;
   if (std::hypot(*x - *other_x, *z - *other_z) < 1e-3) {
-    check.error(*other, "the same place as " + std::string(from), std::string("another place: ") + what);
+    check.error(*end, "the same place as " + std::string(from), std::string("another place: ") + what);
   }
 }
 
@@ -47,21 +47,22 @@ void check_section(Checker& check, const FieldValue& section) {
   if (!section.mentions("hinge")) {
     for (const char* key : kOnHinge) {
       if (given(section, key) == nullptr) continue;
-      check.missing(section, "hinge", "a group of keys", std::string(key) + " is of a stinger that turns about it");
+      check.missing(section, "hinge", "a group of keys",
+                    std::string(key) + " requires a stinger that rotates about a hinge");
       break;
     }
   }
   check_limits(check, section);
   for (const FieldValue& tank : Checker::items(section, "tanks")) {
-    check_extent(check, tank, "from", "to", "the tank has a length");
+    check_extent(check, tank, "from", "to", "a tank has a length");
   }
   for (const FieldValue& spring : Checker::items(section, "springs")) {
-    check_extent(check, spring, "on_barge", "on_stinger", "the spring has a length");
+    check_extent(check, spring, "on_barge", "on_stinger", "a spring has a length");
   }
   check_unique_names(check, Checker::items(section, "springs"), "spring");
 }
 
-/// Hinges run astern as the sections do.
+/// Checks that the hinges are in order from the vessel astern.
 void check_hinges(Checker& check, const std::vector<FieldValue>& sections) {
   for (std::size_t i = 1; i < sections.size(); ++i) {
     const FieldValue *before = sections[i - 1].find("hinge.x"), *x = sections[i].find("hinge.x");
@@ -71,7 +72,7 @@ void check_hinges(Checker& check, const std::vector<FieldValue>& sections) {
   }
 }
 
-/// A tank's name says which one it is, whatever its section.
+/// Checks that tank names are unique over all sections.
 void check_tank_names(Checker& check, const std::vector<const FieldValue*>& sections) {
   std::vector<FieldValue> tanks;
   for (const FieldValue* section : sections) {
@@ -90,7 +91,7 @@ void check_tank_names(Checker& check, const std::vector<const FieldValue*>& sect
   check_unique_names(check, tanks, "tank");
 }
 
-/// Either sections, or what one is told by.
+/// Checks that the stinger is given either by sections or as a single one.
 void check_one_way(Checker& check, const FieldValue& stinger) {
   const FieldValue* sections = given(stinger, "sections");
   if (sections == nullptr) {
@@ -103,7 +104,7 @@ void check_one_way(Checker& check, const FieldValue& stinger) {
        {"hinge", "boxes", "angle", "body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"}) {
     const FieldValue* value = given(stinger, key);
     if (value != nullptr) {
-      check.error(*value, std::string(key) + " beside sections", "one of them", "each section has its own");
+      check.error(*value, std::string(key) + " and sections", "one of them", "each section has its own");
     }
   }
 }

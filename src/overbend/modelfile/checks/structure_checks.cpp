@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
 
@@ -16,18 +16,18 @@ void check_weight(Checker& check, const FieldValue& structure) {
   }
 }
 
-/// Two structures may touch but not lie over each other.
-void check_apart(Checker& check, const FieldValue& one, const FieldValue& other, const std::string& name_of_other) {
-  const FieldValue* at = one.find("at");
-  const auto other_at = other.get_number("at");
-  if (at == nullptr || !other_at) return;
-  const double lengths = one.get_number("length").value_or(0.0) + other.get_number("length").value_or(0.0);
-  if (std::abs(at->number - *other_at) < 0.5 * lengths * (1.0 - 1e-9)) {
-    check.error(*at, at->shown, "a place beside '" + name_of_other + "', which lies there");
+/// Checks that two structures do not overlap; they may touch.
+void check_apart(Checker& check, const FieldValue& first, const FieldValue& second, const std::string& second_name) {
+  const FieldValue* position = first.find("at");
+  const auto other_at = second.get_number("at");
+  if (position == nullptr || !other_at) return;
+  const double lengths = first.get_number("length").value_or(0.0) + second.get_number("length").value_or(0.0);
+  if (std::abs(position->number - *other_at) < 0.5 * lengths * (1.0 - 1e-9)) {
+    check.error(*position, position->shown, "a position that does not overlap '" + second_name + "'");
   }
 }
 
-/// Clumps and buoys lie between the tensioner and the end of the pipe.
+/// Checks that clumps and buoys are between the tensioner and the end of the pipe.
 void check_points(Checker& check, const FieldValue& pipe) {
   const std::vector<FieldValue>& points = Checker::items(pipe, "points");
   check_unique_names(check, points, "point");
@@ -51,7 +51,8 @@ void check_passage(Checker& check, const std::vector<std::string>& names) {
     if (!passage) check.error(*structure, "a key of passage", "none in this type of operation");
     check_name(check, *structure, names, "pipe.structures");
   } else if (passage) {
-    check.missing(*operation, "structure", "the name of a structure under pipe.structures", "it moves along the line");
+    check.missing(*operation, "structure", "the name of a structure under pipe.structures",
+                  "the structure that moves along the line");
   }
 }
 

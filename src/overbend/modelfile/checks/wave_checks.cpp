@@ -5,7 +5,7 @@
 
 #include "base/constants.h"
 #include "base/units.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/waves/wave_theory.h"
 #include "modelfile/checks/model_checks.h"
 #include "modelfile/schema/check_helper.h"
@@ -13,19 +13,19 @@
 namespace overbend {
 namespace {
 
-/// Height over depth of the highest waves seen to run over a level bed.
+/// Max. ratio of height to depth of waves observed on a level seabed.
 constexpr double kShallowBreaking = 0.78;
 
-/// Tp/sqrt(Hs) [s/m^1/2] below which JONSWAP is no longer a model of the sea [dnvc205].
+/// Min. Tp/sqrt(Hs) [s/m^1/2] for which JONSWAP is a valid model of the sea [dnvc205].
 constexpr double kSteepSea = 3.6;
 
-/// Highest of 1,000 waves over Hs: sqrt(ln(1000)/2) of Rayleigh's distribution.
+/// Ratio of the highest of 1,000 waves to Hs: sqrt(ln(1000)/2) from the Rayleigh distribution.
 constexpr double kHighestOfThousand = 1.858;
 
 struct WaveKeys {
   WaveType type;
-  std::vector<std::string> needed;   ///< Without them there is no such wave.
-  std::vector<std::string> allowed;  ///< Besides.
+  std::vector<std::string> needed;   ///< Required keys of the wave type.
+  std::vector<std::string> allowed;  ///< Optional keys.
 };
 
 const std::vector<WaveKeys>& wave_keys() {
@@ -40,23 +40,25 @@ const std::vector<WaveKeys>& wave_keys() {
   return kKeys;
 }
 
-bool holds(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+bool holds(const std::vector<std::string>& names, const std::string& word) {
+  return std::find(names.begin(), names.end(), word) != names.end();
 }
 
 void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
   for (const std::string& key : keys.needed) {
-    if (!waves.mentions(key)) check.missing(waves, key, std::string("it for waves of type ") + word_of(keys.type));
+    if (!waves.mentions(key)) {
+      check.missing(waves, key, std::string("a value for waves of type ") + enum_name(keys.type));
+    }
   }
   for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
     const FieldValue* extra = waves.find(key);
     if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
-    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is not used",
+    check.warn(*extra, std::string("has no effect for waves of type ") + enum_name(keys.type) + " and is not used",
                FindingCode::unused_input);
   }
 }
 
-/// Length of the regular wave by its own theory; none when the theory has no such wave.
+/// Returns the length of the regular wave by its own theory; empty if the theory has no such wave.
 std::optional<double> wave_length(WaveType type, double height, double period, double depth) {
   if (type == WaveType::airy) return kTurn / linear_wave_number(kTurn / period, depth);
   try {
@@ -104,14 +106,14 @@ void check_sea_over_bed(const FieldValue& root, const Description& description, 
   if (waves.type == WaveType::none || waves.type == WaveType::airy || waves.type == WaveType::stokes5) return;
   const double depth = description.environment.water_depth, breaking = kShallowBreaking * depth;
   const double highest = kHighestOfThousand * waves.hs;
-  const FieldValue* at =
+  const FieldValue* key =
       root.find(waves.type == WaveType::user ? "environment.waves.spectrum_file" : "environment.waves.hs");
-  if (highest <= breaking || at == nullptr) return;
+  if (highest <= breaking || key == nullptr) return;
   const auto metres = [](double length) { return format_quantity(length, "m", "m", 3); };
   Checker(root, description.source_file, diagnostics)
-      .warn(*at, "of 1,000 waves of a sea with a significant height of " + metres(waves.hs) + " the highest is " +
-                     metres(highest) + ", and waves of more than " + metres(breaking) + " break in a water depth of " +
-                     metres(depth) + ": a sum of linear waves does not break");
+      .warn(*key, "of 1,000 waves of a sea with a significant height of " + metres(waves.hs) + " the highest is " +
+                      metres(highest) + ", and waves of more than " + metres(breaking) + " break in a water depth of " +
+                      metres(depth) + ": a sum of linear waves does not break");
 }
 
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
@@ -123,7 +125,9 @@ void check_waves(const FieldValue& root, const std::string& file, Diagnostics& d
     if (*type == keys.type) check_keys(check, *waves, keys);
   }
   const FieldValue* from = waves->find("from");
-  if (from != nullptr && !from->given) check.warn(*waves, "no direction given (from): the waves come from the north");
+  if (from != nullptr && !from->given) {
+    check.warn(*waves, "no direction is given (from): the waves come from the north");
+  }
   const auto depth = root.get_number("environment.water_depth");
   if (*type == WaveType::airy || *type == WaveType::stokes5) {
     if (depth) check_regular(check, *waves, *type, *depth);

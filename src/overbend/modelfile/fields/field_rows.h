@@ -1,4 +1,4 @@
-/// Parts of the field table, split by subject to keep the files short. Include modelfile/fields/field_table.h instead.
+/// Parts of the field table by subject. Include modelfile/fields/field_table.h instead.
 #pragma once
 
 #include <numbers>
@@ -56,10 +56,10 @@ std::vector<Field> motion_convention();
 std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();
-/// Boxes told as a row at `path`, whose group `open` brings to its BoxRowDescription; of a stinger the row `continues`
-/// the ramp where its first box is not given.
+/// Row of boxes at `path`; `open` returns its BoxRowDescription. A stinger's row `continues` the ramp if its first box
+/// is not given.
 std::vector<Field> box_row(const std::string& path, const Member& open, bool continues);
-/// Table of settings of the stinger at `path`, and the choice among them.
+/// Table of settings of the stinger at `path`, and the selection among them.
 std::vector<Field> stinger_settings(const std::string& path, const Member& settings, const Member& setting);
 /// The lay route in plan.
 std::vector<Field> route();
@@ -68,16 +68,16 @@ std::vector<Field> bodies();
 std::vector<Field> free_lines();
 std::vector<Field> station_keeping();
 std::vector<Field> operation();
-/// Of operations on the line: cable, head, winch and anchor.
+/// Keys of operations on the laid line: cable, head, winch and anchor.
 std::vector<Field> lay_operation();
-/// Stages of an operation, one by one or generated.
+/// Stages of an operation, listed or generated.
 std::vector<Field> operation_stages();
-/// Steel, coatings and hydrodynamics of the head under `p`; what is left out is as in the pipe's main section.
+/// Steel, coatings and hydrodynamics of the head under `p`; missing keys are those of the pipe's main section.
 std::vector<Field> head_section_rows(const std::string& p);
-/// Steel, coatings, joints and contents of a stretch of pipe under `p`; their members belong to a SectionDescription.
-/// Nothing of it has to be given.
+/// Steel, coatings, joints and contents of a length of pipe under `p`; their members belong to a SectionDescription.
+/// None of them is required.
 std::vector<Field> pipe_section_rows(const std::string& p);
-/// pipe.structures.
+/// Rows of pipe.structures.
 std::vector<Field> structures();
 /// operation.structure.
 Field passing_structure();

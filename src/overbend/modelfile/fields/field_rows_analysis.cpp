@@ -1,24 +1,25 @@
 #include <numeric>
 
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
 #include "modelfile/schema/field_value.h"
 
 namespace overbend::field_rows {
 namespace {
 
-constexpr double kShortestElement = 0.02;  ///< [m] Far below any pipe's diameter, where a beam means nothing.
+constexpr double kMinElementLength = 0.02;  ///< [m] Far below any pipe diameter, where beam theory is meaningless.
 
-/// Lowest, then highest; a machine with a range works to keep it unless `mode` says otherwise.
+/// Lowest, then highest tension; a tensioner with a range controls it unless `mode` states otherwise.
 void take_range(TensionerDescription& tensioner, const FieldValue& range) {
   tensioner.range_low = range.children[0].number;
   tensioner.range_high = range.children[1].number;
   tensioner.mode = TensionerMode::controlled;
 }
 
-constexpr double kMostTension = 1e8;    ///< Five times what the largest vessel holds: a wrong unit beyond [N].
-constexpr double kShortestStep = 1e-6;  ///< A hundredth of the shortest impact on a stiff roller [s].
+/// Five times the capacity of the largest vessel: a larger value has a wrong unit [N].
+constexpr double kMaxTension = 1e8;
+constexpr double kMinTimeStep = 1e-6;  ///< A hundredth of the shortest impact on a stiff roller [s].
 
 /// Seeds 1, 2, ... up to the number given.
 void count_seeds(DynamicSettings& settings, const FieldValue& count) {
@@ -67,14 +68,14 @@ std::vector<Field> tensioner() {
        .unit = "N",
        .show = "kN",
        .fallback_text = "follows from pipe.length and pipe.anchor",
-       .range = {.low = 0.0, .high = kMostTension, .low_open = true}},
+       .range = {.low = 0.0, .high = kMaxTension, .low_open = true}},
       {.path = "tensioner.range",
        .member = taken_by<TensionerDescription>(take_range),
        .kind = FieldKind::list,
        .text = "Operational range: lowest and highest tension before the tensioner pays out or hauls in.",
        .fallback_text = "none",
-       .least = 2,
-       .most = 2},
+       .min_items = 2,
+       .max_items = 2},
       {.path = "tensioner.range[]",
        .member = read_elsewhere(),
        .kind = FieldKind::quantity,
@@ -87,7 +88,7 @@ std::vector<Field> tensioner() {
        .kind = FieldKind::choice,
        .text = "Behaviour in dynamic analysis. controlled: keeps the tension in the range; locked: brake on; constant: "
                "ideal constant tension.",
-       .fallback_text = "controlled with a range, otherwise constant, with a finding"},
+       .fallback_text = "controlled with a range, otherwise constant, with a warning"},
       {.path = "tensioner.delay",
        .member = defaults(&TensionerDescription::delay),
        .kind = FieldKind::quantity,
@@ -131,7 +132,7 @@ std::vector<Field> analysis() {
                  .unit = "m",
                  .show = "m",
                  .fallback_text = "chosen by the program",
-                 .range = {.low = kShortestElement, .high = 1000.0}};
+                 .range = {.low = kMinElementLength, .high = 1000.0}};
   };
   const auto time = [&](const char* key, const Member& member, const char* text, Range range) {
     return Field{.path = d + key,
@@ -147,7 +148,7 @@ std::vector<Field> analysis() {
       {.path = m, .member = enters(&Description::mesh), .text = "Element lengths."},
       element(".overbend_element", &MeshDescription::overbend_element, "Over the supports."),
       element(".touchdown_element", &MeshDescription::touchdown_element, "Around touchdown."),
-      element(".longest_element", &MeshDescription::longest_element, "Anywhere."),
+      element(".longest_element", &MeshDescription::max_element_length, "Anywhere."),
       {.path = s, .member = enters(&Description::statics), .text = "Statics."},
       {.path = s + ".method",
        .member = defaults(&StaticSettings::method),
@@ -161,14 +162,14 @@ std::vector<Field> analysis() {
       {.path = s + ".laying",
        .member = defaults(&StaticSettings::laying),
        .kind = FieldKind::choice,
-       .text =
-           "How the pipe on the seabed came to lie there. steady: at rest on the line on which it was laid, so that "
-           "a current's side load goes to the supports; static: it lay straight on the route and is pulled aside."},
+       .text = "Origin of the pipe's position on the seabed. steady: in equilibrium on the line on which it was laid, "
+               "so that a current's side load goes to the supports; static: laid straight on the route and then pulled "
+               "sideways."},
       {.path = s + ".roller_friction",
        .member = defaults(&StaticSettings::roller_friction),
        .kind = FieldKind::choice,
        .text = "Friction of the rollers on the pipe. none: they turn freely; lay: full friction against the pipe as it "
-               "is paid out; haul: as it is hauled in. A shore_pull always has lay, a hold_back haul."},
+               "is paid out; haul: as it is hauled in. shore_pull always uses lay, hold_back haul."},
       {.path = s + ".tolerance",
        .member = defaults(&StaticSettings::tolerance),
        .kind = FieldKind::number,
@@ -182,9 +183,8 @@ std::vector<Field> analysis() {
       {.path = s + ".mean_drift",
        .member = fills(&StaticSettings::mean_drift),
        .kind = FieldKind::choice,
-       .text =
-           "Whether the mean drift of the waves acts on a coupled hull at rest. yes: in statics and in the start of "
-           "a dynamic analysis; no: in neither, and it grows with the waves.",
+       .text = "Mean wave drift on a coupled hull in equilibrium. yes: in statics and in the start of a dynamic "
+               "analysis; no: in neither, and it builds up with the waves.",
        .fallback_text = "in the equilibrium that a dynamic analysis starts from, not in statics"},
       {.path = d,
        .member = enters(&Description::dynamics),
@@ -195,19 +195,19 @@ std::vector<Field> analysis() {
            {.low = kMinDuration, .high = kMaxDuration}),
       time(".build_up", defaults(&DynamicSettings::build_up),
            "Time before t = 0 over which waves and vessel motion are ramped up; the current acts in full. With 0 s a "
-           "told motion leaps at t = 0 from where statics have the vessel, or has its speed at once: warned of, a leap "
-           "refused from 0.1 m on.",
+           "prescribed motion jumps at t = 0 from the static position, or starts at full speed: this gives a warning, "
+           "and a jump of 0.1 m or more is an error.",
            {.low = 0.0, .high = kMaxDuration}),
-      time(".step", fills(&DynamicSettings::step), "Fixed time step.", {.low = kShortestStep}),
+      time(".step", fills(&DynamicSettings::step), "Fixed time step.", {.low = kMinTimeStep}),
       time(".max_step", fills(&DynamicSettings::max_step), "Maximum time step of the adaptive scheme.",
-           {.low = kShortestStep}),
+           {.low = kMinTimeStep}),
       {.path = d + ".spectral_radius",
        .member = defaults(&DynamicSettings::spectral_radius),
        .kind = FieldKind::number,
        .text = "At infinite frequency: 1 means no numerical damping, 0 removes all high-frequency motion.",
        .range = {.low = 0.0, .high = 1.0}},
       time(".output_step", defaults(&DynamicSettings::output_step), "Time between stored results.",
-           {.low = kShortestStep}),
+           {.low = kMinTimeStep}),
       {.path = d + ".impacts",
        .member = defaults(&DynamicSettings::impacts),
        .kind = FieldKind::choice,
@@ -237,8 +237,8 @@ std::vector<Field> analysis() {
       {.path = d + ".step_error",
        .member = fills(&DynamicSettings::step_error),
        .kind = FieldKind::quantity,
-       .text = "Position error of a node per step, which controls the adaptive step size; "
-               "more in proportion beside elements of moorings longer than 5 m.",
+       .text = "Position error of a node per step, which controls the adaptive step size; larger in proportion to the "
+               "length of mooring elements longer than 5 m.",
        .unit = "m",
        .show = "mm",
        .fallback_text = "1 mm, or for a slender pipe or a short line less: D/250, L/400000",
@@ -253,8 +253,8 @@ std::vector<Field> analysis() {
        .member = enters(&DynamicSettings::seeds),
        .kind = FieldKind::list,
        .text = "Seeds of the random waves, one realisation each.",
-       .least = 1,
-       .most = 10000},
+       .min_items = 1,
+       .max_items = 10000},
       {.path = d + ".seeds[]",
        .member = appends_value<std::uint64_t>(),
        .kind = FieldKind::integer,
@@ -264,7 +264,7 @@ std::vector<Field> analysis() {
   for (Field& row : rows) {
     if (row.path == d + ".duration") row.required = true;
     if (row.path == d + ".step") row.fallback_text = "chosen by the program";
-    if (row.path == d + ".max_step") row.fallback_text = "125 ms, or a fiftieth of the shortest period told";
+    if (row.path == d + ".max_step") row.fallback_text = "125 ms, or a fiftieth of the shortest prescribed period";
   }
   return rows;
 }

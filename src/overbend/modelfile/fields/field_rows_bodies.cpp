@@ -9,7 +9,7 @@ using Body = BodyDescription;
 
 const std::string kVessel = "vessel", kBody = "bodies[]";
 
-/// Keys of the vessel that another body has too.
+/// Returns true for keys of the vessel that another body has too.
 bool is_shared(const std::string& path) {
   constexpr const char* kShared[] = {"length", "beam", "depth", "draught", "heading", "trim", "heel", "motion"};
   return std::ranges::any_of(kShared, [&](const char* key) {
@@ -18,7 +18,7 @@ bool is_shared(const std::string& path) {
   });
 }
 
-/// Of a body whose sizes are not given: a tug's.
+/// Default dimensions of a body: those of a tug.
 std::optional<double> default_size(const std::string& path) {
   const VesselDescription tug = Body{}.hull;
   const std::pair<const char*, double> sizes[] = {
@@ -29,7 +29,7 @@ std::optional<double> default_size(const std::string& path) {
   return std::nullopt;
 }
 
-/// Rows of the vessel as those of a body: the first ones below its group reach through to its hull.
+/// Converts rows of the vessel to those of a body; rows directly below its group refer to its hull.
 std::vector<Field> as_of_vessel(const std::vector<Field>& rows) {
   std::vector<Field> shared;
   for (Field row : rows) {
@@ -49,24 +49,24 @@ std::vector<Field> as_of_vessel(const std::vector<Field>& rows) {
 }  // namespace
 
 std::vector<Field> bodies() {
-  std::vector<std::string> axes = world_axes_words();
+  std::vector<std::string> axes = world_axis_texts();
   axes.pop_back();
   const std::string place = kBody + ".place";
   std::vector<Field> rows = {
       list_row("bodies", enters(&Description::bodies),
-               "Bodies besides the vessel that ends of lines may be on: a tug, a second vessel, a platform. Their "
+               "Bodies other than the vessel to which lines are attached: a tug, a second vessel, a platform. Their "
                "motion is prescribed.",
                "none"),
       group_row(kBody, appends_named<Body>("body"),
                 "One body. Its frame: origin midship on its water line, x forward, y to port, z up."),
       otherwise(row_of_kind(FieldKind::text, kBody + ".name", fills(&Body::name),
-                            "By which ends of lines name it; must be unique, and not `vessel`."),
+                            "Name to which line ends refer; must be unique, and not `vessel`."),
                 "body 1, 2, ...")};
-  append(rows, vector_rows({.group = required(group_row(place, enters(&Body::place), "Where its origin lies.")),
+  append(rows, vector_rows({.group = required(group_row(place, enters(&Body::place), "Position of its origin.")),
                             .shown = kLength,
                             .texts = axes}));
   rows.push_back(quantity_row(place + ".z", with_default(component(2), 0.0),
-                              "Above the mean water level: of a platform whose origin is not on the water.", kLength));
+                              "Above the mean water level, for a platform whose origin is not on the water.", kLength));
   append(rows, as_of_vessel(vessel()));
   append(rows, as_of_vessel(motion_convention()));
   return rows;

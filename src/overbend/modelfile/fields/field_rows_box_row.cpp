@@ -23,22 +23,20 @@ std::vector<Field> box_row(const std::string& path, const Member& open, bool con
     first = required(std::move(first));
   }
   return {
-      group_row(path, open,
-                "Roller boxes as a row on an arc of `radius`: how many, how far apart, and where the first one is."),
+      group_row(path, open, "Roller boxes generated on an arc of `radius`: number, spacing and position of the first."),
       required(row_of_kind(FieldKind::integer, path + ".count", fills(&BoxRowDescription::count), "Number of boxes.",
                            {.low = 1.0, .high = 1000.0})),
-      required(quantity_row(path + ".spacing", fills(&BoxRowDescription::spacing), "From box to box along the arc.",
+      required(quantity_row(path + ".spacing", fills(&BoxRowDescription::spacing), "Arc length from box to box.",
                             kLength, {.low = 0.0, .high = 1000.0, .low_open = true})),
       quantity_row(path + ".length", defaults(&BoxRowDescription::length),
                    "Length of each box along the pipe; required with more than one row.", kLength,
                    {.low = 0.0, .high = 1000.0}),
       std::move(first),
       required(quantity_row(path + ".first.x", of_first<&StingerPoint::x>(),
-                            "Where the underside of the coated pipe rests at its middle, astern of the stern shoe.",
+                            "Point of the underside of the coated pipe at its middle, astern of the stern shoe.",
                             kLength)),
       required(quantity_row(path + ".first.z", of_first<&StingerPoint::z>(),
-                            "Where the underside of the coated pipe rests at its middle, above the stern shoe.",
-                            kLength)),
+                            "Point of the underside of the coated pipe at its middle, above the stern shoe.", kLength)),
       otherwise(quantity_row(path + ".first.incline", fills(&BoxRowDescription::incline),
                              "Inclination of the arc there from horizontal, positive downwards astern.", kAngle,
                              {.low = -90.0 * kDegree, .high = 90.0 * kDegree, .low_open = true, .high_open = true}),
@@ -52,19 +50,20 @@ std::vector<Field> stinger_settings(const std::string& path, const Member& setti
   const Member one_angle = taken_by<StingerSettingDescription>(
       [](StingerSettingDescription& owner, const FieldValue& value) { owner.angles = {value.number}; });
   return {
-      list_row(s, settings, "Angles of the stinger's sections under names, of which `setting` chooses one.", "none"),
+      list_row(s, settings, "Named settings of the angles of the stinger's sections, of which `setting` selects one.",
+               "none"),
       group_row(s + "[]", appends<StingerSettingDescription>(), "One setting."),
       required(row_of_kind(FieldKind::text, s + "[].name", fills(&StingerSettingDescription::name),
-                           "Name, by which `setting` chooses it; must be unique.")),
-      otherwise(
-          quantity_row(s + "[].angle", one_angle,
-                       "Of the one section, positive when the tip goes down from where it is drawn.", kAngle, angle),
-          "given by angles"),
+                           "Name to which `setting` refers; must be unique.")),
+      otherwise(quantity_row(s + "[].angle", one_angle,
+                             "Angle of a single section, positive when the tip goes down from where it is drawn.",
+                             kAngle, angle),
+                "given by angles"),
       list_row(s + "[].angles", enters(&StingerSettingDescription::angles),
-               "Of each section about its own hinge, from the barge astern.", "given by angle"),
+               "Angle of each section about its own hinge, from the barge astern.", "given by angle"),
       quantity_row(s + "[].angles[]", appends_value<double>(), "Angle of one section.", kAngle, angle),
-      otherwise(row_of_kind(FieldKind::text, path + ".setting", setting, "Name of the setting that holds."),
-                "the sections have angles of their own, or find them"),
+      otherwise(row_of_kind(FieldKind::text, path + ".setting", setting, "Name of the selected setting."),
+                "the sections have angles of their own, or follow from equilibrium"),
   };
 }
 

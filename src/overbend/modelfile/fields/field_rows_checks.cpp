@@ -1,4 +1,4 @@
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
 #include "modelfile/fields/row_makers.h"
 
@@ -13,7 +13,7 @@ Field number(const char* path, const Member& member, const char* text, Range ran
   return {.path = path, .member = member, .kind = FieldKind::number, .text = text, .range = range};
 }
 
-/// A number without which something is not checked, or follows from something else.
+/// Number whose absence disables a check or selects another source of the value.
 Field open_number(const std::string& path, const Member& member, const char* text, const char* without, Range range) {
   return {.path = path,
           .member = member,
@@ -138,26 +138,27 @@ std::vector<Field> options() {
 }
 
 std::vector<Field> limits() {
-  const auto stress = [](const std::string& key, std::optional<double> YieldShares::*member, const char* text) {
+  const auto stress = [](const std::string& key, std::optional<double> AllowableStressFactors::*member,
+                         const char* text) {
     return open_number("checks.yield_share." + key, fills(member), text, "not checked", share());
   };
   return {
       {.path = "checks.yield_share",
-       .member = enters(&CheckSettings::yield_share),
+       .member = enters(&CheckSettings::allowable_stress),
        .text = "Allowable von Mises stress as a fraction of SMYS (0.85 is 85 %), for projects that use such limits.",
        .fallback_text = "not checked"},
-      stress("overbend_static", &YieldShares::overbend_static, "Overbend, static."),
-      stress("overbend_dynamic", &YieldShares::overbend_dynamic, "Overbend, dynamic."),
-      stress("sagbend_static", &YieldShares::sagbend_static, "Sagbend, static."),
-      stress("sagbend_dynamic", &YieldShares::sagbend_dynamic, "Sagbend, dynamic."),
+      stress("overbend_static", &AllowableStressFactors::overbend_static, "Overbend, static."),
+      stress("overbend_dynamic", &AllowableStressFactors::overbend_dynamic, "Overbend, dynamic."),
+      stress("sagbend_static", &AllowableStressFactors::sagbend_static, "Sagbend, static."),
+      stress("sagbend_dynamic", &AllowableStressFactors::sagbend_dynamic, "Sagbend, dynamic."),
       {.path = "checks.limits",
        .member = enters(&CheckSettings::limits),
        .text = "Limits of the lay equipment and the coating.",
        .fallback_text = "not checked"},
-      limit("roller_load", &EquipmentLimits::roller_load, "Largest force of one roller.", "N", "kN"),
+      limit("roller_load", &EquipmentLimits::roller_load, "Maximum force on one roller.", "N", "kN"),
       limit("coating_line_load", &EquipmentLimits::coating_line_load,
-            "Largest force per length of coating under a roller.", "N/m", "kN/m"),
-      limit("tension", &EquipmentLimits::tension, "Largest tension at the tensioner.", "N", "kN"),
+            "Maximum force per length of coating under a roller.", "N/m", "kN/m"),
+      limit("tension", &EquipmentLimits::tension, "Maximum tension at the tensioner.", "N", "kN"),
       limit("tip_clearance", &EquipmentLimits::tip_clearance,
             "Minimum distance of the pipe from the last roller of the stinger.", "m", "m"),
   };
@@ -175,25 +176,25 @@ std::vector<Field> safety_factors() {
       group_row("checks.safety_factors", enters(&CheckSettings::safety_factors),
                 "Required strength over load of lines, anchors and cables."),
       safety_factor("mooring_intact", &Factors::mooring_intact,
-                    "Breaking load over tension of a mooring line, all lines there.",
+                    "Breaking load over tension of a mooring line, all lines intact.",
                     "API RP 2SK: 2.0 in statics and with quasi_static lines, 1.67 in dynamic analysis"),
-      safety_factor("mooring_damaged", &Factors::mooring_damaged, "The same where a mooring line is missing or parts.",
+      safety_factor("mooring_damaged", &Factors::mooring_damaged, "The same with a mooring line missing or failed.",
                     "API RP 2SK: 1.43, and 1.25"),
-      safety_factor("anchor_intact", &Factors::anchor_intact, "Holding power over load of an anchor, all lines there.",
+      safety_factor("anchor_intact", &Factors::anchor_intact, "Holding power over load of an anchor, all lines intact.",
                     "1.5, assumed for drag anchors (piles and plates have others)"),
-      safety_factor("anchor_damaged", &Factors::anchor_damaged, "The same where a mooring line is missing or parts.",
+      safety_factor("anchor_damaged", &Factors::anchor_damaged, "The same with a mooring line missing or failed.",
                     "1.0, assumed for drag anchors"),
       safety_factor("cable", &Factors::cable,
-                    "Breaking load over tension of the wire of abandonment, recovery and start-up.",
+                    "Breaking load over tension of the cable of abandonment, recovery and start-up.",
                     "3, assumed: no public text gives a number"),
-      safety_factor("line", &Factors::line, "Breaking load over tension of lines by themselves.",
+      safety_factor("line", &Factors::line, "Breaking load over tension of free lines.",
                     "that of an intact mooring line, assumed")};
 }
 
 std::vector<Field> accepted() {
   return {list_row("checks.accepted_findings", enters(&CheckSettings::accepted_findings),
-                   "Serious findings that the project accepts, by their names in the guide: they do not reserve the "
-                   "verdict, and the report says that they are accepted.",
+                   "Serious findings that the project accepts, by their names in the guide: they do not block a pass, "
+                   "and the report states that they are accepted.",
                    "none"),
           row_of_kind(FieldKind::text, "checks.accepted_findings[]", appends_value<std::string>(),
                       "Name of a serious finding, such as pipe-off-rollers.")};

@@ -1,18 +1,18 @@
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
 
 namespace overbend::field_rows {
 namespace {
 
-constexpr double kShortestWave = 0.5;  ///< Waves of 0.4 m, shorter than a pipe is thick [s].
+constexpr double kMinWavePeriod = 0.5;  ///< Waves of 0.4 m, shorter than a pipe diameter [s].
 
 }  // namespace
 
 std::vector<Field> waves() {
   const std::string p = "environment.waves";
   return {
-      {.path = p, .member = enters(&EnvironmentDescription::waves), .text = "Waves; only dynamics uses them."},
+      {.path = p, .member = enters(&EnvironmentDescription::waves), .text = "Waves; only dynamic analysis uses them."},
       {.path = p + ".type",
        .member = fills(&WavesDescription::type),
        .kind = FieldKind::choice,
@@ -31,7 +31,7 @@ std::vector<Field> waves() {
        .text = "Peak period of an irregular sea.",
        .unit = "s",
        .show = "s",
-       .range = {.low = kShortestWave, .high = 100.0}},
+       .range = {.low = kMinWavePeriod, .high = 100.0}},
       {.path = p + ".height",
        .member = fills(&WavesDescription::height),
        .kind = FieldKind::quantity,
@@ -45,7 +45,7 @@ std::vector<Field> waves() {
        .text = "Period of a regular wave.",
        .unit = "s",
        .show = "s",
-       .range = {.low = kShortestWave, .high = 1000.0}},
+       .range = {.low = kMinWavePeriod, .high = 1000.0}},
       {.path = p + ".phase",
        .member = defaults(&WavesDescription::phase),
        .kind = FieldKind::quantity,
@@ -171,7 +171,7 @@ std::vector<Field> environment() {
               .text = "Depths of an uneven seabed along the vessel's axis as drawn, by increasing x, at least two: the "
                       "monotone piecewise cubic through them, level beyond the ends and across.",
               .fallback_text = "a plane"},
-             {.path = "environment.seabed.profile[]", .member = appends<ProfilePoint>(), .text = "Depth at one place."},
+             {.path = "environment.seabed.profile[]", .member = appends<ProfilePoint>(), .text = "Depth at one point."},
              {.path = "environment.seabed.profile[].x",
               .member = fills(&ProfilePoint::x),
               .kind = FieldKind::quantity,
@@ -191,10 +191,10 @@ std::vector<Field> environment() {
               .member = fills(&SeabedDescription::bathymetry_file),
               .kind = FieldKind::text,
               .file = true,
-              .text = "File with the depths of an area: CSV with the columns east,north,depth in m, or an ESRI ASCII "
-                      "grid (.asc); east and north of midship, or of the origin that bathymetry_midship counts from."},
+              .text = "CSV file of depths over an area, with the columns east,north,depth in m, or an ESRI ASCII grid "
+                      "(.asc); east and north from midship, or from the origin of bathymetry_midship."},
              {.path = "environment.seabed.bathymetry_midship",
-              .text = "Place of midship in the coordinates of the bathymetry, such as those of a map.",
+              .text = "Position of midship in the coordinates of the bathymetry, such as those of a map.",
               .fallback_text = "at their origin"},
              {.path = "environment.seabed.bathymetry_midship.east",
               .member = fills(&SeabedDescription::midship_east),

@@ -1,4 +1,4 @@
-/// Part of the field table: fatigue of welds while the pipe is laid. Include modelfile/fields/field_table.h instead.
+/// Part of the field table: fatigue of welds during laying. Include modelfile/fields/field_table.h instead.
 #pragma once
 
 #include "modelfile/fields/field_rows.h"

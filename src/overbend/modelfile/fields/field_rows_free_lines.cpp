@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows_lines.h"
 #include "modelfile/fields/row_makers.h"
 
@@ -14,7 +14,7 @@ using End = LineEndDescription;
 
 const std::string kEnd = "lines[].ends[]";
 
-/// Items of a list know their index by their path alone.
+/// Items of a list know their index only from their path.
 LineEndDescription& open_end(Line& line, const FieldValue& end) {
   return end.path.ends_with("[0]") ? line.first : line.second;
 }
@@ -27,24 +27,24 @@ Member end_place(LineEndKind kind) {
 }
 
 std::vector<Field> places() {
-  std::vector<Field> rows = vector_rows(
-      {.group = otherwise(group_row(kEnd + ".fixed", end_place(LineEndKind::fixed), "Held at this place of the world."),
-                          "another of fixed, body, bed and water"),
-       .shown = kLength,
-       .texts = world_axes_words()});
+  std::vector<Field> rows = vector_rows({.group = otherwise(group_row(kEnd + ".fixed", end_place(LineEndKind::fixed),
+                                                                      "Fixed at this point of the world frame."),
+                                                            "another of fixed, body, bed and water"),
+                                         .shown = kLength,
+                                         .texts = world_axis_texts()});
   rows.push_back(
       otherwise(row_of_kind(FieldKind::text, kEnd + ".body", taken_by<End>([](End& end, const FieldValue& name) {
                               end.kind = LineEndKind::body;
                               end.body = name.text;
                             }),
-                            "Held by this body, at the point `at`: `vessel`, or a name under `bodies`."),
+                            "Attached to this body at the point `at`: `vessel`, or a name under `bodies`."),
                 "another of fixed, body, bed and water"));
   append(rows,
          vector_rows({.group = otherwise(group_row(kEnd + ".at", enters(&End::at), "Point of the body, in its frame."),
-                                         "must be given with body"),
+                                         "required with body"),
                       .shown = kLength,
-                      .texts = vessel_axes_words()}));
-  std::vector<std::string> on_bed = world_axes_words();
+                      .texts = vessel_axis_texts()}));
+  std::vector<std::string> on_bed = world_axis_texts();
   on_bed.pop_back();
   append(rows,
          vector_rows({.group = otherwise(group_row(kEnd + ".bed", end_place(LineEndKind::bed), "Held on the seabed."),
@@ -53,7 +53,7 @@ std::vector<Field> places() {
                       .texts = on_bed}));
   Field free = otherwise(row_of_kind(FieldKind::choice, kEnd + ".free",
                                      taken_by<End>([](End& end, const FieldValue&) { end.kind = LineEndKind::free; }),
-                                     "Nothing holds it: a pipe that lies, or hangs on other lines."),
+                                     "Free end: a pipe that lies on the seabed, or is carried by other lines."),
                          "another of fixed, body, bed, water and line");
   free.choices = {"true"};
   rows.push_back(free);
@@ -62,18 +62,19 @@ std::vector<Field> places() {
                               end.kind = LineEndKind::line;
                               end.line = name.text;
                             }),
-                            "On this other line, free to turn; `pipe` is the pipe that is laid."),
+                            "Attached to this other line, free to rotate; `pipe` is the laid pipe."),
                 "another of fixed, body, bed, water and free"));
-  rows.push_back(otherwise(quantity_row(kEnd + ".arc_length", fills(&End::arc_length),
-                                        "Unstressed length there from the first end of that line, the tensioner of a "
-                                        "lay.",
-                                        kLength, kNotNegative),
-                           "must be given with line"));
+  rows.push_back(otherwise(
+      quantity_row(
+          kEnd + ".arc_length", fills(&End::arc_length),
+          "Unstressed length to the attachment from the first end of that line, for the pipe from the tensioner.",
+          kLength, kNotNegative),
+      "required with line"));
   append(rows, vector_rows({.group = otherwise(group_row(kEnd + ".water", end_place(LineEndKind::water),
-                                                         "Held at a place between seabed and water level."),
+                                                         "Fixed at a point between seabed and water level."),
                                                "another of fixed, body, bed and water"),
                             .shown = kLength,
-                            .texts = world_axes_words()}));
+                            .texts = world_axis_texts()}));
   return rows;
 }
 
@@ -99,8 +100,8 @@ std::vector<Field> direction() {
 std::vector<Field> motion() {
   const std::string m = kEnd + ".motion";
   std::vector<Field> rows = {otherwise(group_row(m, {},
-                                                 "Prescribed motion amplitude * sin(2 pi t / period + phase) of an "
-                                                 "end that is not on a body; only dynamics uses it."),
+                                                 "Prescribed motion amplitude * sin(2 pi t / period + phase) of an end "
+                                                 "that is not on a body; only dynamic analysis uses it."),
                                        "at rest")};
   append(rows, vector_rows({.group = required(group_row(m + ".amplitude", enters(&End::amplitude), "Amplitudes.")),
                             .shown = kLength,
@@ -111,7 +112,7 @@ std::vector<Field> motion() {
   return rows;
 }
 
-/// A segment that is pipe.
+/// Keys of a segment that is pipe.
 std::vector<Field> pipe_of_segments() {
   const std::string s = "lines[].segments[]";
   std::vector<Field> rows = pipe_section_rows(s);
@@ -124,20 +125,20 @@ std::vector<Field> pipe_of_segments() {
 
 std::vector<Field> start() {
   const auto open = [](Line& line, const FieldValue&) -> Vec3& { return line.start.emplace(Vec3::Zero()); };
-  std::vector<std::string> words = world_axes_words();
-  words.pop_back();
+  std::vector<std::string> axis_texts = world_axis_texts();
+  axis_texts.pop_back();
   return vector_rows({.group = otherwise(group_row("lines[].start", opened_by<Line>(open),
-                                                   "Where its free end lies before anything is lifted."),
-                                         "straight on the bed from the end that is held"),
+                                                   "Initial position of its first end before any lifting."),
+                                         "straight on the seabed from the end that is held"),
                       .shown = kLength,
-                      .texts = words});
+                      .texts = axis_texts});
 }
 
 }  // namespace
 
 std::vector<Field> free_lines() {
-  Field ends = required(list_row("lines[].ends", {}, "What holds its two ends.", ""));
-  ends.least = ends.most = 2;
+  Field ends = required(list_row("lines[].ends", {}, "Attachments of its two ends.", ""));
+  ends.min_items = ends.max_items = 2;
   std::vector<Field> rows = {
       list_row("lines", enters(&Description::lines), "Cables, chains and flexibles between two ends.", "none"),
       group_row("lines[]", appends_named<Line>("line"), "One line."),

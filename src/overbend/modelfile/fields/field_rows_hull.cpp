@@ -1,6 +1,6 @@
 #include <array>
 
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/row_makers.h"
 #include "seafiles/hydrodynamics_reader.h"
 
@@ -31,10 +31,9 @@ std::vector<Field> body() {
   const auto choice = [](const char* key, const Member& member, const char* text) {
     return row_of_kind(FieldKind::choice, kHull + "." + key, member, text);
   };
-  Field files =
-      required(row_of_kind(FieldKind::text, kHull + ".hydrodynamics", fills(&Hull::hydrodynamics),
-                           "Files of the hull's hydrodynamics beside the model file: the common stem of WAMIT's "
-                           ".1, .3, .8 and .hst."));
+  Field files = required(row_of_kind(FieldKind::text, kHull + ".hydrodynamics", fills(&Hull::hydrodynamics),
+                                     "Hydrodynamic files of the hull in the folder of the model file: the common stem "
+                                     "of WAMIT's .1, .3, .8 and .hst."));
   files.file = true;
   std::vector<Field> rows = {
       group_row(kHull, opened_by<VesselDescription>(take_coupled),
@@ -44,7 +43,7 @@ std::vector<Field> body() {
          vector_rows({.group = required(group_row(kHull + ".centre_of_gravity", enters(&Hull::centre_of_gravity),
                                                   "Centre of gravity, in the vessel's frame; the files refer to it.")),
                       .shown = kLength,
-                      .texts = vessel_axes_words()}));
+                      .texts = vessel_axis_texts()}));
   append(
       rows,
       {required(
@@ -59,26 +58,27 @@ std::vector<Field> body() {
        choice("wave_drift", defaults(&Hull::wave_drift),
               "Second-order forces: none, mean, or slowly varying (newman)."),
        choice("wave_drift_damping", defaults(&Hull::wave_drift_damping),
-              "Change of the mean drift with slow speed: none, or by Aranha's formula."),
-       quantity_row(kHull + ".slow_period", defaults(&Hull::slow_period),
-                    "Corner period of the filter for the slow position and heading.", kTime,
+              "Change of the mean drift with low-frequency speed: none, or by Aranha's formula."),
+       quantity_row(kHull + ".slow_period", defaults(&Hull::low_frequency_period),
+                    "Corner period of the low-pass filter of position and heading.", kTime,
                     {.low = 1.0, .high = 1000.0})});
   return rows;
 }
 
-/// Decay of a hull let go.
+/// Decay test of a hull released from an offset.
 std::vector<Field> release() {
   using Hull = CoupledHullDescription;
   const std::string r = kHull + ".release";
   std::vector<Field> rows = {group_row(
-      r, {}, "Distance from rest at which a dynamic analysis lets the hull go: a decay, best in calm water.")};
+      r, {},
+      "Offset from equilibrium at which a dynamic analysis releases the hull: a decay test, best in calm water.")};
   for (std::size_t i = 0; i < kFreedoms.size(); ++i) {
     const Freedom& f = kFreedoms[i];
     const auto take = [i](Hull& hull, const FieldValue& value) {
-      (i < 3 ? hull.released_shift : hull.released_turn)(static_cast<Eigen::Index>(i % 3)) = value.number;
+      (i < 3 ? hull.release_offset : hull.release_rotation)(static_cast<Eigen::Index>(i % 3)) = value.number;
     };
     rows.push_back(quantity_row(r + "." + f.name, with_default(taken_by<Hull>(take), 0.0),
-                                "Distance in this degree of freedom.", f.turns ? kAngle : kLength,
+                                "Offset in this degree of freedom.", f.turns ? kAngle : kLength,
                                 f.turns ? Range{.low = -0.5, .high = 0.5} : Range{.low = -100.0, .high = 100.0}));
   }
   return rows;
@@ -91,19 +91,19 @@ void add_file_points(std::vector<Field>& rows, const std::string& convention) {
     return source.reference.emplace(Vec3::Zero());
   };
   append(rows, vector_rows({.group = otherwise(group_row(convention + ".reference", opened_by<Source>(reference),
-                                                         "Point that the files' values are about, moments and motions; "
-                                                         "they are moved from there to the centre of gravity."),
+                                                         "Reference point of the files' values, moments and motions; "
+                                                         "they are transferred from it to the centre of gravity."),
                                                "as stated in the file, otherwise the centre of gravity"),
                             .shown = kLength,
-                            .texts = vessel_axes_words()}));
+                            .texts = vessel_axis_texts()}));
   append(rows, vector_rows({.group = otherwise(group_row(convention + ".file_origin", enters(&Source::file_origin),
-                                                         "Origin of the axes in which a file has its points."),
+                                                         "Origin of the axes in which a file gives its points."),
                                                "midship on the water line"),
                             .shown = kLength,
-                            .texts = vessel_axes_words()}));
+                            .texts = vessel_axis_texts()}));
 }
 
-/// Kept apart from the description, for the reader of the files: modelfile/reading/hull_files.h.
+/// Not part of the description; read by modelfile/reading/hull_files.h.
 std::vector<Field> file_convention() {
   using Source = HydrodynamicsSource;
   const std::string c = kHull + ".convention";
@@ -112,8 +112,8 @@ std::vector<Field> file_convention() {
   };
   Field headings =
       row_of_kind(FieldKind::choice, c + ".headings", with_default(taken_by<Source>(take_sides), "as_given"),
-                  "as_given: the files have headings all round; mirrored: headings that they lack are taken "
-                  "from the other side of a symmetric hull.");
+                  "as_given: the files cover all headings; mirrored: missing headings are taken from the other side of "
+                  "a symmetric hull.");
   headings.choices = {"as_given", kMirrored};
   Field frequencies = otherwise(
       row_of_kind(
@@ -126,14 +126,15 @@ std::vector<Field> file_convention() {
       quantity_row(c + ".length_scale", defaults(&Source::length_scale), "ULEN of WAMIT.", kLength,
                    {.low = 0.0, .high = 1000.0, .low_open = true}),
       quantity_row(c + ".water_density", defaults(&Source::water_density),
-                   "Density of water by which the files' values get their dimension.", {"kg/m^3", "kg/m^3"},
+                   "Water density by which the files' values are made dimensional.", {"kg/m^3", "kg/m^3"},
                    {.low = 900.0, .high = 1100.0}),
-      quantity_row(c + ".gravity", defaults(&Source::gravity), "Gravity, for the same.", {"m/s^2", "m/s^2"},
+      quantity_row(c + ".gravity", defaults(&Source::gravity),
+                   "Gravity by which the files' values are made dimensional.", {"m/s^2", "m/s^2"},
                    {.low = 9.0, .high = 11.0}),
       headings,
       frequencies,
       quantity_row(c + ".drift_from", defaults(&Source::drift_from),
-                   "Frequency below which the mean drift is set to zero: panel programs give noise there.",
+                   "Frequency below which the mean drift is set to zero; panel programs give noise there.",
                    {"rad/s", "rad/s"}, {.low = 0.0, .high = 10.0})};
   add_file_points(rows, c);
   return rows;
@@ -144,9 +145,10 @@ std::vector<Field> damping() {
   using Damping = ModeDampingDescription;
   using List = std::vector<Damping>;
   const std::string d = kHull + ".damping";
-  std::vector<Field> rows = {otherwise(group_row(d, enters(&CoupledHullDescription::damping),
-                                                 "Damping besides that of radiated waves, by degree of freedom."),
-                                       "none")};
+  std::vector<Field> rows = {
+      otherwise(group_row(d, enters(&CoupledHullDescription::damping),
+                          "Damping in addition to that of radiated waves, by degree of freedom."),
+                "none")};
   const Range share = {.low = 0.0, .high = 2.0};
   for (const Freedom& f : kFreedoms) {
     const std::string p = d + "." + f.name;
@@ -156,11 +158,12 @@ std::vector<Field> damping() {
       return mode;
     };
     const auto take = [open](List& list, const FieldValue& value) { open(list, value).ratio = value.number; };
-    rows.push_back(quantity_row(p, taken_by<List>(take), "Share of critical damping; or a group of the keys below.",
+    rows.push_back(quantity_row(p, taken_by<List>(take), "Fraction of critical damping; or a group of the keys below.",
                                 {"1", "%"}, share));
     rows.push_back(group_row(p, opened_by<List>(open), "Damping of this degree of freedom."));
     rows.push_back(otherwise(
-        quantity_row(p + ".ratio", fills(&Damping::ratio), "Share of critical damping.", {"1", "%"}, share), "none"));
+        quantity_row(p + ".ratio", fills(&Damping::ratio), "Fraction of critical damping.", {"1", "%"}, share),
+        "none"));
     rows.push_back(otherwise(quantity_row(p + ".linear", fills(&Damping::linear), "Force over velocity.",
                                           f.turns ? Shown{"N*m*s", "kN*m*s"} : Shown{"N*s/m", "kN*s/m"}, kNotNegative),
                              "none"));
@@ -181,19 +184,19 @@ std::vector<Field> coefficient_table(const std::string& p) {
   file.file = true;
   return {
       file,
+      otherwise(row_of_kind(FieldKind::choice, p + ".axes", fills(&Owner::axes),
+                            "Convention of the angle and the signs of a table. to_from_bow: direction the flow goes "
+                            "to, anticlockwise from the bow; from_bow: direction it comes from, clockwise from the "
+                            "bow; from_stern_ocimf: as OCIMF, direction it comes from, anticlockwise from the stern. "
+                            "In all three cx pushes forward, cy to port and cz turns the bow to port."),
+                "required with a table"),
       otherwise(
-          row_of_kind(
-              FieldKind::choice, p + ".axes", fills(&Owner::axes),
-              "Meaning of the angle and the signs of a table. to_from_bow: where the flow goes to, "
-              "anticlockwise from the bow; from_bow: where it comes from, clockwise from the bow; "
-              "from_stern_ocimf: as OCIMF, where it comes from, anticlockwise from the stern. In all three cx pushes "
-              "forward, cy to port and cz turns the bow to port."),
-          "must be given with a table"),
-      otherwise(quantity_row(p + ".frontal_area", fills(&Owner::frontal_area), "Area of cx.", kArea, kPositive),
-                "must be given with a table"),
-      otherwise(quantity_row(p + ".lateral_area", fills(&Owner::lateral_area), "Area of cy and cz.", kArea, kPositive),
-                "must be given with a table"),
-      otherwise(quantity_row(p + ".length", fills(&Owner::length), "Length of cz.", kLength, kPositive),
+          quantity_row(p + ".frontal_area", fills(&Owner::frontal_area), "Reference area of cx.", kArea, kPositive),
+          "required with a table"),
+      otherwise(quantity_row(p + ".lateral_area", fills(&Owner::lateral_area), "Reference area of cy and cz.", kArea,
+                             kPositive),
+                "required with a table"),
+      otherwise(quantity_row(p + ".length", fills(&Owner::length), "Reference length of cz.", kLength, kPositive),
                 "length of the vessel"),
   };
 }
@@ -203,24 +206,24 @@ std::vector<Field> current() {
   const std::string c = kHull + ".current";
   const auto open = [](CoupledHullDescription& hull, const FieldValue& group) -> Current& {
     hull.current.stated = true;
-    if (group.find("table") != nullptr) hull.current.form = HullCurrentForm::table;
+    if (group.find("table") != nullptr) hull.current.form = HullCurrentModel::table;
     return hull.current;
   };
   const auto take = [](CoupledHullDescription& hull, const FieldValue&) {
     hull.current.stated = true;
-    hull.current.form = HullCurrentForm::none;
+    hull.current.form = HullCurrentModel::none;
   };
   const Range coefficient = {.low = 0.0, .high = 5.0};
   Field none =
       otherwise(row_of_kind(FieldKind::choice, c, taken_by<CoupledHullDescription>(take),
                             "none: the current does not act on the hull; otherwise a group of the keys below."),
-                "strips; must be given where there is a current");
-  none.choices = {word_of(HullCurrentForm::none)};
+                "strips; required if there is a current");
+  none.choices = {enum_name(HullCurrentModel::none)};
   Field form = otherwise(row_of_kind(FieldKind::choice, c + ".form", fills(&Current::form),
                                      "strips: drag coefficients along the length; ufc: coefficients of UFC 4-159-03 by "
                                      "the hull's dimensions and the depth of water."),
-                         "strips, or the table where there is one");
-  form.choices = {word_of(HullCurrentForm::strips), word_of(HullCurrentForm::ufc)};
+                         "strips, or the table if given");
+  form.choices = {enum_name(HullCurrentModel::strips), enum_name(HullCurrentModel::ufc)};
   std::vector<Field> rows = {
       none,
       group_row(c, opened_by<CoupledHullDescription>(open),
@@ -263,7 +266,7 @@ std::vector<Field> wind() {
   append(rows, vector_rows({.group = required(
                                 group_row(a + ".centre", enters(&Area::centre), "Its centre, in the vessel's frame.")),
                             .shown = kLength,
-                            .texts = vessel_axes_words()}));
+                            .texts = vessel_axis_texts()}));
   return rows;
 }
 
@@ -295,16 +298,16 @@ std::vector<Field> vessel_load_rows(const std::string& p) {
       group_row(l, appends_named<Load>("load"),
                 "One load: its direction stays along the vessel as drawn, its point moves with the hull."),
       otherwise(row_of_kind(FieldKind::text, l + ".name", fills(&Load::name), "For the report."), "load 1, 2, ...")};
-  append(rows,
-         vector_rows({.group = group_row(l + ".at", enters(&Load::at), "Where the force acts, in the vessel's frame."),
-                      .shown = kLength,
-                      .texts = vessel_axes_words(),
-                      .all = false}));
+  append(rows, vector_rows({.group = group_row(l + ".at", enters(&Load::at),
+                                               "Point of application of the force, in the vessel's frame."),
+                            .shown = kLength,
+                            .texts = vessel_axis_texts(),
+                            .all = false}));
   append(rows, vector_rows({.group = group_row(l + ".force", enters(&Load::force), "The force."),
                             .shown = kForce,
                             .texts = along,
                             .all = false}));
-  append(rows, vector_rows({.group = group_row(l + ".moment", enters(&Load::moment), "A moment besides."),
+  append(rows, vector_rows({.group = group_row(l + ".moment", enters(&Load::moment), "Additional moment."),
                             .shown = kMoment,
                             .texts = about,
                             .all = false}));
@@ -329,9 +332,9 @@ std::vector<Field> station_keeping() {
   const std::string d = "station_keeping.dp";
   std::vector<Field> rows = {
       otherwise(group_row("station_keeping", enters(&Description::station_keeping),
-                          "What keeps the vessel in place besides lines."),
+                          "Station keeping of the vessel in addition to lines."),
                 "nothing"),
-      required(group_row(d, {}, "Dynamic positioning: spring, damper and limit on the slow motion."))};
+      required(group_row(d, {}, "Dynamic positioning: spring, damper and limit on the low-frequency motion."))};
   const auto part = [](Vec3 Keeping::*vector, int i) {
     return taken_by<Keeping>(
         [vector, i](Keeping& keeping, const FieldValue& value) { (keeping.*vector)[i] = value.number; });
@@ -348,7 +351,7 @@ std::vector<Field> station_keeping() {
                                turns ? "Moment over rate of turn." : "Force over velocity.",
                                turns ? Shown{"N*m*s", "kN*m*s"} : Shown{"N*s/m", "kN*s/m"}, kNotNegative),
                   otherwise(quantity_row(p + ".thrust_limit", part(&Keeping::limit, i),
-                                         turns ? "Largest moment of the thrusters." : "Largest force of the thrusters.",
+                                         turns ? "Maximum moment of the thrusters." : "Maximum force of the thrusters.",
                                          turns ? kMoment : kForce, kPositive),
                             "not limited")});
     ++i;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/pipe/line_types.h"
 #include "model/pipe/section.h"
 #include "modelfile/fields/row_makers.h"
@@ -12,12 +12,12 @@
 namespace overbend::field_rows {
 namespace {
 
-constexpr double kLater = std::numeric_limits<double>::quiet_NaN();  // filled in by resolve_lines
+constexpr double kPending = std::numeric_limits<double>::quiet_NaN();  // placeholder until resolve_lines
 
-/// The kind replaces all numbers; those given beside it are bound after it.
+/// A kind replaces all numbers; those given in addition are bound after it.
 void take_kind(LineTypeDescription& type, LineTypeDescription kind) {
   kind.name = type.name;
-  kind.weight_submerged = kLater;
+  kind.weight_submerged = kPending;
   type = std::move(kind);
 }
 
@@ -31,12 +31,12 @@ void take_chain(LineTypeDescription& type, const FieldValue& group) {
                         group.get_word<ChainLink>("link").value_or(ChainLink::studless)));
 }
 
-/// A word of a group that the group's own row takes.
-template <HasWords Enum>
+/// Reads a text of a group into the group's own object.
+template <HasEnumNames Enum>
 Field word_of_kind(const std::string& path, const std::string& text, Enum standard) {
   Field row =
-      row_of_kind(FieldKind::choice, path, with_default(read_elsewhere(), std::string(word_of(standard))), text);
-  row.choices = words_of<Enum>();
+      row_of_kind(FieldKind::choice, path, with_default(read_elsewhere(), std::string(enum_name(standard))), text);
+  row.choices = enum_names<Enum>();
   return row;
 }
 
@@ -81,8 +81,8 @@ std::vector<Field> numbers(const std::string& p) {
       quantity_row(p + ".bending_stiffness", defaults(&Type::bending_stiffness), "Bending stiffness EI.",
                    {"N*m^2", "kN*m^2"}, kNotNegative),
       otherwise(row_of_kind(FieldKind::choice, p + ".compression", fills(&Type::compression),
-                            "Whether the line bears compression. What does not only pulls: it goes slack."),
-                "yes where bending_stiffness is given; no for wire_rope and chain"),
+                            "Carries compression; if no, the line goes slack."),
+                "yes if bending_stiffness is given; no for wire_rope and chain"),
       otherwise(quantity_row(p + ".breaking_load", fills(&Type::breaking_load),
                              "Minimum breaking load, for the utilisation.", kForce, kPositive),
                 "none, or that of wire_rope or chain"),
@@ -99,13 +99,13 @@ std::vector<Field> water_forces(const std::string& p) {
   };
   return {
       group_row(p + ".hydrodynamics", {}, "Morison coefficients."),
-      number("drag_normal", &Type::drag_normal, "Normal drag, on drag_diameter.", "1.2"),
+      number("drag_normal", &Type::drag_normal, "Normal drag coefficient, on drag_diameter.", "1.2"),
       number("drag_axial", &Type::drag_axial,
-             "Axial drag, on the circumference of drag_diameter: a catalogue's for chain, on the area shown, divided "
-             "by pi.",
+             "Axial drag coefficient, on the circumference of drag_diameter: for chain the catalogue value, on the "
+             "projected area, divided by pi.",
              "0"),
       otherwise(quantity_row(p + ".hydrodynamics.drag_diameter", fills(&Type::drag_diameter),
-                             "Diameter that the drag coefficients refer to.", {"m", "mm"},
+                             "Reference diameter of the drag coefficients.", {"m", "mm"},
                              {.low = 0.0, .high = 5.0, .low_open = true}),
                 "the diameter; that of wire_rope or chain"),
       number("added_mass_normal", &Type::added_mass_normal, "Normal added mass over the displaced water.", "1"),
@@ -116,7 +116,7 @@ std::vector<Field> water_forces(const std::string& p) {
   };
 }
 
-/// A key given for the line instead of its segments: of its only one.
+/// Key given for the line instead of its segments, for a line with a single one.
 template <typename Line>
 LineSegmentDescription& only_segment(Line& line) {
   return line.segments.empty() ? start_segment(line.segments) : line.segments.front();
@@ -134,26 +134,26 @@ template <typename Line, PointKind kind>
 LinePointDescription& add_point(Line& line, const FieldValue&) {
   LinePointDescription& point = line.points.emplace_back();
   point.kind = kind;
-  point.volume = kind == PointKind::buoy ? kLater : 0.0;
-  point.added_mass = kLater;
+  point.volume = kind == PointKind::buoy ? kPending : 0.0;
+  point.added_mass = kPending;
   int count = 0;
-  for (const LinePointDescription& other : line.points) count += other.kind == kind ? 1 : 0;
-  point.name = std::string(word_of(kind)) + " " + std::to_string(count);
+  for (const LinePointDescription& item : line.points) count += item.kind == kind ? 1 : 0;
+  point.name = std::string(enum_name(kind)) + " " + std::to_string(count);
   return point;
 }
 
-/// What clumps and buoys have alike.
+/// Keys common to clumps and buoys.
 std::vector<Field> common_point(const std::string& p) {
   using Point = LinePointDescription;
   return {
       otherwise(row_of_kind(FieldKind::text, p + ".name", fills(&Point::name), "Name in the results."),
                 "clump or buoy 1, 2, ..."),
       required(quantity_row(p + ".at", fills(&Point::at),
-                            "Unstressed length along the line from its first end, the fairlead of a mooring line.",
+                            "Unstressed length along the line from its first end, for a mooring line the fairlead.",
                             kLength, kNotNegative)),
       quantity_row(p + ".drag_area", defaults(&Point::drag_area), "Drag coefficient times area.", kArea, kNotNegative),
       otherwise(quantity_row(p + ".added_mass", fills(&Point::added_mass), "Added mass.", kMass, kNotNegative),
-                "half the displaced water, as of a sphere"),
+                "half the displaced water, as for a sphere"),
       quantity_row(p + ".tether", defaults(&Point::tether),
                    "Length of a tether between it and the line; 0: on the line.", kLength, kNotNegative),
   };
@@ -201,7 +201,7 @@ std::vector<Field> segments(const std::string& p) {
                 "properties are given in place"),
       otherwise(
           quantity_row(s + ".length", fills(&LineSegmentDescription::length), "Unstressed length.", kLength, kPositive),
-          "of the first segment of a mooring line: follows from the tension")};
+          "for the first segment of a mooring line: follows from the tension")};
   std::vector<Field> type = line_type_rows(s);
   for (Field& row : type) {
     const bool below_another = row.path.find_first_of(".[", s.size() + 1) != std::string::npos;
@@ -213,16 +213,16 @@ std::vector<Field> segments(const std::string& p) {
 
 }  // namespace
 
-LineTypeDescription started_type() {
+LineTypeDescription make_open_line_type() {
   LineTypeDescription type;
-  type.weight_submerged = type.volume_diameter = type.drag_diameter = kLater;
+  type.weight_submerged = type.volume_diameter = type.drag_diameter = kPending;
   return type;
 }
 
 LineSegmentDescription& start_segment(std::vector<LineSegmentDescription>& list) {
   LineSegmentDescription& segment = list.emplace_back();
   segment.name = "segment " + std::to_string(list.size());
-  segment.type = started_type();
+  segment.type = make_open_line_type();
   return segment;
 }
 
@@ -237,15 +237,16 @@ template <typename Line>
 std::vector<Field> line_body_rows(const std::string& p) {
   const auto take_type = [](Line& line, const FieldValue& name) { name_type(only_segment(line), name); };
   const auto take_length = [](Line& line, const FieldValue& length) { only_segment(line).length = length.number; };
-  std::vector<Field> rows = {otherwise(row_of_kind(FieldKind::text, p + ".type", taken_by<Line>(take_type),
-                                                   "Type of a line of one kind, a name under moorings.types."),
-                                       "segments are given"),
-                             otherwise(quantity_row(p + ".length", taken_by<Line>(take_length),
-                                                    "Unstressed length of a line of one kind.", kLength, kPositive),
-                                       "segments are given, or a tension"),
-                             at_least(1, list_row(p + ".segments", enters(&Line::segments),
-                                                  "Segments from the first end on, the fairlead of a mooring line.",
-                                                  "one of type and length"))};
+  std::vector<Field> rows = {
+      otherwise(row_of_kind(FieldKind::text, p + ".type", taken_by<Line>(take_type),
+                            "Type of a line without segments, a name under moorings.types."),
+                "segments are given"),
+      otherwise(quantity_row(p + ".length", taken_by<Line>(take_length),
+                             "Unstressed length of a line without segments.", kLength, kPositive),
+                "segments are given, or a tension"),
+      at_least(1, list_row(p + ".segments", enters(&Line::segments),
+                           "Segments from the first end, for a mooring line the fairlead.",
+                           "a single segment of type and length"))};
   append(rows, segments(p));
   append(rows, clumps<Line>(p));
   append(rows, buoys<Line>(p));
@@ -253,13 +254,13 @@ std::vector<Field> line_body_rows(const std::string& p) {
 }
 namespace {
 
-/// A clump or a buoy by what it weighs and displaces: resolve_lines() makes a volume of the force that is put here.
+/// Clump or buoy by weight and displacement; resolve_lines() converts the force stored here to a volume.
 template <typename Holder>
 LinePointDescription& add_point_by_weight(Holder& holder, const FieldValue&) {
   LinePointDescription& point = holder.points.emplace_back();
   point.kind = PointKind::buoy;
   point.by_weight = true;
-  point.added_mass = kLater;
+  point.added_mass = kPending;
   point.name = "point " + std::to_string(holder.points.size());
   return point;
 }
@@ -272,7 +273,7 @@ std::vector<Field> point_rows(const std::string& p, const std::string& from) {
   const std::string points = p + ".points[]";
   return {
       list_row(p + ".points", {}, "Clumps and buoys by weight and buoyancy.", "none"),
-      group_row(points, opened_by<Holder>(add_point_by_weight<Holder>), "One of them."),
+      group_row(points, opened_by<Holder>(add_point_by_weight<Holder>), "One clump or buoy."),
       otherwise(row_of_kind(FieldKind::text, points + ".name", fills(&Point::name), "Name in the results."),
                 "point 1, 2, ..."),
       required(quantity_row(points + ".arc_length", fills(&Point::at), "Unstressed length along the line " + from + ".",

@@ -1,4 +1,4 @@
-/// Rows of the field table that mooring lines and lines by themselves have in common.
+/// Rows of the field table shared by mooring lines and free lines.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace overbend::field_rows {
 
-/// A type whose derived numbers are still open; resolve_lines (modelfile/binding/line_resolution.h) fills them in.
-LineTypeDescription started_type();
+/// Returns a type with open derived numbers; resolve_lines (modelfile/binding/line_resolution.h) fills them in.
+LineTypeDescription make_open_line_type();
 
-/// A new segment with such a type.
+/// Appends a new segment with such a type.
 LineSegmentDescription& start_segment(std::vector<LineSegmentDescription>& list);
 
-/// Keys of a type of line under `p`, of a LineTypeDescription.
+/// Keys of a line type under `p`, members of a LineTypeDescription.
 std::vector<Field> line_type_rows(const std::string& p);
 
-/// What a line is made of: type and length, or segments; clumps and buoys. `Line` has `segments` and `points`.
+/// Body of a line: type and length, or segments; clumps and buoys. `Line` has `segments` and `points`.
 template <typename Line>
 std::vector<Field> line_body_rows(const std::string& p);
 
-/// Clumps and buoys under `p`.points by weight and buoyancy, of a `Holder` with `points`. `from`: what their lengths
-/// count from.
+/// Clumps and buoys under `p`.points by weight and buoyancy, of a `Holder` with `points`. `from`: origin of their
+/// lengths.
 template <typename Holder>
 std::vector<Field> point_rows(const std::string& p, const std::string& from);
 

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows_lines.h"
 #include "modelfile/fields/row_makers.h"
 
@@ -10,7 +10,7 @@ namespace {
 using Line = MooringLineDescription;
 
 LineTypeDescription& add_type(MooringsDescription& moorings, const FieldValue& name) {
-  LineTypeDescription& type = moorings.types.emplace_back(started_type());
+  LineTypeDescription& type = moorings.types.emplace_back(make_open_line_type());
   type.name = name.key;
   return type;
 }
@@ -25,15 +25,14 @@ std::vector<Field> winch_program(const std::string& winch) {
   using Step = WinchStepDescription;
   const std::string p = winch + ".program";
   return {
-      list_row(
-          p, enters(&WinchDescription::program),
-          "What the winch pays out in time. Mode speed: from each time on, one after the other, at its speed. Mode "
-          "length: by each time, smoothly in between.",
-          "follows the operation"),
+      list_row(p, enters(&WinchDescription::program),
+               "Payout of the winch over time. Mode speed: steps start at their times and run one after the other at "
+               "the winch speed. Mode length: payouts reached at their times, smooth in between.",
+               "follows the operation"),
       group_row(p + "[]", appends<Step>(), "One step."),
       required(quantity_row(p + "[].time", fills(&Step::time), "Time.", kTime, kNotNegative)),
       required(quantity_row(p + "[].paid_out", fills(&Step::paid_out),
-                            "Paid out since the start of the run in all; negative is hauled in.", kLength)),
+                            "Total paid out since the start of the run; negative is hauled in.", kLength)),
   };
 }
 
@@ -41,7 +40,7 @@ std::vector<Field> winches() {
   using Winch = WinchDescription;
   const std::string w = "moorings.winches.*";
   std::vector<Field> rows = {
-      otherwise(group_row("moorings.winches", {}, "Winches, each with a name of your own, to which the lines refer."),
+      otherwise(group_row("moorings.winches", {}, "Winches, each with a user-defined name, to which the lines refer."),
                 "lines of constant length"),
       group_row(w, opened_by<MooringsDescription>(add_winch), "One kind of winch."),
       row_of_kind(
@@ -50,12 +49,11 @@ std::vector<Field> winches() {
           "tension: keeps a tension."),
       quantity_row(w + ".speed", defaults(&Winch::speed), "Speed of hauling and paying out.", kSpeed,
                    {.low = 0.0, .high = 20.0, .low_open = true}),
-      otherwise(
-          quantity_row(
-              w + ".haul", fills(&Winch::haul),
-              "Tension it hauls at its speed; without `stall` it hauls no more, with it the speed stays up to `stall`.",
-              kForce, kPositive),
-          "not limited"),
+      otherwise(quantity_row(w + ".haul", fills(&Winch::haul),
+                             "Tension up to which it hauls at its speed; without `stall` it hauls no further, with it "
+                             "the speed is constant up to `stall`.",
+                             kForce, kPositive),
+                "not limited"),
       otherwise(
           quantity_row(w + ".stall", fills(&Winch::stall), "Tension at which it stops hauling.", kForce, kPositive),
           "not limited"),
@@ -63,24 +61,25 @@ std::vector<Field> winches() {
           quantity_row(w + ".brake", fills(&Winch::brake), "Tension at which its brake renders.", kForce, kPositive),
           "the brake holds"),
       otherwise(
-          quantity_row(w + ".tension", fills(&Winch::tension), "Tension wanted in mode tension.", kForce, kPositive),
+          quantity_row(w + ".tension", fills(&Winch::tension), "Target tension in mode tension.", kForce, kPositive),
           "not used"),
-      otherwise(quantity_row(w + ".band", fills(&Winch::band),
-                             "In mode tension: the winch stays while the tension is within this of the one wanted.",
-                             kForce, kPositive),
-                "10 % of the tension"),
-      quantity_row(w + ".delay", defaults(&Winch::delay), "In mode tension: time before it reacts.", kTime,
+      otherwise(
+          quantity_row(w + ".band", fills(&Winch::band),
+                       "Mode tension: deadband on either side of the target tension within which the winch holds.",
+                       kForce, kPositive),
+          "10 % of the tension"),
+      quantity_row(w + ".delay", defaults(&Winch::delay), "Mode tension: time before it reacts.", kTime,
                    {.low = 0.0, .high = 3600.0}),
-      quantity_row(w + ".acceleration_time", defaults(&Winch::acceleration_time), "Time up to its speed.", kTime,
+      quantity_row(w + ".acceleration_time", defaults(&Winch::acceleration_time), "Time to reach its speed.", kTime,
                    {.low = 0.0, .high = 3600.0, .low_open = true}),
-      otherwise(quantity_row(w + ".drum", fills(&Winch::drum), "Length of line it holds.", kLength, kPositive),
+      otherwise(quantity_row(w + ".drum", fills(&Winch::drum), "Length of line on the drum.", kLength, kPositive),
                 "not checked"),
   };
   append(rows, winch_program(w));
   return rows;
 }
 
-/// A place on the bed by x and y.
+/// Point on the seabed by x and y.
 std::vector<Field> anchor() {
   using Place = std::array<double, 2>;
   const auto open = [](Line& line, const FieldValue&) -> Place& { return line.anchor.emplace(); };
@@ -89,10 +88,10 @@ std::vector<Field> anchor() {
   };
   const std::string a = "moorings.lines[].anchor";
   return {
-      otherwise(group_row(a, opened_by<Line>(open), "Place of the anchor in the world frame."),
+      otherwise(group_row(a, opened_by<Line>(open), "Position of the anchor in the world frame."),
                 "follows from direction and distance"),
-      required(quantity_row(a + ".x", take(0), world_axes_words()[0], kLength)),
-      required(quantity_row(a + ".y", take(1), world_axes_words()[1], kLength)),
+      required(quantity_row(a + ".x", take(0), world_axis_texts()[0], kLength)),
+      required(quantity_row(a + ".y", take(1), world_axis_texts()[1], kLength)),
   };
 }
 
@@ -100,15 +99,15 @@ std::vector<Field> place_of_line() {
   const std::string l = "moorings.lines[]";
   std::vector<Field> rows =
       vector_rows({.group = required(group_row(l + ".fairlead", enters(&Line::fairlead),
-                                               "Where the line leaves the vessel, in its frame.")),
+                                               "Position of the fairlead, in the vessel's frame.")),
                    .shown = kLength,
-                   .texts = vessel_axes_words()});
+                   .texts = vessel_axis_texts()});
   append(rows,
          {otherwise(quantity_row(l + ".azimuth", fills(&Line::azimuth),
                                  "Direction from the fairlead to the anchor, clockwise from north.", kAngle, azimuth()),
                     "bearing or anchor is given"),
           otherwise(quantity_row(l + ".bearing", fills(&Line::bearing),
-                                 "The same, clockwise from the bow of the vessel as drawn.", kAngle, azimuth()),
+                                 "Same direction, clockwise from the bow of the vessel as drawn.", kAngle, azimuth()),
                     "azimuth or anchor is given"),
           otherwise(
               quantity_row(l + ".anchor_distance", fills(&Line::anchor_distance),
@@ -144,23 +143,25 @@ std::vector<Field> mooring_lines() {
                  "not checked"),
        row_of_kind(FieldKind::choice, l + ".anchor_slides",
                    with_default(through(&Line::anchor_holding, fills(&AnchorDescription::slides)), std::string("no")),
-                   "Whether the anchor slides above its holding power; otherwise it is fixed, and reported."),
-       otherwise(group_row(l + ".useful", enters(&Line::useful),
-                           "Where the line is of use while the vessel goes on, for operation.type: anchor_plan."),
-                 "its anchor is not moved"),
-       otherwise(quantity_row(l + ".useful.least_length", fills(&UsefulRange::least_length),
-                              "Least unstressed length of the line.", kLength, kPositive),
+                   "yes: the anchor drags above its holding power; no: it is fixed, and its utilisation is reported."),
+       otherwise(
+           group_row(
+               l + ".useful", enters(&Line::useful),
+               "Range within which the line can be used as the vessel advances, for operation.type: anchor_plan."),
+           "its anchor is not moved"),
+       otherwise(quantity_row(l + ".useful.least_length", fills(&UsefulRange::min_length),
+                              "Minimum unstressed length of the line.", kLength, kPositive),
                  "no bound"),
-       otherwise(quantity_row(l + ".useful.most_length", fills(&UsefulRange::most_length),
-                              "Most unstressed length of the line.", kLength, kPositive),
+       otherwise(quantity_row(l + ".useful.most_length", fills(&UsefulRange::max_length),
+                              "Maximum unstressed length of the line.", kLength, kPositive),
                  "no bound"),
        otherwise(quantity_row(l + ".useful.sector", fills(&UsefulRange::sector),
-                              "Of its direction, either way from that as drawn.", kAngle,
+                              "Maximum change of its direction, either way from that as drawn.", kAngle,
                               {.low = 0.0, .high = 3.14159265358979323846, .low_open = true}),
                  "no bound"),
-       otherwise(quantity_row(l + ".fails_at", fills(&Line::fails_at), "Time at which the line parts at its fairlead.",
+       otherwise(quantity_row(l + ".fails_at", fills(&Line::fails_at), "Time at which the line fails at its fairlead.",
                               kTime, kNotNegative),
-                 "it does not part")});
+                 "it does not fail")});
   return rows;
 }
 
@@ -169,17 +170,17 @@ std::vector<Field> objects() {
   const std::string o = "moorings.objects[]";
   std::vector<Field> rows = {
       list_row("moorings.objects", enters(&MooringsDescription::objects),
-               "Objects on the seabed; the least distance of each line to them is reported.", "none"),
+               "Objects on the seabed; the minimum distance of each line to them is reported.", "none"),
       group_row(o, appends_named<Object>("object"), "One object."),
       otherwise(row_of_kind(FieldKind::text, o + ".name", fills(&Object::name), "Name in the results."),
                 "object 1, 2, ..."),
       list_row(o + ".points", enters(&Object::points), "A point, or the corners of a polyline such as a pipeline.",
                "")};
   rows.back().required = true;
-  rows.back().least = 1;
+  rows.back().min_items = 1;
   append(rows, vector_rows({.group = group_row(o + ".points[]", appends<Vec3>(), "One point, in the world frame."),
                             .shown = kLength,
-                            .texts = world_axes_words()}));
+                            .texts = world_axis_texts()}));
   return rows;
 }
 
@@ -190,7 +191,7 @@ std::vector<Field> moorings() {
   std::vector<Field> rows = {
       otherwise(group_row("moorings", enters(&Description::moorings), "Mooring lines of the vessel."), "none"),
       otherwise(group_row("moorings.types", {},
-                          "Types of line, each with a name of your own, to which lines and segments refer."),
+                          "Line types, each with a user-defined name, to which lines and segments refer."),
                 "segments have their properties in place"),
       group_row("moorings.types.*", opened_by<Moorings>(add_type), "One type of line."),
   };
@@ -198,24 +199,23 @@ std::vector<Field> moorings() {
   append(rows, winches());
   append(rows, mooring_lines());
   append(rows, objects());
-  append(
-      rows,
-      {otherwise(row_of_kind(FieldKind::choice, "moorings.find", fills(&Moorings::find),
-                             "pose: where the vessel lies on lines of given length; lengths: the lengths that hold it "
-                             "as drawn, with tensions as near as possible to those given."),
-                 "pose"),
-       row_of_kind(FieldKind::choice, "moorings.model", defaults(&Moorings::model),
-                   "elements: lines with inertia and drag; quasi_static: elastic catenaries."),
-       otherwise(quantity_row("moorings.working_load", fills(&Moorings::working_load),
-                              "Largest tension when lengths are found.", kForce, kPositive),
-                 "not limited"),
-       otherwise(quantity_row("moorings.least_tension", fills(&Moorings::least_tension),
-                              "Smallest tension when lengths are found.", kForce, kPositive),
-                 "not limited"),
-       otherwise(
-           row_of_kind(FieldKind::number, "moorings.friction", fills(&Moorings::bed_friction),
-                       "Coulomb friction on the seabed of lines whose type gives none.", {.low = 0.0, .high = 5.0}),
-           "environment.seabed.friction")});
+  append(rows,
+         {otherwise(row_of_kind(FieldKind::choice, "moorings.find", fills(&Moorings::find),
+                                "pose: finds the position of the vessel on lines of given length; lengths: finds the "
+                                "lengths that hold it as drawn, with tensions as near as possible to those given."),
+                    "pose"),
+          row_of_kind(FieldKind::choice, "moorings.model", defaults(&Moorings::model),
+                      "elements: lines with inertia and drag; quasi_static: elastic catenaries."),
+          otherwise(quantity_row("moorings.working_load", fills(&Moorings::working_load),
+                                 "Maximum tension when lengths are found.", kForce, kPositive),
+                    "not limited"),
+          otherwise(quantity_row("moorings.least_tension", fills(&Moorings::min_tension),
+                                 "Minimum tension when lengths are found.", kForce, kPositive),
+                    "not limited"),
+          otherwise(
+              row_of_kind(FieldKind::number, "moorings.friction", fills(&Moorings::bed_friction),
+                          "Coulomb friction on the seabed of lines whose type gives none.", {.low = 0.0, .high = 5.0}),
+              "environment.seabed.friction")});
   return rows;
 }
 

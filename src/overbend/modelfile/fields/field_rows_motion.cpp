@@ -6,7 +6,7 @@ namespace {
 
 const std::string kPath = "vessel.motion.convention";
 
-/// One of the three numbers of a point.
+/// Component of a point.
 Member component(int i) {
   return taken_by<Vec3>([i](Vec3& point, const FieldValue& value) { point[i] = value.number; });
 }
@@ -30,8 +30,8 @@ Field group(const std::string& path, const Member& member, const std::string& te
   return row;
 }
 
-Field words(const std::string& key, const Member& member, const std::string& text,
-            const std::vector<std::string>& choices, const std::string& otherwise) {
+Field text_choice_row(const std::string& key, const Member& member, const std::string& text,
+                      const std::vector<std::string>& choices, const std::string& otherwise) {
   Field row;
   row.path = kPath + "." + key;
   row.member = member;
@@ -62,7 +62,7 @@ Vec3& state_file_origin(RaoSettings& settings, const FieldValue&) {
   return settings.file_origin;
 }
 
-/// A point of the vessel; without height a place in plan.
+/// Point of the vessel; without a height, a position in plan.
 void add_point(std::vector<Field>& rows, const std::string& key, const Member& point, const std::string& text,
                bool with_height) {
   rows.push_back(group(kPath + "." + key, point, text));
@@ -78,10 +78,11 @@ void add_point(std::vector<Field>& rows, const std::string& key, const Member& p
 
 std::vector<Field> motion_convention() {
   std::vector<Field> rows;
-  // Kept apart from the description, for the reader of the motion's file: modelfile/reading/motion_files.h.
+  // Not part of the description; read by modelfile/reading/motion_files.h.
   rows.push_back(group(kPath, read_elsewhere(), "Conventions of the motion file."));
-  rows.push_back(words("set", fills(&RaoSettings::set), "Conventions of a program, used for all keys not given.",
-                       convention_sets(), "house for .csv, wamit for .4, orcaflex for .yml"));
+  rows.push_back(text_choice_row("set", fills(&RaoSettings::set),
+                                 "Conventions of a program, used for all keys not given.", convention_sets(),
+                                 "house for .csv, wamit for .4, orcaflex for .yml"));
   bool signs = false;
   for (const ConventionKey& key : convention_keys()) {
     if (!signs && key.key.rfind("positive.", 0) == 0) {
@@ -89,13 +90,14 @@ std::vector<Field> motion_convention() {
       signs = true;
     }
     const Member word = taken_by<RaoSettings>(
-        [name = key.key](RaoSettings& settings, const FieldValue& value) { settings.words[name] = value.text; });
-    rows.push_back(words(key.key, word, key.text, key.words, "as stated in the file, otherwise as in the set"));
+        [name = key.key](RaoSettings& settings, const FieldValue& value) { settings.values[name] = value.text; });
+    rows.push_back(
+        text_choice_row(key.key, word, key.text, key.values, "as stated in the file, otherwise as in the set"));
   }
   add_point(rows, "reference", point(&RaoSettings::reference),
             "Point of the vessel whose motion is given, in the vessel's frame.", true);
   add_point(rows, "wave_origin", point(&RaoSettings::wave_origin),
-            "Point at which the wave has the event that phases refer to.", false);
+            "Point at which the wave has the event to which phases refer.", false);
   add_point(rows, "file_origin", opened_by<RaoSettings>(state_file_origin),
             "Origin of the axes in which points in the file are given.", true);
   rows.push_back(length("length_scale", defaults(&RaoSettings::length_scale),

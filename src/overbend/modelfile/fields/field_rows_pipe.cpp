@@ -1,11 +1,11 @@
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
 #include "modelfile/fields/field_rows_lines.h"
 
 namespace overbend::field_rows {
 namespace {
 
-/// Keys of a cross-section under `p`. A segment leaves out what is as in the line's own section.
+/// Keys of a cross-section under `p`. Keys missing in a segment are those of the main section.
 std::vector<Field> section(const std::string& p) {
   return {
       {.path = p + ".steel", .member = enters(&SectionDescription::steel), .text = "The steel pipe.", .required = true},
@@ -158,7 +158,7 @@ std::vector<Field> section(const std::string& p) {
        .kind = FieldKind::list,
        .text = "Coatings, from the steel outwards.",
        .fallback_text = "bare pipe",
-       .most = 100},
+       .max_items = 100},
       {.path = p + ".coatings[]", .member = appends_named<CoatingDescription>("coating"), .text = "One coating."},
       {.path = p + ".coatings[].name",
        .member = fills(&CoatingDescription::name),
@@ -281,9 +281,9 @@ std::vector<Field> section(const std::string& p) {
   };
 }
 
-/// The rows of a section under the group that has it.
+/// Rows of a section under the group that contains it.
 template <typename Owner>
-std::vector<Field> section_of(const std::string& p, std::vector<Field> rows) {
+std::vector<Field> pipe_section(const std::string& p, std::vector<Field> rows) {
   for (Field& row : rows) {
     const bool below_another = row.path.find_first_of(".[", p.size() + 1) != std::string::npos;
     if (!below_another) row.member = through(&Owner::section, row.member);
@@ -291,7 +291,7 @@ std::vector<Field> section_of(const std::string& p, std::vector<Field> rows) {
   return rows;
 }
 
-/// A stretch begins as in the main section; the rows of that are above those of the segments.
+/// A segment starts as a copy of the main section, whose rows are above those of the segments.
 SegmentDescription& add_segment(PipeDescription& pipe, const FieldValue&) {
   SegmentDescription& segment = pipe.segments.emplace_back();
   segment.name = "segment " + std::to_string(pipe.segments.size());
@@ -299,13 +299,13 @@ SegmentDescription& add_segment(PipeDescription& pipe, const FieldValue&) {
   return segment;
 }
 
-/// In a segment nothing of the section has to be given, and what is left out is the line's own.
+/// In a segment no key of the section is required; missing keys are those of the main section.
 std::vector<Field> segment_section(const std::string& p) {
   std::vector<Field> rows = section(p);
   for (Field& row : rows) {
     const std::string key = row.path.substr(p.size());
-    const bool whole = key.find("[]") != std::string::npos || key.starts_with(".joint.");
-    if (whole) continue;
+    const bool keeps_requirement = key.find("[]") != std::string::npos || key.starts_with(".joint.");
+    if (keeps_requirement) continue;
     row.required = false;
     row.member.standard.reset();
     row.fallback_text = "as in the main section";
@@ -338,7 +338,7 @@ std::vector<Field> pipe() {
                               .member = enters(&Description::pipe),
                               .text = "The pipe.",
                               .fallback_text = "a model without pipe: of moorings, lines or a floating hull"}};
-  append(rows, section_of<PipeDescription>("pipe", section("pipe")));
+  append(rows, pipe_section<PipeDescription>("pipe", section("pipe")));
   append(rows,
          {
              {.path = "pipe.length",
@@ -379,7 +379,7 @@ std::vector<Field> pipe() {
               .required = true,
               .range = {.low = 0.0, .low_open = true}},
          });
-  append(rows, section_of<SegmentDescription>("pipe.segments[]", segment_section("pipe.segments[]")));
+  append(rows, pipe_section<SegmentDescription>("pipe.segments[]", segment_section("pipe.segments[]")));
   append(rows, structures());
   append(rows, point_rows<PipeDescription>("pipe", "from the tensioner"));
   return rows;

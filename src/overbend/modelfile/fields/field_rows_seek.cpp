@@ -1,4 +1,4 @@
-#include "model/description/seek_words.h"
+#include "model/description/seek_enum_names.h"
 #include "modelfile/fields/row_makers.h"
 #include "modelfile/fields/seek_values.h"
 
@@ -9,9 +9,9 @@ Field text_row(std::string path, Member member, std::string text) {
   return row_of_kind(FieldKind::text, std::move(path), std::move(member), std::move(text));
 }
 
-/// check_seek has held the text to the row; a stored model is not checked again.
-double value_of(const FieldValue& value, const Field* row) {
-  const ScalarReading reading = row != nullptr ? read_value_of(value.text, *row) : ScalarReading{};
+/// check_seek has checked the text against the row; a stored model is not checked again.
+double read_value(const FieldValue& value, const Field* row) {
+  const ScalarReading reading = row != nullptr ? read_row_value(value.text, *row) : ScalarReading{};
   return reading.value ? reading.value->number : 0.0;
 }
 
@@ -19,7 +19,7 @@ Member takes_key() {
   return taken_by<SeekVariable>([](SeekVariable& variable, const FieldValue& value) {
     variable.key = value.text;
     if (const Field* row = varied_row(value.text)) {
-      variable.unit = unit_of(*row);
+      variable.unit = row_unit(*row);
       variable.show = row->kind == FieldKind::quantity ? row->show : "";
     }
   });
@@ -30,23 +30,23 @@ Member takes_bound(std::optional<double> SeekVariable::*bound) {
     const Field* row = varied_row(variable.key);
     Field free = row != nullptr ? *row : Field{};
     free.range = {};
-    variable.*bound = value_of(value, row != nullptr ? &free : nullptr);
+    variable.*bound = read_value(value, row != nullptr ? &free : nullptr);
   });
 }
 
 std::vector<Field> variable_rows(const std::string& p) {
   return {
-      required(text_row(p + ".key", takes_key(),
-                        "Key of the model file with a quantity or a number, such as tensioner.tension. An item of a "
-                        "list is chosen by its index from 0, its name or a pattern: boxes[stinger *].z is one unknown "
-                        "for every box that it matches. Of a lift also entries of stages: "
-                        "operation.stages[NAME].lengths[davit *].")),
+      required(
+          text_row(p + ".key", takes_key(),
+                   "Key of the model file with a quantity or a number, such as tensioner.tension. An item of a list is "
+                   "selected by its index from 0, its name or a pattern: boxes[stinger *].z is one unknown for every "
+                   "box that it matches. For a lift also entries of stages: operation.stages[NAME].lengths[davit *].")),
       otherwise(text_row(p + ".from", takes_bound(&SeekVariable::from), "Lower bound, with the unit of the key."),
                 "within is given"),
       otherwise(text_row(p + ".to", takes_bound(&SeekVariable::to), "Upper bound, with the unit of the key."),
                 "within is given"),
       otherwise(text_row(p + ".within", takes_bound(&SeekVariable::within),
-                         "Instead of from and to: largest change either way from the value in the model."),
+                         "Alternative to from and to: largest change either way from the value in the model."),
                 "from and to are given"),
   };
 }
@@ -62,23 +62,24 @@ Member takes_goal(SeekRelation relation) {
   return taken_by<SeekCondition>([relation](SeekCondition& condition, const FieldValue& value) {
     const std::optional<Field> row = result_row(condition.result);
     condition.relation = relation;
-    condition.value = value_of(value, row ? &*row : nullptr);
+    condition.value = read_value(value, row ? &*row : nullptr);
   });
 }
 
 std::vector<Field> condition_rows(const std::string& p) {
   const auto goal = [&](SeekRelation relation, const char* text) {
-    return otherwise(text_row(p + "." + std::string(word_of(relation)), takes_goal(relation), text), "not asked for");
+    return otherwise(text_row(p + "." + std::string(enum_name(relation)), takes_goal(relation), text),
+                     "no such condition");
   };
   return {
-      required(text_row(p + ".result", takes_result(),
-                        "Result by its path in summary.json, such as static.sagbend.max_bending_stress or "
-                        "static.supports[stinger 7].reaction, or by object, such as lines[pipe].static.lay_back; "
-                        "min(), max(), mean() and spread() of a path with a pattern. Of a lift results of stages: "
-                        "operation.stages[NAME].lines.pipe.first_end.z.")),
-      goal(SeekRelation::equals, "Value that the result is to have, with its unit."),
-      goal(SeekRelation::at_most, "Upper limit of the result. A single key gets the least value that holds it."),
-      goal(SeekRelation::at_least, "Lower limit of the result. A single key gets the least value that holds it."),
+      required(text_row(
+          p + ".result", takes_result(),
+          "Result by its path in summary.json, such as static.sagbend.max_bending_stress or static.supports[stinger "
+          "7].reaction, or by object, such as lines[pipe].static.lay_back; min(), max(), mean() and spread() of a path "
+          "with a pattern. For a lift results of stages: operation.stages[NAME].lines.pipe.first_end.z.")),
+      goal(SeekRelation::equals, "Target value of the result, with its unit."),
+      goal(SeekRelation::at_most, "Upper limit of the result. A single key gets the minimum value that satisfies it."),
+      goal(SeekRelation::at_least, "Lower limit of the result. A single key gets the minimum value that satisfies it."),
   };
 }
 
@@ -90,8 +91,8 @@ std::vector<Field> seek() {
   const Member one_goal = opened_by<SeekDescription>(
       [](SeekDescription& seek, const FieldValue&) -> SeekCondition& { return seek.until.emplace_back(); });
   std::vector<Field> rows = {
-      otherwise(group_row("seek", read_elsewhere(),  // by modelfile/reading/seek_reader.h
-                          "What `overbend seek` looks for."),
+      otherwise(group_row("seek", read_elsewhere(),  // read by modelfile/reading/seek_reader.h
+                          "Goal seek: variables and conditions for `overbend seek`."),
                 "nothing"),
       required(group_row("seek.vary", one_key, "The key that may change; or a list of such groups."))};
   append(rows, variable_rows("seek.vary"));
@@ -105,8 +106,8 @@ std::vector<Field> seek() {
   rows.push_back(group_row("seek.until[]", appends<SeekCondition>(), "A condition."));
   append(rows, condition_rows("seek.until[]"));
   rows.push_back(otherwise(
-      text_row("seek.minimise", fills(&SeekDescription::minimise), "Result to make as small as the conditions allow."),
-      "not asked for"));
+      text_row("seek.minimise", fills(&SeekDescription::minimise), "Result to minimise within the conditions."),
+      "not minimised"));
   return rows;
 }
 

@@ -1,4 +1,4 @@
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/row_makers.h"
 
 namespace overbend::field_rows {
@@ -6,8 +6,8 @@ namespace {
 
 using Operation = OperationDescription;
 
-/// One stage while its keys are bound: of a moored vessel or of the line, as the type of the operation says. What
-/// belongs to the other kind (an error, where it is checked) goes to a spare.
+/// Stage whose keys are being bound: of a moored vessel or of the line, according to the type of the operation. Keys of
+/// the other kind (an error, which the checks report) go to a spare.
 struct StageTarget {
   MooredStageDescription* moored_stage = nullptr;
   LayStageDescription* lay_stage = nullptr;
@@ -40,7 +40,7 @@ Member names_stage() {
       [](StageTarget& stage, const FieldValue& name) { stage.moored().name = stage.lay().name = name.text; });
 }
 
-/// A number of a stage of the line.
+/// Number of a stage of the line.
 Field lay_number(const std::string& key, std::optional<double> LayStageDescription::*member, const std::string& text,
                  const Shown& shown, const Range& range, const std::string& omitted) {
   const Member take = taken_by<StageTarget>(
@@ -54,7 +54,7 @@ Member adds_line_value(std::vector<LineValue> LayStageDescription::*list) {
   });
 }
 
-JoinDescription& join_of(StageTarget& stage, const FieldValue& group) {
+JoinDescription& join_row(StageTarget& stage, const FieldValue& group) {
   JoinDescription& join = stage.lay().join.emplace();
   const FieldValue* lines = group.find("lines");
   if (lines != nullptr && lines->children.size() == 2) {
@@ -64,7 +64,7 @@ JoinDescription& join_of(StageTarget& stage, const FieldValue& group) {
   return join;
 }
 
-/// Of lift: what lines, vessel and welds do.
+/// Keys of a lift stage: lines, vessel and welds.
 std::vector<Field> lift_stage(const std::string& s) {
   const auto vessel = [](StageTarget& stage, const FieldValue&) -> VesselOffset& {
     return stage.lay().vessel.emplace();
@@ -73,43 +73,41 @@ std::vector<Field> lift_stage(const std::string& s) {
     return stage.lay().bodies.emplace_back(BodyOffset{value.key, {}}).offset;
   };
   return {
-      otherwise(group_row(s + ".lengths", {}, "Of lift: unstressed lengths of lines, by their names."),
+      otherwise(group_row(s + ".lengths", {}, "lift: unstressed lengths of lines, by their names."),
                 "as in the stage before"),
       quantity_row(s + ".lengths.*", adds_line_value(&LayStageDescription::lengths), "Length of that line.", kLength,
                    kPositive),
-      otherwise(
-          group_row(s + ".tensions", {},
-                    "Of lift: tensions at the upper ends of lines, by their names, in place of their lengths. The "
-                    "length that is found stays until a stage names another."),
-          "as in the stage before"),
+      otherwise(group_row(s + ".tensions", {},
+                          "lift: tensions at the upper ends of lines, by their names, in place of their lengths. The "
+                          "resulting length is kept until a stage gives another."),
+                "as in the stage before"),
       quantity_row(s + ".tensions.*", adds_line_value(&LayStageDescription::tensions), "Tension of that line.", kForce,
                    kPositive),
       otherwise(group_row(s + ".vessel", opened_by<StageTarget>(vessel),
-                          "Of lift: where the vessel lies, from its place as drawn along its axes there; not added up "
-                          "from stage to stage."),
+                          "lift: offset of the vessel from its position as drawn, along its axes there; not "
+                          "accumulated from stage to stage."),
                 "as in the stage before"),
       quantity_row(s + ".vessel.x", with_default(fills(&VesselOffset::x), 0.0), "Forward.", kLength),
       quantity_row(s + ".vessel.y", with_default(fills(&VesselOffset::y), 0.0), "To port.", kLength),
       quantity_row(s + ".vessel.heading", with_default(fills(&VesselOffset::heading), 0.0), "Clockwise from above.",
                    kAngle, azimuth()),
       otherwise(group_row(s + ".bodies", {},
-                          "Of lift: where bodies besides the vessel lie, by their names, each from its place as drawn "
-                          "along its axes there."),
+                          "lift: offsets of bodies other than the vessel, by their names, each from its position as "
+                          "drawn along its axes there."),
                 "as in the stage before"),
-      group_row(s + ".bodies.*", opened_by<StageTarget>(body), "Of that body."),
+      group_row(s + ".bodies.*", opened_by<StageTarget>(body), "Offset of that body."),
       quantity_row(s + ".bodies.*.x", with_default(fills(&VesselOffset::x), 0.0), "Forward.", kLength),
       quantity_row(s + ".bodies.*.y", with_default(fills(&VesselOffset::y), 0.0), "To port.", kLength),
       quantity_row(s + ".bodies.*.heading", with_default(fills(&VesselOffset::heading), 0.0), "Clockwise from above.",
                    kAngle, azimuth()),
-      otherwise(group_row(s + ".join", opened_by<StageTarget>(join_of),
-                          "Of lift: the first ends of two lines become one node, from this stage on."),
+      otherwise(group_row(s + ".join", opened_by<StageTarget>(join_row),
+                          "lift: the first ends of two lines become one node, from this stage on."),
                 "no new weld"),
-      required(list_row(s + ".join.lines", {}, "The names of the two lines.", "")),
+      required(list_row(s + ".join.lines", {}, "Names of the two lines.", "")),
       row_of_kind(FieldKind::text, s + ".join.lines[]", read_elsewhere(), "Name of a line."),
       quantity_row(s + ".join.kink", defaults(&JoinDescription::kink),
-                   "Angle by which the direction turns at the weld on the way along the first line and on along the "
-                   "second, sagging positive.",
-                   kAngle, {.low = -1.6, .high = 1.6}),
+                   "Change of direction at the weld from the first line to the second, sagging positive.", kAngle,
+                   {.low = -1.6, .high = 1.6}),
   };
 }
 
@@ -125,46 +123,46 @@ std::vector<Field> listed() {
   };
   std::vector<Field> rows = {
       list_row("operation.stages", opened_by<Operation>(start_stages),
-               "Of moored: load cases, each from the vessel as drawn. Of operations on the line: how far it has gone "
-               "and what pulls it; those of recovery are done in reverse order.",
+               "moored: load cases, each from the vessel as drawn. Operations on the line: progress of the line and "
+               "its tension; those of recovery are run in reverse order.",
                "the model as it is; required by operations on the line"),
       group_row(s, opened_by<Operation>(add_stage), "One stage."),
       otherwise(row_of_kind(FieldKind::text, s + ".name", names_stage(), "Name in the results."), "stage 1, 2, ..."),
-      list_row(s + ".parted", opened_by<StageTarget>(parted), "Of moored: names of mooring lines that are not there.",
+      list_row(s + ".parted", opened_by<StageTarget>(parted), "moored: names of mooring lines that have failed.",
                "none"),
       row_of_kind(FieldKind::text, s + ".parted[]", appends_value<std::string>(), "A name under moorings.lines."),
-      list_row(s + ".loads", opened_by<StageTarget>(loads), "Of moored: loads on the vessel besides vessel.loads.",
+      list_row(s + ".loads", opened_by<StageTarget>(loads), "moored: loads on the vessel in addition to vessel.loads.",
                "none")};
   append(rows, vessel_load_rows(s + ".loads"));
   append(rows, lift_stage(s));
   append(rows, {lay_number("cable_out", &Lay::cable_out,
-                           "Of abandonment, recovery and lay_down: unstressed length of the cable from winch to head.",
+                           "abandonment, recovery and lay_down: unstressed length of the cable from winch to head.",
                            kLength, kPositive, "not used by other types"),
-                lay_number("pipe_out", &Lay::pipe_out,
-                           "Of start_up, shore_pull and hold_back: unstressed length of the pipe from the tensioner to "
-                           "the head.",
-                           kLength, kPositive, "not used by other types"),
+                lay_number(
+                    "pipe_out", &Lay::pipe_out,
+                    "start_up, shore_pull and hold_back: unstressed length of the pipe from the tensioner to the head.",
+                    kLength, kPositive, "not used by other types"),
                 lay_number("passed", &Lay::passed,
-                           "Of passage: unstressed length from the tensioner to the middle of the structure.", kLength,
+                           "passage: unstressed length from the tensioner to the middle of the structure.", kLength,
                            kNotNegative, "not used by other types"),
-                lay_number("ahead", &Lay::ahead, "Of move: length of pipe that has left the vessel as it moved ahead.",
+                lay_number("ahead", &Lay::ahead, "move: length of pipe that has left the vessel as it moved ahead.",
                            kLength, kNotNegative, "not used by other types"),
-                lay_number("weight", &Lay::tank_weight, "Of ballast: weight of the tank, empty.", kForce, kNotNegative,
+                lay_number("weight", &Lay::tank_weight, "ballast: weight of the empty tank.", kForce, kNotNegative,
                            "that of the tank"),
                 otherwise(row_of_kind(FieldKind::number, s + ".ballast",
                                       taken_by<StageTarget>([](StageTarget& stage, const FieldValue& value) {
                                         stage.lay().tank_ballast = value.number;
                                       }),
-                                      "Of ballast: fraction of the tank that is flooded.", {.low = 0.0, .high = 1.0}),
+                                      "ballast: fraction of the tank that is flooded.", {.low = 0.0, .high = 1.0}),
                           "that of the tank"),
                 lay_number("tension", &Lay::tension, "Effective tension at the winch or tensioner.", kForce, kPositive,
                            "tensioner.tension"),
                 lay_number("bottom_tension", &Lay::bottom_tension,
-                           "Instead of tension: horizontal tension at touchdown.", kForce, kPositive, "not used")});
+                           "Alternative to tension: horizontal tension at touchdown.", kForce, kPositive, "not used")});
   return rows;
 }
 
-/// Members of what a sought tension keeps.
+/// Limits for a tension found by search.
 std::vector<Field> limits() {
   using Limits = StageLimits;
   const std::string p = "operation.stages.limits";
@@ -172,16 +170,16 @@ std::vector<Field> limits() {
                          const Shown& shown, const Range& range) {
     return otherwise(quantity_row(p + "." + key, fills(member), text, shown, range), "no limit");
   };
-  return {group_row(p, enters(&StageProgram::limits), "Of tension: seek: what every stage has to keep."),
-          limit("sagbend_strain", &Limits::sagbend_strain, "Largest strain in the sagbend.", {"1", "%"},
+  return {group_row(p, enters(&StageProgram::limits), "tension: seek: limits that every stage must satisfy."),
+          limit("sagbend_strain", &Limits::sagbend_strain, "Maximum strain in the sagbend.", {"1", "%"},
                 {.low = 0.0, .high = 0.1, .low_open = true}),
-          limit("sagbend_stress", &Limits::sagbend_stress, "Largest von Mises stress in the sagbend.", {"N/m^2", "MPa"},
+          limit("sagbend_stress", &Limits::sagbend_stress, "Maximum von Mises stress in the sagbend.", {"N/m^2", "MPa"},
                 kPositive),
-          limit("tip_clearance", &Limits::tip_clearance, "Least clearance over the last roller of the stinger.",
+          limit("tip_clearance", &Limits::tip_clearance, "Minimum clearance over the last roller of the stinger.",
                 kLength, kNotNegative),
-          limit("roller_load", &Limits::roller_load, "Largest reaction of a roller.", kForce, kPositive),
+          limit("roller_load", &Limits::roller_load, "Maximum reaction of a roller.", kForce, kPositive),
           row_of_kind(FieldKind::number, p + ".utilisation", defaults(&Limits::utilisation),
-                      "Largest utilisation of the code checks and of the cable's breaking load.",
+                      "Maximum utilisation of the code checks and of the cable's breaking load.",
                       {.low = 0.0, .high = 10.0, .low_open = true})};
 }
 
@@ -190,23 +188,23 @@ void hold_values(StageProgram& program, const FieldValue& value) {
   program.values.push_back(value.number);
 }
 
-/// A word, or one force for all stages.
+/// Text, or one force for all stages.
 Field program_tension(const std::string& path) {
   const auto take = [](StageProgram& program, const FieldValue& value) {
     if (value.kind == FieldValue::Kind::number) {
       program.values = {value.number};
     } else {
-      program.tension = *from_word<StageTension>(value.text);
+      program.tension = *from_enum_name<StageTension>(value.text);
     }
   };
-  Field row =
-      row_of_kind(FieldKind::choice, path, with_default(taken_by<StageProgram>(take), word_of(StageTension::hold)),
-                  "hold: tensioner.tension; bottom: such that bottom_tension is the horizontal tension at touchdown; "
-                  "seek: the least that keeps the limits; or the force at the winch or tensioner, or a list of forces.",
-                  kPositive);
+  Field row = row_of_kind(
+      FieldKind::choice, path, with_default(taken_by<StageProgram>(take), enum_name(StageTension::hold)),
+      "hold: tensioner.tension; bottom: such that bottom_tension is the horizontal tension at touchdown; seek: the "
+      "minimum that satisfies the limits; or the force at the winch or tensioner, or a list of forces.",
+      kPositive);
   row.unit = kForce.unit;
   row.show = kForce.show;
-  for (const auto& word : kWords<StageTension>) row.choices.emplace_back(word.word);
+  for (const auto& word : kEnumNames<StageTension>) row.choices.emplace_back(word.word);
   return row;
 }
 
@@ -223,26 +221,25 @@ std::vector<Field> generated() {
     return otherwise(quantity_row(p + "." + key, fills(member), text, kForce, kPositive), omitted);
   };
   Field values = list_row(p + ".tension", opened_by<Program>(itself),
-                          "Forces at even distances from the first stage to the last, linear between them.", "hold");
-  values.least = 1;
+                          "Forces evenly spaced from the first stage to the last, linear between them.", "hold");
+  values.min_items = 1;
   std::vector<Field> rows = {
       group_row(p, opened_by<Operation>(open),
-                "Stages of an operation on the line at even steps of cable_out, pipe_out, ahead or passed."),
+                "Evenly spaced stages of an operation on the line, in steps of cable_out, pipe_out, ahead or passed."),
       required(quantity_row(p + ".from", fills(&Program::from),
                             "cable_out, pipe_out, ahead or passed of the first stage.", kLength, kNotNegative)),
-      required(quantity_row(p + ".to", fills(&Program::to), "The same of the last stage.", kLength, kNotNegative)),
+      required(quantity_row(p + ".to", fills(&Program::to), "cable_out, pipe_out, ahead or passed of the last stage.",
+                            kLength, kNotNegative)),
       row_of_kind(FieldKind::integer, p + ".steps", defaults(&Program::steps),
-                  "Number of steps between them; stages are one more.", {.low = 1.0, .high = 1000.0}),
+                  "Number of steps between them; there is one more stage.", {.low = 1.0, .high = 1000.0}),
       program_tension(p + ".tension"),
       values,
       quantity_row(p + ".tension[]", taken_by<Program>(hold_values), "Effective tension at the winch or tensioner.",
                    kForce, kPositive),
-      bound("bottom_tension", &Program::bottom_tension, "Of tension: bottom: horizontal tension at touchdown.",
+      bound("bottom_tension", &Program::bottom_tension, "tension: bottom: horizontal tension at touchdown.",
             "required by tension: bottom"),
-      bound("tension_from", &Program::tension_from, "Of tension: seek: the least that may be chosen.",
-            "chosen by the program"),
-      bound("tension_to", &Program::tension_to, "Of tension: seek: the largest that may be chosen.",
-            "chosen by the program")};
+      bound("tension_from", &Program::tension_from, "tension: seek: minimum tension allowed.", "chosen by the program"),
+      bound("tension_to", &Program::tension_to, "tension: seek: maximum tension allowed.", "chosen by the program")};
   append(rows, limits());
   return rows;
 }

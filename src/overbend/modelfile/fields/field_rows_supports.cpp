@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "model/pipe/contact_stiffness.h"
 #include "modelfile/fields/field_rows_stinger.h"
 
@@ -10,12 +10,12 @@ namespace {
 
 constexpr Range kRows = {.low = 1.0, .high = 50.0};  ///< Boxes have 1 to 4.
 
-/// What the structure says of its boxes is bound before them, being above them in the table.
+/// The keys of the structure are above its boxes in the table and therefore bound before them.
 BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
-  const auto own = [&](const BoxDescription& box) { return box.structure == keys.structure; };
-  const auto number = std::count_if(keys.supports->boxes.begin(), keys.supports->boxes.end(), own) + 1;
+  const auto is_same_structure = [&](const BoxDescription& box) { return box.structure == keys.structure; };
+  const auto number = std::count_if(keys.supports->boxes.begin(), keys.supports->boxes.end(), is_same_structure) + 1;
   BoxDescription& box = keys.supports->boxes.emplace_back();
-  box.name = std::string(word_of(keys.structure)) + " " + std::to_string(number);
+  box.name = std::string(enum_name(keys.structure)) + " " + std::to_string(number);
   box.structure = keys.structure;
   box.roller = keys.roller;
   box.rows = keys.rows;
@@ -23,7 +23,7 @@ BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
   return box;
 }
 
-/// The boxes of a row get their places when ramp and stinger are both bound.
+/// The boxes of a row are placed when ramp and stinger are both bound.
 BoxRowDescription& add_row(StructureKeys& keys, const FieldValue& row) {
   for (std::int64_t i = row.get_integer("count").value_or(0); i > 0; --i) {
     add_box(keys, row);
@@ -32,8 +32,8 @@ BoxRowDescription& add_row(StructureKeys& keys, const FieldValue& row) {
   return (keys.structure == Structure::ramp ? supports.ramp_row : supports.stinger_row).emplace();
 }
 
-/// The table of settings, and the choice among them.
-std::vector<Field> settings_of_stinger(const std::string& path) {
+/// Table of settings, and the selection among them.
+std::vector<Field> stinger_setting_rows(const std::string& path) {
   const auto open = [](StructureKeys& keys, const FieldValue&) -> std::vector<StingerSettingDescription>& {
     return keys.supports->settings;
   };
@@ -59,7 +59,7 @@ Field roller_size(const std::string& key, const Member& member, const std::strin
           .usual = {.low = 5e-3, .high = high}};
 }
 
-/// The boxes of a structure, or of a section of it, at `path`.
+/// Boxes of a structure, or of a section of it, at `path`.
 std::vector<Field> box_rows(const std::string& path, bool required) {
   const std::string b = path + "[]";
   return {
@@ -68,8 +68,8 @@ std::vector<Field> box_rows(const std::string& path, bool required) {
        .text = "Roller boxes in order from the tensioner astern.",
        .required = required,
        .fallback_text = required ? "" : "given by sections",
-       .least = 1,
-       .most = 1000},
+       .min_items = 1,
+       .max_items = 1000},
       {.path = b, .member = opened_by<StructureKeys>(add_box), .text = "One roller box."},
       {.path = b + ".name",
        .member = fills(&BoxDescription::name),
@@ -79,14 +79,14 @@ std::vector<Field> box_rows(const std::string& path, bool required) {
       {.path = b + ".x",
        .member = fills(&BoxDescription::x),
        .kind = FieldKind::quantity,
-       .text = "Where the underside of the coated pipe rests at mid-box, astern of the stern shoe.",
+       .text = "Point of the underside of the coated pipe at mid-box, astern of the stern shoe.",
        .unit = "m",
        .show = "m",
        .required = true},
       {.path = b + ".z",
        .member = fills(&BoxDescription::z),
        .kind = FieldKind::quantity,
-       .text = "Where the underside of the coated pipe rests at mid-box, above the stern shoe.",
+       .text = "Point of the underside of the coated pipe at mid-box, above the stern shoe.",
        .unit = "m",
        .show = "m",
        .required = true},
@@ -134,18 +134,17 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
   const auto take_radius = [radius](StructureKeys& keys, const FieldValue& value) {
     keys.supports->*radius = value.number;
   };
-  const std::string p = std::string("supports.") + word_of(which);
+  const std::string p = std::string("supports.") + enum_name(which);
   std::vector<Field> rows = {
       {.path = p,
        .member = opened_by<SupportsDescription>(open),
        .text = text,
-       .least = which == Structure::stinger ? 1 : 0},
+       .min_items = which == Structure::stinger ? 1 : 0},
       {.path = p + ".radius",
        .member = taken_by<StructureKeys>(take_radius),
        .kind = FieldKind::quantity,
-       .text = "Radius of the arc that a row of boxes (boxes.count, boxes.spacing) stands on. Listed boxes have none: "
-               "they stand "
-               "by their coordinates, and the radius of the circle fitted to them is a result.",
+       .text = "Radius of the arc of a row of boxes (boxes.count, boxes.spacing). Listed boxes have none: they are "
+               "placed by their coordinates, and the radius of the circle fitted to them is a result.",
        .unit = "m",
        .show = "m",
        .fallback_text = "the boxes are listed",
@@ -154,7 +153,7 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
        .member = fills(&StructureKeys::roller),
        .kind = FieldKind::text,
        .text = "Type of roller row of its boxes, a name under rollers.",
-       .fallback_text = "each box names its own"},
+       .fallback_text = "each box gives its own"},
       {.path = p + ".rows",
        .member = defaults(&StructureKeys::rows),
        .kind = FieldKind::integer,
@@ -174,7 +173,7 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
 
 std::vector<Field> rollers() {
   std::vector<Field> rows = {
-      {.path = "rollers", .text = "Types of roller row, each with a name of your own, to which the supports refer."},
+      {.path = "rollers", .text = "Types of roller row, each with a user-defined name, to which the supports refer."},
       {.path = "rollers.*", .member = opened_by<Description>(add_kind), .text = "One type of roller row."},
       {.path = "rollers.*.bottom",
        .member = enters(&RollerKindDescription::bottom),
@@ -191,7 +190,7 @@ std::vector<Field> rollers() {
       {.path = "rollers.*.sides.angle",
        .member = fills(&SideRollerDescription::angle),
        .kind = FieldKind::quantity,
-       .text = "Of the roller's axis from horizontal.",
+       .text = "Angle of the roller's axis from horizontal.",
        .unit = "rad",
        .show = "deg",
        .required = true,
@@ -270,7 +269,7 @@ std::vector<Field> supports() {
   append(rows, box_row("supports.ramp.boxes", opened_by<StructureKeys>(add_row), false));
   append(rows, structure(Structure::stinger, &SupportsDescription::stinger_radius, "Roller boxes on the stinger."));
   append(rows, box_row("supports.stinger.boxes", opened_by<StructureKeys>(add_row), true));
-  append(rows, settings_of_stinger("supports.stinger"));
+  append(rows, stinger_setting_rows("supports.stinger"));
   return rows;
 }
 

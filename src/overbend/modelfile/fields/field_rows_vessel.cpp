@@ -1,19 +1,19 @@
 #include <array>
 
 #include "base/constants.h"
-#include "model/description/description_words.h"
+#include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
 
 namespace overbend::field_rows {
 namespace {
 
-/// A key that names the file which the motion comes from.
+/// Key that names the file of the motion.
 Field motion_file(VesselMotion motion, const char* text) {
   const auto take = [motion](VesselDescription& vessel, const FieldValue& file) {
     vessel.motion = motion;
     vessel.motion_file = file.text;
   };
-  return {.path = std::string("vessel.motion.") + word_of(motion),
+  return {.path = std::string("vessel.motion.") + enum_name(motion),
           .member = taken_by<VesselDescription>(take),
           .kind = FieldKind::text,
           .file = true,
@@ -40,7 +40,7 @@ std::vector<Field> harmonic_motion() {
   std::vector<Field> rows = {{.path = p,
                               .member = opened_by<VesselDescription>(take_harmonic),
                               .text = "Prescribed motion amplitude * sin(2 pi t / period + phase).",
-                              .least = 1}};
+                              .min_items = 1}};
   for (const Freedom& f : kFreedoms) {
     const std::string key = p + "." + f.name;
     const auto freedom = [](VesselDescription& vessel, const FieldValue& group) -> HarmonicMotion& {
@@ -139,12 +139,12 @@ std::vector<Field> vessel() {
       {.path = "vessel.motion",
        .member = defaults(&VesselDescription::motion),
        .kind = FieldKind::choice,
-       .text = "fixed, or a group with one of the keys below. Only dynamics uses it.",
-       .choices = {word_of(VesselMotion::fixed)}},
+       .text = "fixed, or a group with one of the keys below. Only dynamic analysis uses it.",
+       .choices = {enum_name(VesselMotion::fixed)}},
       {.path = "vessel.motion",
        .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention if needed.",
-       .least = 1,
-       .most = 2},
+       .min_items = 1,
+       .max_items = 2},
       motion_file(VesselMotion::raos,
                   "File of response amplitude operators, in the folder of the model file: .csv, .4 (WAMIT) or .yml "
                   "(OrcaFlex)."),

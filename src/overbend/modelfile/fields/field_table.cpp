@@ -38,12 +38,12 @@ std::vector<Field> report() {
       {.path = "report",
        .member = enters(&Description::report),
        .text = "Document control on the first page of the report."},
-      report_entry("client", &ReportDescription::client, "For whom the analysis is made."),
+      report_entry("client", &ReportDescription::client, "Client of the analysis."),
       report_entry("project", &ReportDescription::project, "Name or number of the project."),
       report_entry("document", &ReportDescription::document, "Number of the document."),
       report_entry("revision", &ReportDescription::revision, "Revision of the document."),
-      report_entry("prepared", &ReportDescription::prepared, "Who prepared it, and when."),
-      report_entry("checked", &ReportDescription::checked, "Who checked it, and when."),
+      report_entry("prepared", &ReportDescription::prepared, "Name of the author, and date."),
+      report_entry("checked", &ReportDescription::checked, "Name of the checker, and date."),
   };
 }
 

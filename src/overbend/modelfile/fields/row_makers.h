@@ -1,4 +1,4 @@
-/// Rows of the field table that come again and again, in short.
+/// Short forms of frequent rows of the field table.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace overbend::field_rows {
 inline constexpr Range kPositive = {.low = 0.0, .low_open = true};
 inline constexpr Range kNotNegative = {.low = 0.0};
 
-/// A dimension with the unit it is shown in.
+/// Dimension with its display unit.
 struct Shown {
   const char *unit, *show;
 };
@@ -48,29 +48,29 @@ inline Field required(Field row) {
   return row;
 }
 
-/// Of a list that is of no use with fewer.
+/// Row of a list with a minimum number of items.
 inline Field at_least(int entries, Field row) {
-  row.least = entries;
+  row.min_items = entries;
   return row;
 }
 
-/// What leaving the key out means.
-inline Field otherwise(Field row, std::string words) {
-  row.fallback_text = std::move(words);
+/// Row with the meaning of a missing key.
+inline Field otherwise(Field row, std::string text) {
+  row.fallback_text = std::move(text);
   return row;
 }
 
-/// A component of a vector.
+/// Member of a vector component.
 inline Member component(int i) {
   return taken_by<Vec3>([i](Vec3& vector, const FieldValue& value) { vector[i] = value.number; });
 }
 
-/// A vector as a group of x, y and z: `group` is its own row, whose member opens a Vec3.
+/// Vector as a group of x, y and z: `group` is its own row, whose member opens a Vec3.
 struct VectorRows {
   Field group;
   Shown shown;
-  std::vector<std::string> texts;  ///< Of x, y and z.
-  bool all = true;                 ///< Each of them has to be given; else it is 0.
+  std::vector<std::string> texts;  ///< Descriptions of x, y and z.
+  bool all = true;                 ///< True: all components are required; false: the default is 0.
 };
 
 inline std::vector<Field> vector_rows(const VectorRows& vector) {
@@ -84,12 +84,12 @@ inline std::vector<Field> vector_rows(const VectorRows& vector) {
   return rows;
 }
 
-/// Words for a place in the frame V of the vessel, and in the world W.
-inline std::vector<std::string> vessel_axes_words() {
+/// Descriptions of the coordinates in the vessel frame V, and in the world frame W.
+inline std::vector<std::string> vessel_axis_texts() {
   return {"From midship, forward positive.", "From the centreline, positive to port.", "Above the water line."};
 }
-inline std::vector<std::string> world_axes_words() {
-  return {"To the east, from below midship of the vessel in its place.", "To the north.",
+inline std::vector<std::string> world_axis_texts() {
+  return {"To the east, from below midship of the vessel in its position.", "To the north.",
           "Above the mean water level."};
 }
 

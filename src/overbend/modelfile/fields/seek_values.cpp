@@ -1,6 +1,6 @@
 #include "modelfile/fields/seek_values.h"
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "base/units.h"
 #include "modelfile/fields/field_table.h"
 #include "modelfile/schema/scalar_row.h"
@@ -9,15 +9,15 @@
 namespace overbend {
 
 const Field* scalar_row(const std::string& key) {
-  const auto parts = name_parts(key);
+  const auto parts = split_result_path(key);
   if (!parts) return nullptr;
-  const FieldNode* at = &field_tree();
-  for (const NamePart& part : *parts) {
-    const bool named = part.item && at->item == nullptr && at->any_name();  // "lengths[davit 1]"
-    at = part.item && !named ? at->item.get() : at->member(part.text);
-    if (at == nullptr) return nullptr;
+  const FieldNode* node = &field_tree();
+  for (const PathPart& part : *parts) {
+    const bool named = part.item && node->item == nullptr && node->any_name();  // "lengths[davit 1]"
+    node = part.item && !named ? node->item.get() : node->member(part.text);
+    if (node == nullptr) return nullptr;
   }
-  return at->scalar;
+  return node->scalar;
 }
 
 const Field* varied_row(const std::string& key) {
@@ -26,7 +26,7 @@ const Field* varied_row(const std::string& key) {
   return number ? row : nullptr;
 }
 
-std::string unit_of(const Field& row) {
+std::string row_unit(const Field& row) {
   return row.kind == FieldKind::quantity ? row.unit : "1";
 }
 
@@ -41,7 +41,7 @@ std::optional<Field> result_row(const std::string& result) {
   return row;
 }
 
-ScalarReading read_value_of(const std::string& text, const Field& row) {
+ScalarReading read_row_value(const std::string& text, const Field& row) {
   YamlNode node;
   node.kind = YamlNode::Kind::scalar;
   node.text = text;

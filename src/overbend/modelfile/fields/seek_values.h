@@ -1,4 +1,4 @@
-/// Keys and results that a goal seek names, and values with the dimension of one.
+/// Keys and results named by a goal seek, and values with their dimensions.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,17 @@
 
 namespace overbend {
 
-/// The row of a key that may be varied, a quantity or a number; null where there is none. `key` as in SeekVariable.
+/// Returns the row of a key that may be varied, a quantity or a number; null if there is none. `key` as in
+/// SeekVariable.
 const Field* varied_row(const std::string& key);
 
-/// The SI unit of its dimension.
-std::string unit_of(const Field& row);
+/// Returns the SI unit of its dimension.
+std::string row_unit(const Field& row);
 
-/// A row like that of a key, for values of the result; nothing where there is no such result.
+/// Returns a row, as for a key, for values of the result; empty if there is no such result.
 std::optional<Field> result_row(const std::string& result);
 
-/// A text as a value of the row: with its unit, within its range. Plain numbers may be written in percent.
-ScalarReading read_value_of(const std::string& text, const Field& row);
+/// Reads a text as a value of the row: with its unit, within its range. Plain numbers may be written in per cent.
+ScalarReading read_row_value(const std::string& text, const Field& row);
 
 }  // namespace overbend

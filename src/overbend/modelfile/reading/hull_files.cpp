@@ -16,10 +16,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kWidestGap = 46.0 * kDegree;  // headings by 45 deg can be interpolated
+constexpr double kWidestGap = 46.0 * kDegree;  // headings at 45 deg can be interpolated
 const std::string kHull = "vessel.motion.coupled";
 
-HydrodynamicsSource source_of(const FieldValue& root, const Description& description) {
+HydrodynamicsSource read_source(const FieldValue& root, const Description& description) {
   const CoupledHullDescription& hull = *description.vessel.coupled;
   HydrodynamicsSource source;
   source.path = hull.hydrodynamics;
@@ -32,10 +32,10 @@ HydrodynamicsSource source_of(const FieldValue& root, const Description& descrip
   return source;
 }
 
-/// Doubts about the files, told at the key that names them.
-class Judge {
+/// Plausibility of the files' contents, reported at the key that names them.
+class HullFileChecks {
  public:
-  Judge(const FieldValue& root, const Description& description, Diagnostics& diagnostics)
+  HullFileChecks(const FieldValue& root, const Description& description, Diagnostics& diagnostics)
       : at_(*root.find(kHull + ".hydrodynamics")), description_(description), diagnostics_(diagnostics) {}
 
   void judge(const HydrodynamicData& data) {
@@ -50,43 +50,49 @@ class Judge {
   }
 
  private:
-  void tell(Severity severity, std::string found, std::string expected, std::string hint) {
+  void add_warning(Severity severity, std::string found, std::string expected, std::string hint) {
     diagnostics_.add({severity, description_.source_file, at_.line, 0, at_.path, std::move(found), std::move(expected),
                       std::move(hint)});
   }
 
-  /// The heave stiffness is the waterplane times rho g, at most that of a box: another length scale or another hull.
+  /// Checks the heave stiffness, waterplane area times rho g, against that of a box: a larger one indicates another
+  /// length scale or another hull.
   void waterplane(const HydrodynamicData& data) {
     const VesselDescription& vessel = description_.vessel;
     const double area = data.hydrostatic_stiffness(2, 2) / (data.water_density * data.gravity);
     const double box = vessel.length * vessel.beam;
     if (area > 0.3 * box && area < 1.05 * box) return;
-    tell(Severity::error, "a waterplane of " + format_number(area, 4) + " m^2 by the files' heave stiffness",
-         "0.3 to 1.05 of the vessel's length times beam, " + format_number(box, 4) + " m^2",
-         "is convention.length_scale right, and are these the files of this hull?");
+    add_warning(Severity::error,
+                "a waterplane of " + format_number(area, 4) + " m^2, from the heave stiffness in the files",
+                "0.3 to 1.05 of the vessel's length times beam, " + format_number(box, 4) + " m^2",
+                "is convention.length_scale right, and are these the files of this hull?");
   }
 
   void stability(const HydrodynamicData& data) {
     for (const auto& [freedom, i] : {std::pair{"roll", 3}, std::pair{"pitch", 4}}) {
       const double stiffness = data.hydrostatic_stiffness(i, i);
       if (stiffness > 0.0) continue;
-      tell(Severity::error,
-           "a " + std::string(freedom) + " stiffness of " + format_number(1e-3 * stiffness, 4) + " kN*m", "more than 0",
-           "the files' origin must be the centre of gravity, and their stiffness include the weight");
+      add_warning(Severity::error,
+                  "a " + std::string(freedom) + " stiffness of " + format_number(1e-3 * stiffness, 4) + " kN*m",
+                  "more than 0",
+                  "the files' origin must be the centre of gravity, and their stiffness include the weight");
     }
   }
 
-  /// Panel programs can be told to leave modes out: what they leave out is not zero.
+  /// Reports modes without data: panel programs can omit modes, and these are not zero.
   void modes(const HydrodynamicData& data) {
     std::string silent;
     for (int i = 0; i < 6; ++i) {
-      const bool given = std::any_of(data.radiation.begin(), data.radiation.end(),
-                                     [&](const RadiationPoint& point) { return point.added_mass(i, i) != 0.0; });
-      if (!given) silent += (silent.empty() ? "" : ", ") + std::string(kFreedomNames[static_cast<std::size_t>(i)]);
+      const bool has_added_mass =
+          std::any_of(data.radiation.begin(), data.radiation.end(),
+                      [&](const RadiationPoint& point) { return point.added_mass(i, i) != 0.0; });
+      if (!has_added_mass) {
+        silent += (silent.empty() ? "" : ", ") + std::string(kFreedomNames[static_cast<std::size_t>(i)]);
+      }
     }
     if (silent.empty()) return;
-    tell(Severity::warning, "no added mass of " + silent + " in the files; it is taken as zero", "all six modes",
-         "was the panel program run for some modes only?");
+    add_warning(Severity::warning, "no added mass of " + silent + " in the files; it is taken as zero", "all six modes",
+                "was the panel program run for some modes only?");
   }
 
   void headings(const std::vector<double>& heading, const std::string& name) {
@@ -94,9 +100,9 @@ class Judge {
     double gap = heading.front() + 2.0 * std::numbers::pi - heading.back();
     for (std::size_t i = 1; i < heading.size(); ++i) gap = std::max(gap, heading[i] - heading[i - 1]);
     if (gap < kWidestGap) return;
-    tell(Severity::error, name + " with a gap of " + format_number(gap / kDegree, 3) + " deg",
-         "headings all round, 45 deg apart at most",
-         "convention.headings: mirrored takes the other side of a symmetric hull");
+    add_warning(Severity::error, name + " with a gap of " + format_number(gap / kDegree, 3) + " deg",
+                "headings over the full circle, at most 45 deg apart",
+                "convention.headings: mirrored uses the other side of a symmetric hull");
   }
 
   const FieldValue& at_;
@@ -110,10 +116,10 @@ void read_hull_files(const FieldValue& root, Description& description, Diagnosti
   if (!description.vessel.coupled) return;
   CoupledHullDescription& hull = *description.vessel.coupled;
   const int errors = diagnostics.error_count();
-  hull.data = read_hydrodynamics(source_of(root, description), diagnostics);
-  if (hull.data) Judge(root, description, diagnostics).judge(*hull.data);
+  hull.data = read_hydrodynamics(read_source(root, description), diagnostics);
+  if (hull.data) HullFileChecks(root, description, diagnostics).judge(*hull.data);
   if (diagnostics.error_count() == errors) check_hull_plausibility(root, description, diagnostics);
-  if (hull.current.form == HullCurrentForm::table) {
+  if (hull.current.form == HullCurrentModel::table) {
     hull.current.table = read_coefficient_table(hull.current.table_file, diagnostics);
   }
   if (!hull.wind.table_file.empty()) {

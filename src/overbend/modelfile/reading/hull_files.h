@@ -1,4 +1,4 @@
-/// Reads the files of a coupled hull that a model names.
+/// Reading of the files of a coupled hull.
 #pragma once
 
 #include "base/diagnostics.h"
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Fills the description's hydrodynamic data and tables of current and wind coefficients, and says where they do not
-/// fit the vessel. Nothing happens without a coupled hull.
+/// Fills the description's hydrodynamic data and tables of current and wind coefficients, and reports where they do not
+/// fit the vessel. No effect without a coupled hull.
 void read_hull_files(const FieldValue& root, Description& description, Diagnostics& diagnostics);
 
 }  // namespace overbend

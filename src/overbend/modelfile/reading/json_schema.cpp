@@ -12,15 +12,15 @@ namespace {
 constexpr const char* kQuantityPattern =
     R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(1/)?[^\s0-9+*/.^,()-][^@,:;=&|<>{}]*$)";
 
-/// Of a plain number that is written in per cent.
+/// Pattern of a plain number written in per cent.
 constexpr const char* kPercentPattern = R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*%\s*$)";
 
-Json schema_of(const FieldNode& node);
+Json make_schema(const FieldNode& node);
 
-/// Description and default of a row; quantities name their unit, so that forms can show it.
-void add_words(const Field& field, Json& schema) {
+/// Adds description and default of a row; the unit of a quantity is included for forms.
+void add_description(const Field& field, Json& schema) {
   std::string text = field.text;
-  const std::string range = range_words(field, field.range);
+  const std::string range = field_range_label(field, field.range);
   if (!field.unit.empty()) text += " [" + dimension_name(field.unit) + ", " + field.show + "]";
   if (!range.empty()) text += " Range: " + range + ".";
   if (!field.fallback_text.empty()) text += " If omitted: " + field.fallback_text + ".";
@@ -33,14 +33,14 @@ void add_bounds(const Field& field, Json& schema) {
   if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
 }
 
-/// Words of a choice; one of digits also as the number that YAML takes an unquoted one for, `true` as the truth value.
+/// Texts of a choice; digits also as a number and `true` also as a boolean, as YAML reads them without quotes.
 Json choices_json(const std::vector<std::string>& choices) {
-  Json words = choices;
+  Json values = choices;
   for (const std::string& word : choices) {
-    if (const std::optional<double> number = parse_number(word)) words.push_back(static_cast<int>(*number));
-    if (word == "true") words.push_back(true);
+    if (const std::optional<double> number = parse_number(word)) values.push_back(static_cast<int>(*number));
+    if (word == "true") values.push_back(true);
   }
-  return words;
+  return values;
 }
 
 Json scalar_schema(const Field& field) {
@@ -76,31 +76,31 @@ Json scalar_schema(const Field& field) {
     case FieldKind::text:
     case FieldKind::map:
     case FieldKind::list:
-      schema["type"] = {"string", "number", "boolean"};  // YAML reads an unquoted 12 or no as such
+      schema["type"] = {"string", "number", "boolean"};  // YAML reads an unquoted 12 or no as a number or boolean
       schema["minLength"] = 1;
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;
   }
-  add_words(field, schema);
+  add_description(field, schema);
   return schema;
 }
 
-void add_counts(const Field& field, const char* least, const char* most, Json& schema) {
-  if (field.least > 0) schema[least] = field.least;
-  if (field.most < kMaxItems) schema[most] = field.most;
+void add_counts(const Field& field, const char* min_key, const char* max_key, Json& schema) {
+  if (field.min_items > 0) schema[min_key] = field.min_items;
+  if (field.max_items < kMaxItems) schema[max_key] = field.max_items;
 }
 
 Json map_schema(const FieldNode& node) {
   Json schema;
   schema["type"] = "object";
-  add_words(*node.map, schema);
+  add_description(*node.map, schema);
   if (node.any_name()) {
-    schema["additionalProperties"] = schema_of(*node.members.front());
+    schema["additionalProperties"] = make_schema(*node.members.front());
     return schema;
   }
   Json properties = Json::object(), required = Json::array();
   for (const auto& member : node.members) {
-    properties[member->key] = schema_of(*member);
+    properties[member->key] = make_schema(*member);
     if (member->first().required) required.push_back(member->key);
   }
   schema["properties"] = properties;
@@ -113,13 +113,13 @@ Json map_schema(const FieldNode& node) {
 Json list_schema(const FieldNode& node) {
   Json schema;
   schema["type"] = "array";
-  add_words(*node.list, schema);
-  schema["items"] = schema_of(*node.item);
+  add_description(*node.list, schema);
+  schema["items"] = make_schema(*node.item);
   add_counts(*node.list, "minItems", "maxItems", schema);
   return schema;
 }
 
-Json schema_of(const FieldNode& node) {
+Json make_schema(const FieldNode& node) {
   std::vector<Json> shapes;
   if (node.scalar != nullptr) shapes.push_back(scalar_schema(*node.scalar));
   if (node.map != nullptr) shapes.push_back(map_schema(node));
@@ -136,8 +136,8 @@ std::string json_schema() {
   Json schema;
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";
   schema["title"] = "Overbend model file";
-  schema.update(schema_of(field_tree()));
-  // A model is one of a pipe, of a vessel on lines or floating free, or of lines by themselves.
+  schema.update(make_schema(field_tree()));
+  // A model contains a pipe, a vessel on lines or floating freely, or free lines.
   schema["anyOf"] = {{{"required", {"vessel"}}}, {{"required", {"lines"}}}};
   schema["dependencies"] = {{"pipe", {"tensioner", "vessel"}}, {"tensioner", {"pipe"}}, {"moorings", {"vessel"}}};
   return json_text(schema, 2) + "\n";

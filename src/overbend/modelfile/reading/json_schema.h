@@ -1,12 +1,12 @@
-/// The field table as JSON Schema, for editors and forms.
+/// Field table as JSON Schema, for editors and forms.
 #pragma once
 
 #include <string>
 
 namespace overbend {
 
-/// JSON Schema draft-07 of the model file. What a schema cannot say (dimensions of units, one value against another)
-/// is left to the reader; every file that the reader accepts is valid.
+/// Returns the JSON Schema draft-07 of the model file. The reader checks what a schema cannot express (dimensions of
+/// units, relations between values); every file that the reader accepts is valid.
 std::string json_schema();
 
 }  // namespace overbend

@@ -9,10 +9,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostStretch = 0.1;  ///< Of a line whose breaking load is not known [-].
+constexpr double kMaxStrain = 0.1;  ///< Strain of a line with unknown breaking load [-].
 
-/// Way from the fairlead to the anchor, the vessel upright and as drawn [m].
-double way_to_anchor(const Description& d, const MooringLineDescription& line) {
+/// Distance from the fairlead to the anchor, the vessel upright in its nominal pose [m].
+double distance_to_anchor(const Description& d, const MooringLineDescription& line) {
   const double height = line.fairlead.z() + d.environment.water_depth;
   if (!line.anchor) return std::hypot(line.anchor_distance.value_or(0.0), height);
   const double s = std::sin(d.vessel.heading), c = std::cos(d.vessel.heading);
@@ -20,16 +20,16 @@ double way_to_anchor(const Description& d, const MooringLineDescription& line) {
   return std::hypot((*line.anchor)[0] - x, (*line.anchor)[1] - y, height);
 }
 
-/// Stretched until a segment breaks [m]; endless where a length is open.
-double longest(const MooringLineDescription& line) {
-  double least = 1e300, length = 0.0;
+/// Length of a line stretched until a segment breaks [m]; infinite if a length is open.
+double compute_max_length(const MooringLineDescription& line) {
+  double min_load = 1e300, length = 0.0;
   for (const LineSegmentDescription& segment : line.segments) {
     const LineTypeDescription& type = segment.type;
-    least = std::min(least, type.breaking_load.value_or(kMostStretch * type.axial_stiffness));
+    min_load = std::min(min_load, type.breaking_load.value_or(kMaxStrain * type.axial_stiffness));
   }
   for (const LineSegmentDescription& segment : line.segments) {
     if (!segment.length) return 1e300;
-    length += *segment.length * (1.0 + least / segment.type.axial_stiffness);
+    length += *segment.length * (1.0 + min_load / segment.type.axial_stiffness);
   }
   return length;
 }
@@ -43,13 +43,13 @@ void check_reach(const FieldValue& root, const Description& description, Diagnos
   if (!description.moorings || lines == nullptr || !level) return;
   for (std::size_t i = 0; i < std::min(lines->children.size(), description.moorings->lines.size()); ++i) {
     const MooringLineDescription& line = description.moorings->lines[i];
-    const double way = way_to_anchor(description, line), reach = longest(line);
-    if (line.segments.empty() || reach >= way) continue;
-    const FieldValue* own = lines->children[i].find("length");
-    const FieldValue& at = own != nullptr ? *own : *lines->children[i].find("segments");
-    diagnostics.add({Severity::error, description.source_file, at.line, 0, at.path,
-                     "a line too short to reach: " + shown_digits(reach, "m", 6) + " when it breaks",
-                     "at least the " + shown_digits(way, "m", 6) + " from its fairlead to its anchor",
+    const double distance = distance_to_anchor(description, line), reach = compute_max_length(line);
+    if (line.segments.empty() || reach >= distance) continue;
+    const FieldValue* length_key = lines->children[i].find("length");
+    const FieldValue& key = length_key != nullptr ? *length_key : *lines->children[i].find("segments");
+    diagnostics.add({Severity::error, description.source_file, key.line, 0, key.path,
+                     "a line too short to reach: " + shown_digits(reach, "m", 6) + " at its breaking load",
+                     "at least the " + shown_digits(distance, "m", 6) + " from its fairlead to its anchor",
                      "with the vessel as drawn"});
   }
 }

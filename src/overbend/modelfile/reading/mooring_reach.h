@@ -1,4 +1,4 @@
-/// Whether mooring lines of given length reach their anchors.
+/// Check that mooring lines of given length reach their anchors.
 #pragma once
 
 #include "base/diagnostics.h"
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Tells, at the key of its length, of every mooring line that would have to break to reach its anchor from the vessel
-/// as drawn on a level bed. Lines whose length follows from a tension reach by themselves.
+/// Reports, at the key of its length, every mooring line that would have to break to reach its anchor from the vessel
+/// as drawn on a level seabed. Lines whose length follows from a tension always reach.
 void check_reach(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 }  // namespace overbend

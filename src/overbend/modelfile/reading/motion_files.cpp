@@ -10,8 +10,8 @@
 namespace overbend {
 namespace {
 
-/// Of the motion of a body, whose keys stand in `group`.
-RaoSettings settings_of(const FieldValue& group, const std::string& source_file) {
+/// Returns the settings for the motion of a body, from the keys in `group`.
+RaoSettings read_settings(const FieldValue& group, const std::string& source_file) {
   RaoSettings settings;
   const FieldValue* convention = group.find("motion.convention");
   if (convention != nullptr) bind_members(field_node("vessel.motion.convention"), *convention, &settings, source_file);
@@ -20,12 +20,12 @@ RaoSettings settings_of(const FieldValue& group, const std::string& source_file)
 
 void read_file(const FieldValue& group, const Description& description, VesselDescription& body,
                Diagnostics& diagnostics) {
-  RaoSettings settings = settings_of(group, description.source_file);
+  RaoSettings settings = read_settings(group, description.source_file);
   const FieldValue* length = group.find("length");
   if (length != nullptr && length->given) settings.vessel_length = body.length;
   body.motion_reference_V = settings.reference.value_or(Vec3::Zero());
-  std::error_code fault;
-  if (body.motion_file.empty() || !std::filesystem::exists(body.motion_file, fault)) return;
+  std::error_code code;
+  if (body.motion_file.empty() || !std::filesystem::exists(body.motion_file, code)) return;
   if (body.motion == VesselMotion::raos) {
     body.raos = read_raos(body.motion_file, settings, description.environment.water_depth, diagnostics);
   } else if (body.motion == VesselMotion::history) {

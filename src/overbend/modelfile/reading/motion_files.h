@@ -1,4 +1,4 @@
-/// The file that a vessel's motion comes from, as the model file describes it.
+/// Motion file of the vessel as described in the model file.
 #pragma once
 
 #include "base/diagnostics.h"
@@ -7,9 +7,9 @@
 
 namespace overbend {
 
-/// Fills `raos` or `history` of the vessel and of other bodies from their motion files, with the conventions stated
-/// under vessel.motion.convention and the same of a body. A file that is not there leaves them empty without a
-/// complaint, which the checks make; what is wrong in one that is there goes to `diagnostics`.
+/// Fills `raos` or `history` of the vessel and other bodies from their motion files, with the conventions given under
+/// vessel.motion.convention and the same keys of a body. A missing file leaves them empty without a message, which the
+/// checks add; errors in an existing file are added to `diagnostics`.
 void read_motion_file(const FieldValue& root, Description& description, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -6,7 +6,7 @@
 namespace overbend {
 
 std::optional<SeekDescription> read_seek(const Description& description) {
-  Diagnostics none;  // the text was read without any before
+  Diagnostics none;  // not reported: the text was read before without errors
   const std::optional<YamlNode> root = parse_yaml(description.source_text, description.source_file, none);
   if (!root) return std::nullopt;
   for (const YamlEntry& entry : root->entries) {

@@ -1,4 +1,4 @@
-/// The goal seek that a model file asks for.
+/// Goal seek of a model file.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-/// What stands under `seek` in the text of a model that has been read and checked; nothing where the key is left out.
+/// Returns the key `seek` of the text of a model that has been read and checked; empty if the key is left out.
 std::optional<SeekDescription> read_seek(const Description& description);
 
 }  // namespace overbend

@@ -20,27 +20,27 @@
 namespace overbend {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 16U << 20U;
+constexpr std::uintmax_t kMaxFileSize = 16U << 20U;
 
-ModelReading refused(const std::string& path, const std::string& why, int line = 0) {
+ModelReading rejected_reading(const std::string& path, const std::string& why, int line = 0) {
   ModelReading reading;
   reading.diagnostics.add({Severity::error, path, line, 0, "", why, "", ""});
   return reading;
 }
 
-int line_of(const std::string& text, std::size_t position) {
+int find_line(const std::string& text, std::size_t position) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n'));
 }
 
-/// Length of the character at `i`, 0 where it is none that a text has.
+/// Returns the length of the character at `i`; 0 if it is not allowed in a text.
 std::size_t text_length(const std::string& text, std::size_t i) {
   const auto byte = static_cast<unsigned char>(text[i]);
   const bool control = byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t';
   return control ? 0 : utf8_length(text, i);
 }
 
-/// Where the text stops being text; npos when all of it is.
-std::size_t first_garbage(const std::string& text) {
+/// Returns the position of the first byte that is not text; npos if there is none.
+std::size_t find_invalid_byte(const std::string& text) {
   std::size_t i = 0;
   while (i < text.size()) {
     const std::size_t length = text_length(text, i);
@@ -50,7 +50,7 @@ std::size_t first_garbage(const std::string& text) {
   return std::string::npos;
 }
 
-enum class Files { none, all };  ///< Which of the files that the model names are read.
+enum class Files { none, all };  ///< Selects the files named by the model that are read.
 
 void read_tree(const YamlNode& root, const std::string& path, Files files, ModelReading& reading) {
   const FieldValue values = read_fields(root, field_tree(), path, reading.diagnostics);
@@ -76,26 +76,30 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
 }  // namespace
 
 ModelReading read_model_text(const std::string& text, const std::string& path) {
-  const std::size_t garbage = first_garbage(text);
+  const std::size_t garbage = find_invalid_byte(text);
   if (garbage != std::string::npos) {
-    return refused(path, "not a text file: a byte here is no UTF-8 character; a model file is YAML text",
-                   line_of(text, garbage));
+    return rejected_reading(
+        path, "not a text file: it contains a byte that is not a UTF-8 character; a model file is YAML text",
+        find_line(text, garbage));
   }
-  Diagnostics faults;
-  std::optional<YamlNode> root = parse_yaml(text, path, faults);
-  return read_model_tree(root ? std::make_shared<const YamlNode>(std::move(*root)) : nullptr, faults, text, path);
+  Diagnostics diagnostics;
+  std::optional<YamlNode> root = parse_yaml(text, path, diagnostics);
+  return read_model_tree(root ? std::make_shared<const YamlNode>(std::move(*root)) : nullptr, diagnostics, text, path);
 }
 
-ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnostics& faults, const std::string& text,
-                             const std::string& path) {
-  ModelReading reading{std::nullopt, faults, std::move(tree)};
+ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnostics& diagnostics,
+                             const std::string& text, const std::string& path) {
+  ModelReading reading{std::nullopt, diagnostics, std::move(tree)};
   if (!reading.tree) {
-    return faults.has_errors() ? reading : refused(path, "the file is empty; `overbend new` writes one to start from");
+    return diagnostics.has_errors()
+               ? reading
+               : rejected_reading(path, "the file is empty; `overbend new` writes one to start from");
   }
   if (reading.tree->kind != YamlNode::Kind::map) {
-    return faults.has_errors()
+    return diagnostics.has_errors()
                ? reading
-               : refused(path, "not a model file: keys such as 'overbend: 1' are expected", reading.tree->line);
+               : rejected_reading(path, "not a model file: keys such as 'overbend: 1' are expected",
+                                  reading.tree->line);
   }
   read_tree(*reading.tree, path, Files::all, reading);
   if (reading.description) reading.description->source_text = text;
@@ -104,7 +108,7 @@ ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnos
 
 ModelReading read_stored_model(const std::string& text, const std::string& path) {
   ModelReading reading;
-  if (first_garbage(text) != std::string::npos) return reading;
+  if (find_invalid_byte(text) != std::string::npos) return reading;
   const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
   if (!root || root->kind != YamlNode::Kind::map) return reading;
   const FieldValue values = read_fields(*root, field_tree(), path, reading.diagnostics);
@@ -114,24 +118,24 @@ ModelReading read_stored_model(const std::string& text, const std::string& path)
   return reading;
 }
 
-ModelReading read_still_model(const YamlNode& root, const std::string& path) {
+ModelReading read_statics_inputs(const YamlNode& root, const std::string& path) {
   ModelReading reading;
   read_tree(root, path, Files::none, reading);
   return reading;
 }
 
 ModelReading read_model(const std::string& path) {
-  std::error_code fault;
-  const std::filesystem::file_status status = std::filesystem::status(path, fault);
-  if (!std::filesystem::exists(status)) return refused(path, "there is no such file");
-  if (std::filesystem::is_directory(status)) return refused(path, "this is a folder, not a model file");
+  std::error_code code;
+  const std::filesystem::file_status status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) return rejected_reading(path, "there is no such file");
+  if (std::filesystem::is_directory(status)) return rejected_reading(path, "this is a folder, not a model file");
   std::ifstream file(path, std::ios::binary);
-  if (!file) return refused(path, "the file cannot be read");
-  std::string text(kLargestFile + 1, '\0');
+  if (!file) return rejected_reading(path, "the file cannot be read");
+  std::string text(kMaxFileSize + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad()) return refused(path, "the file cannot be read");
+  if (file.bad()) return rejected_reading(path, "the file cannot be read");
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLargestFile) return refused(path, "larger than 16 MB, which no model file is");
+  if (text.size() > kMaxFileSize) return rejected_reading(path, "larger than 16 MB, the limit for model files");
   return read_model_text(text, path);
 }
 

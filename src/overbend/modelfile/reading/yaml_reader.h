@@ -1,4 +1,4 @@
-/// Reads a model file: strict, and with everything that is wrong told at once.
+/// Reader of model files: strict, and reports all errors at once.
 #pragma once
 
 #include <memory>
@@ -12,27 +12,27 @@
 namespace overbend {
 
 struct ModelReading {
-  std::optional<Description> description;  ///< Only when there is no error.
+  std::optional<Description> description;  ///< Only if there is no error.
   Diagnostics diagnostics;
-  std::shared_ptr<const YamlNode> tree{};  ///< Of read_model_text(), as far as the text could be parsed; else null.
+  std::shared_ptr<const YamlNode> tree{};  ///< Result of read_model_text(), if the text could be parsed; else null.
 };
 
-/// Reads the file at `path`. Warnings are copied into Description::warnings. Never throws on what the file holds.
+/// Reads the file at `path`. Warnings are copied into Description::warnings. Never throws because of the file's
+/// contents.
 ModelReading read_model(const std::string& path);
 
-/// The same for a text; `path` names it in messages and gives the folder of the files it mentions.
+/// The same for a text; `path` names it in messages and determines the folder of the files it names.
 ModelReading read_model_text(const std::string& text, const std::string& path);
 
-/// The same for a text whose tree is known, with what was found wrong in parsing it.
-ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnostics& faults, const std::string& text,
-                             const std::string& path);
+/// The same for a text whose tree is known, with the diagnostics of its parsing.
+ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnostics& diagnostics,
+                             const std::string& text, const std::string& path);
 
-/// For a text that was read before and is kept with its results: the files that it names are not looked for, and what
-/// was checked then is not checked again. No description where keys are unknown, missing or of another kind.
+/// Reads a text that was read before and is stored with its results: the files that it names are not read, and checks
+/// are not repeated. No description if keys are unknown, missing or of another kind.
 ModelReading read_stored_model(const std::string& text, const std::string& path);
 
-/// The same for a tree, without the file of the vessel's motion: enough for statics, where it is done many times a
-/// second.
-ModelReading read_still_model(const YamlNode& root, const std::string& path);
+/// Reads a tree without the file of the vessel's motion, as needed for statics many times a second.
+ModelReading read_statics_inputs(const YamlNode& root, const std::string& path);
 
 }  // namespace overbend

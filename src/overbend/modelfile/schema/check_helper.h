@@ -1,4 +1,4 @@
-/// Complaints about values of a model file, for the checks.
+/// Diagnostics about values of a model file, for the checks.
 #pragma once
 
 #include <string>
@@ -17,19 +17,19 @@ class Checker {
 
   const FieldValue& root() const { return root_; }
 
-  void error(const FieldValue& at, std::string found, std::string expected, std::string hint = {}) {
-    add(Severity::error, at.line, at.path, std::move(found), std::move(expected), std::move(hint));
+  void error(const FieldValue& value, std::string found, std::string expected, std::string hint = {}) {
+    add(Severity::error, value.line, value.path, std::move(found), std::move(expected), std::move(hint));
   }
-  /// A key that is not there, told at the line of its group.
+  /// Reports a missing key at the line of its group.
   void missing(const FieldValue& group, const std::string& key, std::string expected, std::string hint = {}) {
     add(Severity::error, group.line, group.path.empty() ? key : group.path + "." + key, "nothing (the key is missing)",
         std::move(expected), std::move(hint));
   }
-  void warn(const FieldValue& at, std::string remark, FindingCode code = FindingCode::unusual_input) {
-    diagnostics_.add({Severity::warning, file_, at.line, 0, at.path, std::move(remark), {}, {}, code});
+  void warn(const FieldValue& value, std::string remark, FindingCode code = FindingCode::unusual_input) {
+    diagnostics_.add({Severity::warning, file_, value.line, 0, value.path, std::move(remark), {}, {}, code});
   }
 
-  /// Items of a list below a group; none when it is absent.
+  /// Returns the items of a list below a group; empty if it is absent.
   static const std::vector<FieldValue>& items(const FieldValue& group, const std::string& key) {
     static const std::vector<FieldValue> kNone;
     const FieldValue* list = group.find(key);

@@ -1,6 +1,5 @@
-/// One key of the model file: the single place that says what it means and what it fills. The reader, the description,
-/// `overbend schema`, the reference page and forms are all made from the table of these
-/// (modelfile/fields/field_table.h).
+/// Key of the model file: the only definition of its meaning and its target. The reader, the description, `overbend
+/// schema`, the reference page and forms are all generated from the table of these (modelfile/fields/field_table.h).
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@ namespace overbend {
 enum class FieldKind { map, list, quantity, number, integer, text, choice };
 
 template <>
-inline constexpr std::array kWords<FieldKind> = {
+inline constexpr std::array kEnumNames<FieldKind> = {
     Word{FieldKind::map, "map"},       Word{FieldKind::list, "list"},       Word{FieldKind::quantity, "quantity"},
     Word{FieldKind::number, "number"}, Word{FieldKind::integer, "integer"}, Word{FieldKind::text, "text"},
     Word{FieldKind::choice, "choice"},
@@ -25,46 +24,47 @@ inline constexpr std::array kWords<FieldKind> = {
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool low_open = false, high_open = false;  ///< The bound itself is outside.
+  bool low_open = false, high_open = false;  ///< True if the bound itself is excluded.
 
   bool contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
   }
 };
 
-/// Items of a list, keys of a map: more are a mistake, and would keep whoever reads them busy.
+/// Max. number of items of a list and keys of a map; limits the effort for invalid files.
 inline constexpr int kMaxItems = 10000;
 
-/// A row of the table. Paths read `pipe.coatings[].thickness` (an item of a list) and `rollers.*.bottom` (any name).
+/// Row of the table. Paths read `pipe.coatings[].thickness` (an item of a list) and `rollers.*.bottom` (any name).
 ///
-/// A key may have two rows of different shape, `vessel.motion` as a word or as a map: what stands in the file decides.
+/// A key may have two rows of different shape, such as `vessel.motion` as a word or as a map; the value in the file
+/// selects one.
 struct Field {
   std::string path;
-  Member member = {};  ///< Of the description, that the value fills.
+  Member member = {};  ///< Member of the description that the value fills.
   FieldKind kind = FieldKind::map;
-  bool file = false;      ///< A text that names a file, beside the model file where the path is not absolute.
-  std::string text = {};  ///< One line for the user.
-  std::string unit = {};  ///< Of a quantity, or of a choice that may be one instead: the SI unit of its dimension.
-  std::string show = {};  ///< Unit to show it in.
+  bool file = false;      ///< True if the text names a file, relative to the model file.
+  std::string text = {};  ///< One-line description for the user.
+  std::string unit = {};  ///< SI unit of the dimension, for a quantity or a choice that may be one.
+  std::string show = {};  ///< Display unit.
   bool required = false;
-  std::string fallback = {};       ///< Value when left out, as it would be written: the member's own; empty = none.
-  std::string fallback_text = {};  ///< What being left out means when no fixed value stands for it.
+  std::string fallback = {};       ///< Default as it would be written, from the member; empty = none.
+  std::string fallback_text = {};  ///< Meaning of a missing value without a fixed default.
   Range range = {};
-  Range usual = {};                       ///< Outside is accepted with a warning: mostly a slip of units.
-  std::vector<std::string> choices = {};  ///< Where not given: the words of the member's enumeration.
-  int least = 0, most = kMaxItems;        ///< Items of a list, keys of a map.
+  Range usual = {};                          ///< Values outside are accepted with a warning: mostly wrong units.
+  std::vector<std::string> choices = {};     ///< If empty: the texts of the member's enumeration.
+  int min_items = 0, max_items = kMaxItems;  ///< Number of items of a list or keys of a map.
 };
 
-/// Fills in what the member settles: the default, written as a user would, and the choices.
+/// Fills in the properties that follow from the member: the default, written as a user would, and the choices.
 void complete_from_member(Field& field);
 
-/// The range in the field's own unit, "> 0 mm", "0 to 1"; empty when unbounded.
-std::string range_words(const Field& field, const Range& range);
+/// Returns the range in the field's own unit, "> 0 mm", "0 to 1"; empty when unbounded.
+std::string field_range_label(const Field& field, const Range& range);
 
-/// What a value of this field looks like, "a length in mm", "one of none, airy, ...".
-std::string kind_words(const Field& field);
+/// Returns a description of valid values, "a length in mm", "one of none, airy, ...".
+std::string field_kind_label(const Field& field);
 
-/// Largest magnitude [SI] accepted for a dimension whatever the field: beyond it the value is a slip.
-double largest_sensible(const std::string& si_unit);
+/// Returns the maximum magnitude [SI] accepted for a dimension in any field: a larger value is an input error.
+double max_sensible_value(const std::string& si_unit);
 
 }  // namespace overbend

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Walks file and table together.
+/// Traverses file and table together.
 class FieldReader {
  public:
   FieldReader(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
@@ -18,16 +18,16 @@ class FieldReader {
     if (node.kind == YamlNode::Kind::scalar && field.scalar != nullptr) {
       return read_value(node, *field.scalar, path, line);
     }
-    complain(line, path, shape_words(node), expected_shape(field), "");
+    add_error(line, path, shape_label(node), expected_shape(field), "");
     return std::nullopt;
   }
 
  private:
-  void complain(int line, const std::string& path, std::string found, std::string expected, std::string hint) {
+  void add_error(int line, const std::string& path, std::string found, std::string expected, std::string hint) {
     diagnostics_.add({Severity::error, file_, line, 0, path, std::move(found), std::move(expected), std::move(hint)});
   }
 
-  static std::string shape_words(const YamlNode& node) {
+  static std::string shape_label(const YamlNode& node) {
     switch (node.kind) {
       case YamlNode::Kind::null:
         return "nothing";
@@ -42,11 +42,11 @@ class FieldReader {
   }
 
   static std::string expected_shape(const FieldNode& field) {
-    std::vector<std::string> words;
+    std::vector<std::string> kinds;
     for (const Field* row : {field.scalar, field.map, field.list}) {
-      if (row != nullptr) words.push_back(kind_words(*row));
+      if (row != nullptr) kinds.push_back(field_kind_label(*row));
     }
-    return join_words(words, "or");
+    return join_items(kinds, "or");
   }
 
   static std::string joined(const std::string& path, const std::string& key) {
@@ -56,7 +56,7 @@ class FieldReader {
   std::optional<FieldValue> read_value(const YamlNode& node, const Field& field, const std::string& path, int line) {
     ScalarReading reading = read_scalar(node, field);
     if (!reading.value) {
-      complain(node.line, path, reading.found, reading.expected, reading.hint);
+      add_error(node.line, path, reading.found, reading.expected, reading.hint);
       return std::nullopt;
     }
     if (!reading.unusual.empty()) {
@@ -74,13 +74,13 @@ class FieldReader {
   std::optional<FieldValue> read_list(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     FieldValue list = container(FieldValue::Kind::list, path, line);
     const int count = static_cast<int>(node.items.size());
-    if (count < field.list->least || count > field.list->most) {
-      const bool exact = field.list->least == field.list->most;
-      complain(line, path, count == 0 ? "an empty list" : "a list of " + std::to_string(count),
-               exact                       ? "exactly " + std::to_string(field.list->least) + " items"
-               : count < field.list->least ? "at least " + std::to_string(field.list->least)
-                                           : "at most " + std::to_string(field.list->most),
-               "");
+    if (count < field.list->min_items || count > field.list->max_items) {
+      const bool exact = field.list->min_items == field.list->max_items;
+      add_error(line, path, count == 0 ? "an empty list" : "a list of " + std::to_string(count),
+                exact                           ? "exactly " + std::to_string(field.list->min_items) + " items"
+                : count < field.list->min_items ? "at least " + std::to_string(field.list->min_items)
+                                                : "at most " + std::to_string(field.list->max_items),
+                "");
       return std::nullopt;
     }
     for (std::size_t i = 0; i < node.items.size(); ++i) {
@@ -98,13 +98,13 @@ class FieldReader {
     for (const YamlEntry& entry : node.entries) {
       const FieldNode* member = field.member(entry.key);
       if (member == nullptr || entry.key.empty()) {
-        refuse_key(entry, field, path, map);
+        reject_key(entry, field, path, map);
       } else if (seen.insert(entry.key).second) {
         read_member(entry, *member, path, map);
       }
     }
-    // What is misspelt is not told a second time as missing.
-    for (const std::string& key : map.refused) {
+    // Misspelt keys are not reported a second time as missing.
+    for (const std::string& key : map.rejected_keys) {
       const FieldNode* member = field.member(key);
       if (member != nullptr && member->first().required) seen.insert(key);
     }
@@ -115,39 +115,39 @@ class FieldReader {
   void read_member(const YamlEntry& entry, const FieldNode& member, const std::string& path, FieldValue& map) {
     std::optional<FieldValue> value = read(entry.value, member, joined(path, for_display(entry.key)), entry.line);
     if (!value) {
-      map.refused.push_back(entry.key);
+      map.rejected_keys.push_back(entry.key);
       return;
     }
     value->key = entry.key;
     map.children.push_back(std::move(*value));
   }
 
-  /// False where there are so many keys that nobody has to look at them.
+  /// Returns false if the number of keys is outside the limits, in which case they are not checked individually.
   bool check_count(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     const int count = static_cast<int>(node.entries.size());
-    if (count >= field.map->least && count <= field.map->most) return true;
+    if (count >= field.map->min_items && count <= field.map->max_items) return true;
     const std::string found = count == 0 ? "an empty group" : "a group of " + std::to_string(count) + " keys";
-    const std::string most = std::to_string(field.map->most);
-    if (field.map->most == kMaxItems && count > kMaxItems) {
-      complain(line, path, found, "at most " + most, "");
+    const std::string limit = std::to_string(field.map->max_items);
+    if (field.map->max_items == kMaxItems && count > kMaxItems) {
+      add_error(line, path, found, "at most " + limit, "");
       return false;
     }
-    complain(line, path, found,
-             (count < field.map->least ? "at least " + std::to_string(field.map->least) : most) + " of " +
-                 join_words(field.member_names(), "or"),
-             "");
+    add_error(line, path, found,
+              (count < field.map->min_items ? "at least " + std::to_string(field.map->min_items) : limit) + " of " +
+                  join_items(field.member_names(), "or"),
+              "");
     return true;
   }
 
-  /// Of a file that is no model only the number of faults is of interest.
-  void refuse_key(const YamlEntry& entry, const FieldNode& field, const std::string& path, FieldValue& map) {
+  /// For a file that is not a model only the number of errors matters.
+  void reject_key(const YamlEntry& entry, const FieldNode& field, const std::string& path, FieldValue& map) {
     constexpr int kExplained = 1000;
-    if (diagnostics_.error_count() > kExplained) return complain(entry.line, "", "an unknown key", "", "");
+    if (diagnostics_.error_count() > kExplained) return add_error(entry.line, "", "an unknown key", "", "");
     const std::vector<std::string> known = field.member_names();
     const std::string near = nearest_word(entry.key, known);
-    complain(entry.line, joined(path, for_display(entry.key)), "an unknown key", one_of(known),
-             key_hint(entry.key, near));
-    map.refused.push_back(near);
+    add_error(entry.line, joined(path, for_display(entry.key)), "an unknown key", one_of(known),
+              key_hint(entry.key, near));
+    map.rejected_keys.push_back(near);
   }
 
   static std::string key_hint(const std::string& key, const std::string& near) {
@@ -156,7 +156,7 @@ class FieldReader {
     return digit ? "if this is a decimal comma: the decimal sign is a point" : "";
   }
 
-  /// Keys that were left out: a complaint where the value is required, else the default.
+  /// Completes the keys that were left out: a diagnostic if the value is required, otherwise the default.
   void complete(const FieldNode& field, const std::string& path, int line, const std::set<std::string>& seen,
                 FieldValue& map) {
     for (const auto& member : field.members) {
@@ -164,11 +164,11 @@ class FieldReader {
       const Field& row = member->first();
       const std::string member_path = joined(path, member->key);
       if (row.required) {
-        complain(line, member_path, "nothing (the key is missing)", kind_words(row), required_hint(row));
+        add_error(line, member_path, "nothing (the key is missing)", field_kind_label(row), required_hint(row));
       } else if (!row.fallback.empty()) {
         add_default(row, *member, member_path, line, map);
       } else if (row.kind == FieldKind::map && !member->any_name() && !member->has_required_member() &&
-                 row.least == 0) {
+                 row.min_items == 0) {
         FieldValue group = container(FieldValue::Kind::map, member_path, line);
         group.key = member->key;
         group.given = false;

@@ -52,11 +52,11 @@ void check_type(const FieldNode& node, const Field* row, std::type_index owner) 
   if (row == nullptr) return;
   const Member& member = row->member;
   const bool container = row == node.map || row == node.list;
-  if (!member.put && !container) broken_promise("every value of the field table fills a member: " + row->path);
+  if (!member.put && !container) broken_promise("every row of the field table fills a member: " + row->path);
   if (member.put && member.owner != typeid(void) && member.owner != owner) {
     broken_promise("a row fills a member of what its group fills: " + row->path);
   }
-  if (!container || (member.put && member.below == typeid(void))) return;  // what is below is read by others
+  if (!container || (member.put && member.below == typeid(void))) return;  // other readers bind the values below
   const std::type_index below = member.put ? member.below : owner;
   if (row == node.list) {
     check_types(*node.item, below);
@@ -74,7 +74,8 @@ void check_types(const FieldNode& node, std::type_index owner) {
 const Field& FieldNode::first() const {
   const Field* best = nullptr;
   for (const Field* row : {scalar, map, list}) {
-    if (row != nullptr && (best == nullptr || row < best)) best = row;  // rows lie in one array, in table order
+    // pointers compare in table order: rows are in one array
+    if (row != nullptr && (best == nullptr || row < best)) best = row;
   }
   if (best == nullptr) broken_promise("every place has a row in the field table: " + key);
   return *best;

@@ -20,7 +20,8 @@ const FieldValue* FieldValue::find(const std::string& below) const {
 }
 
 bool FieldValue::mentions(const std::string& member) const {
-  return find(member) != nullptr || std::find(refused.begin(), refused.end(), member) != refused.end();
+  return find(member) != nullptr ||
+         std::find(rejected_keys.begin(), rejected_keys.end(), member) != rejected_keys.end();
 }
 
 std::optional<double> FieldValue::get_number(const std::string& below) const {

@@ -1,4 +1,4 @@
-/// Trees of tables of keys: the model file's, and those of files that are read by the same rules.
+/// Trees of key tables: of the model file and of other files with the same rules.
 #pragma once
 
 #include <typeindex>
@@ -8,10 +8,11 @@
 
 namespace overbend {
 
-/// The tree of a table. Table and root have to outlive it.
+/// Returns the tree of a table. Table and root must outlive it.
 FieldNode make_field_tree(const std::vector<Field>& table, const Field& root);
 
-/// Holds each row of a tree to the type of the object that it fills; `owner` is that of its root.
+/// Checks each row of a tree against the type of the object that it fills; `owner` is the type of the root. Throws on a
+/// mismatch.
 void check_types(const FieldNode& node, std::type_index owner);
 
 }  // namespace overbend

@@ -1,8 +1,8 @@
-/// What a key of the model file fills: the last part of its row in the field table.
+/// Target of a key of the model file: the last part of its row in the field table.
 ///
-/// Values are bound from the root downwards, in the table's order. A row receives the object that its group belongs to
-/// and says which object the values below it belong to. The types of both are known, so that a row under the wrong
-/// group is found when the table is made (modelfile/schema/field_tree.h).
+/// Values are bound from the root downwards, in the table's order. A row receives the object of its group and returns
+/// the object for the values below it. The types of both are known, so that a row under the wrong group is detected
+/// when the table is made (modelfile/schema/field_tree.h).
 #pragma once
 
 #include <any>
@@ -17,29 +17,29 @@
 #include <variant>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/require.h"
-#include "base/words.h"
 
 namespace overbend {
 
 struct FieldValue;
 
-/// Holds a `T*`, or a `T` that lives only while the values below it are bound.
+/// Contains a `T*`, or a `T` that lives only while the values below it are bound.
 using Target = std::any;
 
 struct Member {
   using Default = std::variant<double, std::int64_t, std::string>;
 
-  /// Puts a value into its member; returns what the values below it belong to, nothing where they are bound by others.
-  /// Where it is empty, they belong to the same object as the row itself.
+  /// Stores a value in its member; returns the object for the values below it, empty if other code binds them. If `put`
+  /// is empty, the values below belong to the same object as the row itself.
   std::function<Target(Target& owner, const FieldValue& value)> put = {};
-  std::type_index owner = typeid(void);  ///< Type of the object that the row needs; void where `put` is empty.
-  std::type_index below = typeid(void);  ///< Type of the object for the values below; void where there is none.
-  std::optional<Default> standard = {};  ///< What the member has where the key is left out, if the row says so.
-  std::vector<std::string> words = {};   ///< Of an enumeration.
+  std::type_index owner = typeid(void);        ///< Type of the object that the row needs; void if `put` is empty.
+  std::type_index below = typeid(void);        ///< Type of the object for the values below; void if there is none.
+  std::optional<Default> standard = {};        ///< Default of the member, if the row states it.
+  std::vector<std::string> choice_names = {};  ///< Texts of an enumeration.
 };
 
-/// The object behind a target.
+/// Returns the object of a target.
 template <typename T>
 T& object(Target& target) {
   if (T* const* pointer = std::any_cast<T*>(&target)) return **pointer;
@@ -56,10 +56,10 @@ void read(const FieldValue& value, std::uint64_t& target);
 void read(const FieldValue& value, std::string& target);
 const std::string& text(const FieldValue& value);
 
-template <HasWords Enum>
+template <HasEnumNames Enum>
 void read(const FieldValue& value, Enum& target) {
-  const std::optional<Enum> found = from_word<Enum>(text(value));
-  require(found.has_value(), "a choice that was accepted is one of its words");
+  const std::optional<Enum> found = from_enum_name<Enum>(text(value));
+  require(found.has_value(), "an accepted choice is one of the enumeration's names");
   target = *found;
 }
 
@@ -76,8 +76,8 @@ inline Member::Default standard(const std::string& value) {
 }
 template <typename T>
 Member::Default standard(T value) {
-  if constexpr (HasWords<T>) {
-    return std::string(word_of(value));
+  if constexpr (HasEnumNames<T>) {
+    return std::string(enum_name(value));
   } else {
     static_assert(std::is_integral_v<T>);
     return static_cast<std::int64_t>(value);
@@ -94,8 +94,8 @@ struct Plain<std::optional<T>> {
 };
 
 template <typename T>
-std::vector<std::string> words() {
-  if constexpr (HasWords<T>) return words_of<T>();
+std::vector<std::string> choice_names() {
+  if constexpr (HasEnumNames<T>) return enum_names<T>();
   return {};
 }
 
@@ -103,13 +103,13 @@ std::vector<std::string> words() {
 
 namespace field_rows {
 
-/// The row with a default that the member itself does not hold.
+/// Returns the row with a default that the member itself does not have.
 inline Member with_default(Member row, Member::Default standard) {
   row.standard = std::move(standard);
   return row;
 }
 
-/// Any other way to take a value: `put(owner, value)`.
+/// Member with a custom `put(owner, value)`.
 template <typename Owner, typename Put>
 Member taken_by(Put put) {
   Member member;
@@ -128,7 +128,7 @@ Member appends_value() {
       [](std::vector<T>& list, const FieldValue& value) { member_values::read(value, list.emplace_back()); });
 }
 
-/// The object that the values below belong to: a reference from `open(owner, value)`, or a value of its own.
+/// Member whose values below belong to the object returned by `open(owner, value)`: a reference or a value.
 template <typename Owner, typename Open>
 Member opened_by(Open open) {
   using Below = std::invoke_result_t<Open, Owner&, const FieldValue&>;
@@ -145,16 +145,16 @@ Member opened_by(Open open) {
   return member;
 }
 
-/// The value fills this member. What leaving the key out means, the row says in words.
+/// Stores the value in this member. The row describes the meaning of a missing key in a text.
 template <typename Owner, typename T>
 Member fills(T Owner::*member) {
   Member row =
       taken_by<Owner>([member](Owner& owner, const FieldValue& value) { member_values::read(value, owner.*member); });
-  row.words = member_values::words<typename member_values::Plain<T>::type>();
+  row.choice_names = member_values::choice_names<typename member_values::Plain<T>::type>();
   return row;
 }
 
-/// The same; left out, the key has the value that the member has by itself.
+/// The same with the member's initial value as the default.
 template <typename Owner, typename T>
 Member defaults(T Owner::*member) {
   Member row = fills(member);
@@ -168,13 +168,13 @@ Member enters(T Owner::*member) {
   return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> T& { return owner.*member; });
 }
 
-/// The same for an object that is there only where its group is given.
+/// The same for an optional object, which exists only if its group is given.
 template <typename Owner, typename T>
 Member enters(std::optional<T> Owner::*member) {
   return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> T& { return (owner.*member).emplace(); });
 }
 
-/// A list given replaces the one in this member.
+/// A given list replaces the one in this member.
 template <typename Owner, typename T>
 Member enters(std::vector<T> Owner::*member) {
   return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> std::vector<T>& {
@@ -183,13 +183,13 @@ Member enters(std::vector<T> Owner::*member) {
   });
 }
 
-/// An item of such a list.
+/// Item of such a list.
 template <typename T>
 Member appends() {
   return opened_by<std::vector<T>>([](std::vector<T>& list, const FieldValue&) -> T& { return list.emplace_back(); });
 }
 
-/// An item of such a list, "coating 2" as long as it has no name of its own.
+/// Item of such a list, with a default name such as "coating 2".
 template <typename T>
 Member appends_named(const char* kind) {
   return opened_by<std::vector<T>>([kind](std::vector<T>& list, const FieldValue&) -> T& {
@@ -199,7 +199,7 @@ Member appends_named(const char* kind) {
   });
 }
 
-/// A row for a member of `Part`, under a group that belongs to the `Owner` of such a part.
+/// Applies a row for a member of `Part` to a group whose object is the `Owner` of such a part.
 template <typename Owner, typename Part>
 Member through(Part Owner::*part, const Member& row) {
   if (!row.put) return enters(part);
@@ -212,24 +212,24 @@ Member through(Part Owner::*part, const Member& row) {
   return outer;
 }
 
-/// The same of a part that is there only where one of its keys is given.
+/// The same for an optional part, which exists only if one of its keys is given.
 template <typename Owner, typename Part>
 Member through(std::optional<Part> Owner::*part, const Member& row) {
-  const auto there = [part](Target& owner) -> Part& {
+  const auto existing = [part](Target& owner) -> Part& {
     std::optional<Part>& found = object<Owner>(owner).*part;
     return found ? *found : found.emplace();
   };
   Member outer = row;
   outer.owner = typeid(Owner);
   if (!row.put) outer.below = typeid(Part);
-  outer.put = [there, put = row.put](Target& owner, const FieldValue& value) -> Target {
-    Target inner = &there(owner);
+  outer.put = [existing, put = row.put](Target& owner, const FieldValue& value) -> Target {
+    Target inner = &existing(owner);
     return put ? put(inner, value) : inner;
   };
   return outer;
 }
 
-/// Values that the row of their list, or another reader, takes.
+/// Values read by the row of their list, or by another reader.
 Member read_elsewhere();
 
 }  // namespace field_rows

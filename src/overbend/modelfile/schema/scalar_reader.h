@@ -1,4 +1,4 @@
-/// One scalar of a model file against its row of the field table.
+/// Reader of one scalar of a model file by its row of the field table.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace overbend {
 
-/// A scalar read, or what is wrong with it.
+/// Scalar value, or the error found.
 struct ScalarReading {
   std::optional<FieldValue> value;
-  std::string found, expected, hint;  ///< Filled when there is no value.
-  std::string unusual;                ///< Filled when the value is accepted with a remark: the usual range.
-  std::string remark = {};            ///< Another remark on an accepted value.
+  std::string found, expected, hint;  ///< Filled if there is no value.
+  std::string unusual;                ///< Usual range, filled if a value outside it is accepted with a warning.
+  std::string remark = {};            ///< Other warning about an accepted value.
 };
 
 ScalarReading read_scalar(const YamlNode& node, const Field& field);

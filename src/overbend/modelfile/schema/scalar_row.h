@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// The row of a key with a single value of any kind, its items in brackets; null where there is none.
+/// Returns the row of a key with a single value of any kind, list items in brackets; null if there is none.
 const Field* scalar_row(const std::string& key);
 
 }  // namespace overbend

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "modelfile/checks/box_row_checks.h"
@@ -20,22 +20,22 @@ namespace overbend {
 namespace {
 
 /// "boxes[stinger 3].z" -> "boxes[].z", as the table has it.
-std::string table_path(const std::vector<NamePart>& parts) {
+std::string table_path(const std::vector<PathPart>& parts) {
   std::string path;
-  for (const NamePart& part : parts) {
+  for (const PathPart& part : parts) {
     path += part.item ? std::string("[]") : (path.empty() ? "" : ".") + part.text;
   }
   return path;
 }
 
 std::string nearest_key(const std::string& key) {
-  const auto parts = name_parts(key);
+  const auto parts = split_result_path(key);
   std::vector<std::string> known;
   for (const Field& row : field_table()) {
     if (row.kind != FieldKind::map && row.kind != FieldKind::list) known.push_back(row.path);
   }
   const std::string near = nearest_word(parts ? table_path(*parts) : key, known);
-  return near.empty() ? "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z"
+  return near.empty() ? "items of lists are selected in brackets: supports.stinger.boxes[stinger 3].z"
                       : "did you mean '" + near + "'?";
 }
 
@@ -49,18 +49,18 @@ std::string unit_in(const std::string& text) {
   const std::size_t sign = trimmed.starts_with('+') ? 1 : 0;
   double ignored = 0.0;
   const char* end = trimmed.data() + trimmed.size();
-  const auto [stop, fault] = std::from_chars(trimmed.data() + sign, end, ignored);
+  const auto [stop, code] = std::from_chars(trimmed.data() + sign, end, ignored);
   return std::string(trim(std::string_view(stop, static_cast<std::size_t>(end - stop))));
 }
 
-/// As it stands in the model file: plain numbers without a per cent sign.
+/// Returns the text as written in a model file: plain numbers without a per cent sign.
 std::string written_value(const std::string& text, const Field& row) {
   if (row.kind != FieldKind::number || parse_number(text)) return text;
-  return format_number(read_value_of(text, row).value->number, 17);
+  return format_number(read_row_value(text, row).value->number, 17);
 }
 
-/// A value within a range, in the unit of its first. The row gives back a number as it was meant: 12 digits are below
-/// what a person writes, and above what a sum of steps loses.
+/// Returns a value of a range, in the unit of its first value, rounded to 12 digits to remove the rounding of summed
+/// steps.
 std::string range_value(double value, const std::string& unit, const Field& row) {
   constexpr int kDigits = 12;
   return row.kind == FieldKind::quantity ? format_quantity(value, row.unit, unit, kDigits)
@@ -73,8 +73,8 @@ const YamlNode* member(const YamlNode* group, const std::string& key) {
   return found == group->entries.end() ? nullptr : &found->value;
 }
 
-/// The radius of a ramp or stinger whose boxes are no row on it.
-bool is_radius_of_listed_boxes(const YamlNode& model, const std::vector<NamePart>& key) {
+/// Returns true for the radius of a ramp or stinger with listed boxes.
+bool is_radius_of_listed_boxes(const YamlNode& model, const std::vector<PathPart>& key) {
   if (key.size() != 3 || key[0].text != "supports" || key[2].text != "radius") return false;
   const YamlNode* boxes = member(member(member(&model, "supports"), key[1].text), "boxes");
   return boxes == nullptr || boxes->kind != YamlNode::Kind::map;
@@ -97,7 +97,7 @@ class AxisReader {
   std::vector<std::string> listed() {
     std::vector<std::string> texts;
     for (const FieldValue& value : Checker::items(item_, "values")) {
-      const ScalarReading reading = read_value_of(value.text, row_);
+      const ScalarReading reading = read_row_value(value.text, row_);
       if (!reading.value) {
         check_.error(value, reading.found, reading.expected, reading.hint);
       } else {
@@ -109,7 +109,7 @@ class AxisReader {
 
   std::vector<std::string> ranged() {
     if (!is_numeric(row_)) {
-      check_.error(item_, "a range", "values: " + item_.get_text("key").value_or("") + " is " + kind_words(row_));
+      check_.error(item_, "a range", "values: " + item_.get_text("key").value_or("") + " is " + field_kind_label(row_));
       return {};
     }
     for (const char* end : {"from", "to"}) {
@@ -123,11 +123,11 @@ class AxisReader {
       check_.error(*to, to->shown, "another value than the first, " + from->shown);
       return {};
     }
-    const std::optional<double> step = step_of(*low, *high);
+    const std::optional<double> step = find_step(*low, *high);
     return step ? stepped(*low, *high, *step, unit_in(from->text)) : std::vector<std::string>{};
   }
 
-  std::optional<double> step_of(double low, double high) {
+  std::optional<double> find_step(double low, double high) {
     const FieldValue* step = item_.find("step");
     const std::optional<std::int64_t> count = item_.get_integer("steps");
     if (item_.mentions("step") == item_.mentions("steps")) {
@@ -140,8 +140,8 @@ class AxisReader {
     change.range = {.low = 0.0, .low_open = true};
     const std::optional<double> size = checked_number(check_, *step, change);
     if (!size) return std::nullopt;
-    if (std::abs(high - low) / *size > kMostCases) {
-      check_.error(*step, step->shown, fmt::format("at most {:.0f} values", kMostCases));
+    if (std::abs(high - low) / *size > kMaxStudyCases) {
+      check_.error(*step, step->shown, fmt::format("at most {:.0f} values", kMaxStudyCases));
       return std::nullopt;
     }
     return std::copysign(*size, high - low);
@@ -153,7 +153,7 @@ class AxisReader {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < count; ++i) {
       texts.push_back(range_value(low + static_cast<double>(i) * step, unit, row_));
-      const ScalarReading reading = read_value_of(texts.back(), row_);
+      const ScalarReading reading = read_row_value(texts.back(), row_);
       if (reading.value) continue;
       check_.error(item_, "the value '" + texts.back() + "'", reading.expected, reading.hint);
       return {};
@@ -166,70 +166,70 @@ class AxisReader {
   const Field& row_;
 };
 
-const StudyAxis* axis_of(const std::vector<StudyAxis>& axes, const std::string& key) {
+const StudyAxis* find_axis(const std::vector<StudyAxis>& axes, const std::string& key) {
   const auto found = std::ranges::find(axes, key, &StudyAxis::key);
   return found == axes.end() ? nullptr : &*found;
 }
 
-/// Whether going from one `with` to the next comes to an end.
+/// Returns true if the chain of `with` references ends.
 bool ends(const std::vector<StudyAxis>& axes, const StudyAxis& axis) {
-  const StudyAxis* at = &axis;
-  for (std::size_t i = 0; i <= axes.size() && at != nullptr; ++i) {
-    if (at->with.empty()) return true;
-    at = axis_of(axes, at->with);
+  const StudyAxis* current = &axis;
+  for (std::size_t i = 0; i <= axes.size() && current != nullptr; ++i) {
+    if (current->with.empty()) return true;
+    current = find_axis(axes, current->with);
   }
-  return at == nullptr;
+  return current == nullptr;
 }
 
 void check_with(Checker& check, const FieldValue& item, const StudyAxis& axis, const std::vector<StudyAxis>& axes) {
   const FieldValue* with = item.find("with");
   if (with == nullptr) return;
-  const StudyAxis* other = axis_of(axes, axis.with);
-  if (other == nullptr) {
+  const StudyAxis* partner = find_axis(axes, axis.with);
+  if (partner == nullptr) {
     std::vector<std::string> keys;
-    for (const StudyAxis& one : axes) keys.push_back(one.key);
+    for (const StudyAxis& candidate : axes) keys.push_back(candidate.key);
     const std::string near = nearest_word(axis.with, keys);
     check.error(*with, with->shown, "the key of another axis", near.empty() ? "" : "did you mean '" + near + "'?");
   } else if (!ends(axes, axis)) {
-    check.error(*with, with->shown, "an axis that does not change together with this one in turn");
-  } else if (other->values.size() != axis.values.size() && !axis.values.empty() && !other->values.empty()) {
+    check.error(*with, with->shown, "an axis that does not depend on this one through `with`");
+  } else if (partner->values.size() != axis.values.size() && !axis.values.empty() && !partner->values.empty()) {
     check.error(*with, fmt::format("{} values", axis.values.size()),
-                fmt::format("as many as {} has, {}", other->key, other->values.size()));
+                fmt::format("as many as {} has, {}", partner->key, partner->values.size()));
   }
 }
 
 }  // namespace
 
-const Field* StudyKeys::take(Checker& check, const FieldValue& at, const std::string& key) {
+const Field* StudyKeys::take(Checker& check, const FieldValue& value, const std::string& key) {
   const Field* row = scalar_row(key);
-  const auto parts = name_parts(key);
+  const auto parts = split_result_path(key);
   if (row == nullptr || !parts) {
-    check.error(at, "'" + for_display(key) + "'", "a key of the model file with a single value", nearest_key(key));
+    check.error(value, "'" + for_display(key) + "'", "a key of the model file with a single value", nearest_key(key));
     return nullptr;
   }
   if (is_radius_of_listed_boxes(model_, *parts)) {
-    check.error(at, "'" + key + "' of listed boxes", "the radius of a row of boxes", kVaryListedBoxes);
+    check.error(value, "'" + key + "' of listed boxes", "the radius of a row of boxes", kListedBoxesHint);
     return nullptr;
   }
   const std::vector<ChosenKey> chosen = chosen_keys(model_, *parts);
   if (chosen.empty()) {
     const std::vector<std::string> names = names_to_choose(model_, *parts);
-    check.error(at, "'" + for_display(key) + "'", "an item that the list has",
-                names.empty() ? "the model has no such list" : "it has " + join_words(names, "and"));
+    check.error(value, "'" + for_display(key) + "'", "an item in the list",
+                names.empty() ? "the model has no such list" : "it has " + join_items(names, "and"));
     return nullptr;
   }
-  for (const ChosenKey& one : chosen) {
-    if (taken_.insert(one.path).second) continue;
-    check.error(at, "'" + one.name + "', which is set twice", "every key once");
+  for (const ChosenKey& choice : chosen) {
+    if (taken_.insert(choice.path).second) continue;
+    check.error(value, "'" + choice.name + "', which is set twice", "each key once");
     return nullptr;
   }
   return row;
 }
 
-std::optional<double> checked_number(Checker& check, const FieldValue& at, const Field& row) {
-  const ScalarReading reading = read_value_of(at.text, row);
+std::optional<double> checked_number(Checker& check, const FieldValue& value, const Field& row) {
+  const ScalarReading reading = read_row_value(value.text, row);
   if (!reading.value) {
-    check.error(at, reading.found, reading.expected, reading.hint);
+    check.error(value, reading.found, reading.expected, reading.hint);
     return std::nullopt;
   }
   return reading.value->kind == FieldValue::Kind::integer ? static_cast<double>(reading.value->integer)

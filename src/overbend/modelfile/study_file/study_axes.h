@@ -1,4 +1,5 @@
-/// Axes and samples of a study file, held to the keys of the base model. For modelfile/study_file/study_reader.cpp.
+/// Axes and samples of a study file, checked against the keys of the base model. For
+/// modelfile/study_file/study_reader.cpp.
 #pragma once
 
 #include <set>
@@ -11,14 +12,14 @@
 
 namespace overbend {
 
-/// The keys of the base model that the study sets: each may be set once.
+/// Keys of the base model that the study sets; each may be set once.
 class StudyKeys {
  public:
   explicit StudyKeys(const YamlNode& model) : model_(model) {}
 
-  /// The row of a key that the model has; null, with the complaint made, where it is none or is set already. `at` is
-  /// where it stands in the study file.
-  const Field* take(Checker& check, const FieldValue& at, const std::string& key);
+  /// Returns the row of a key of the model; null, with an error, if there is none or it is already set. `value` is its
+  /// position in the study file.
+  const Field* take(Checker& check, const FieldValue& value, const std::string& key);
 
  private:
   const YamlNode& model_;
@@ -28,7 +29,7 @@ class StudyKeys {
 std::vector<StudyAxis> read_axes(Checker& check, StudyKeys& keys);
 std::optional<StudySample> read_sample(Checker& check, StudyKeys& keys);
 
-/// A text as a value of the row; complains and returns nothing where it is none.
-std::optional<double> checked_number(Checker& check, const FieldValue& at, const Field& row);
+/// Returns a text as a value of the row; empty, with an error, if it is invalid.
+std::optional<double> checked_number(Checker& check, const FieldValue& value, const Field& row);
 
 }  // namespace overbend

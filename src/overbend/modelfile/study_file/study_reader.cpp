@@ -10,8 +10,8 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "model/description/sought_operations.h"
-#include "model/description/study_words.h"
+#include "model/description/seek_operations.h"
+#include "model/description/study_enum_names.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/fields/seek_values.h"
 #include "modelfile/reading/seek_reader.h"
@@ -27,8 +27,8 @@ namespace {
 class StudyBinder {
  public:
   StudyBinder(const FieldValue& root, const std::string& file, const Description& base, const YamlNode& model,
-              Diagnostics& faults)
-      : check_(root, file, faults), faults_(faults), root_(root), base_(base), keys_(model) {
+              Diagnostics& diagnostics)
+      : check_(root, file, diagnostics), diagnostics_(diagnostics), root_(root), base_(base), keys_(model) {
     study_.file = file;
   }
 
@@ -36,8 +36,8 @@ class StudyBinder {
     study_.title = root_.get_text("title").value_or(base_.title);
     study_.base = base_.source_file;
     study_.analysis = root_.get_word<StudyAnalysis>("analysis").value_or(StudyAnalysis::statics);
-    if (study_.analysis == StudyAnalysis::statics && is_sought_by_stages(base_.operation.type)) {
-      study_.analysis = StudyAnalysis::operation;  // the statics of a lift or a pull are those of its stages
+    if (study_.analysis == StudyAnalysis::statics && is_seek_over_stages(base_.operation.type)) {
+      study_.analysis = StudyAnalysis::operation;  // static results of a lift or a pull are those of its stages
     }
     study_.keep = root_.get_text("keep") == "true";
     study_.axes = read_axes(check_, keys_);
@@ -56,7 +56,7 @@ class StudyBinder {
     const FieldValue* seeds = root_.find("seeds");
     if (seeds == nullptr) return;
     if (study_.analysis != StudyAnalysis::dynamic) {
-      check_.error(*seeds, "seeds of waves", "analysis: dynamic", "statics know no waves");
+      check_.error(*seeds, "seeds of waves", "analysis: dynamic", "static analysis has no waves");
       return;
     }
     if (seeds->kind == FieldValue::Kind::integer) {
@@ -67,7 +67,7 @@ class StudyBinder {
     for (const FieldValue& seed : seeds->children) {
       const auto value = static_cast<std::uint64_t>(seed.integer);
       if (std::ranges::find(study_.seeds, value) != study_.seeds.end()) {
-        check_.error(seed, seed.shown + ", which is given twice", "every seed once");
+        check_.error(seed, seed.shown + ", which is given twice", "each seed once");
       }
       study_.seeds.push_back(value);
     }
@@ -79,10 +79,10 @@ class StudyBinder {
       if (!study_output(study_.analysis, name.text, seek)) {
         check_.error(
             name, name.shown,
-            fmt::format("a number in summary.json of a {} analysis, or checks.governing", word_of(study_.analysis)),
+            fmt::format("a number in summary.json of a {} analysis, or checks.governing", enum_name(study_.analysis)),
             gather_hint(name.text));
       } else if (std::ranges::find(study_.gather, name.text) != study_.gather.end()) {
-        check_.error(name, name.shown + ", which is given twice", "every result once");
+        check_.error(name, name.shown + ", which is given twice", "each result once");
       }
       study_.gather.push_back(name.text);
     }
@@ -90,7 +90,7 @@ class StudyBinder {
 
   std::string gather_hint(const std::string& name) const {
     if (study_.analysis == StudyAnalysis::seek && name == "seek.slope") {
-      return "of several keys there is no single slope";
+      return "a slope is defined for a single key only";
     }
     const std::string near = nearest_output(study_.analysis, name);
     return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
@@ -105,20 +105,20 @@ class StudyBinder {
     const auto axis = std::ranges::find(study_.axes, wanted.over, &StudyAxis::key);
     const Field* row = varied_row(wanted.over);
     if (axis == study_.axes.end() || row == nullptr || !axis->with.empty()) {
-      const FieldValue& at = group->find("over") != nullptr ? *group->find("over") : *group;
-      check_.error(at, "'" + wanted.over + "'",
+      const FieldValue& value = group->find("over") != nullptr ? *group->find("over") : *group;
+      check_.error(value, "'" + wanted.over + "'",
                    "the key of an axis with quantities or numbers that is not `with` another");
     } else {
-      if (study_.sample) check_.error(*group, "a sample", "axes alone", "limits are looked for over a grid");
-      for (const StudyAxis& other : study_.axes) {
-        if (other.with == wanted.over) {
-          check_.error(*group, other.key + " with " + wanted.over, "axes that are crossed");
+      if (study_.sample) check_.error(*group, "a sample", "axes alone", "limits are found over a grid");
+      for (const StudyAxis& partner : study_.axes) {
+        if (partner.with == wanted.over) {
+          check_.error(*group, partner.key + " with " + wanted.over, "crossed axes");
         }
       }
-      if (axis->values.size() == 1) check_.error(*group, "one value of " + axis->key, "a least and a largest value");
+      if (axis->values.size() == 1) check_.error(*group, "one value of " + axis->key, "a minimum and a maximum value");
       bind_resolution(*group, *row, *axis, wanted);
     }
-    for (const FieldValue& one : Checker::items(*group, "criterion")) bind_condition(one, wanted);
+    for (const FieldValue& condition : Checker::items(*group, "criterion")) bind_condition(condition, wanted);
     bind_scatter(*group, wanted);
     wanted.alpha = group->get_number("alpha");
   }
@@ -127,11 +127,10 @@ class StudyBinder {
     const auto scatter = group.get_text("scatter");
     if (!scatter) return;
     wanted.scatter_file = resolved_file(*scatter, study_.file);
-    wanted.scatter = read_scatter(wanted.scatter_file, faults_);
+    wanted.scatter = read_scatter(wanted.scatter_file, diagnostics_);
   }
 
-  /// Where it is not said: a quarter of a metre of lengths, which sea states are told by, else a hundredth of the
-  /// range.
+  /// Default resolution: 0.25 m for lengths, such as wave heights, otherwise a hundredth of the range.
   void bind_resolution(const FieldValue& group, Field row, const StudyAxis& axis, OperabilityDescription& wanted) {
     if (const FieldValue* resolution = group.find("resolution")) {
       row.range = {.low = 0.0, .low_open = true};
@@ -139,7 +138,7 @@ class StudyBinder {
     } else if (row.unit != "m") {
       std::vector<double> values;
       for (const std::string& text : axis.values) {
-        if (const ScalarReading reading = read_value_of(text, row); reading.value) {
+        if (const ScalarReading reading = read_row_value(text, row); reading.value) {
           values.push_back(reading.value->number);
         }
       }
@@ -147,14 +146,14 @@ class StudyBinder {
     }
   }
 
-  /// A list of conditions takes the place of the checks, unless it has them as well.
+  /// A list of conditions replaces the checks, unless it contains them.
   void bind_condition(const FieldValue& item, OperabilityDescription& wanted) {
     if (&item == &Checker::items(*root_.find("operability"), "criterion").front()) wanted.checks = false;
     if (item.kind != FieldValue::Kind::map) {
       wanted.checks = true;
       return;
     }
-    const FieldValue *most = item.find("at_most"), *least = item.find("at_least"), *result = item.find("result");
+    const FieldValue *upper = item.find("at_most"), *lower = item.find("at_least"), *result = item.find("result");
     if (result == nullptr) return;
     const auto output = study_output(study_.analysis, result->text, read_seek(base_));
     if (!output || output->text) {
@@ -162,31 +161,31 @@ class StudyBinder {
                    nearest_output(study_.analysis, result->text));
       return;
     }
-    if ((most == nullptr) == (least == nullptr)) {
-      check_.error(item, most != nullptr ? "two limits" : "no limit", "either at_most or at_least");
+    if ((upper == nullptr) == (lower == nullptr)) {
+      check_.error(item, upper != nullptr ? "two limits" : "no limit", "either at_most or at_least");
       return;
     }
     Field row;
     row.kind = output->unit == "1" ? FieldKind::number : FieldKind::quantity;
     row.unit = output->unit;
     row.show = usual_units(output->unit).empty() ? "" : usual_units(output->unit).front();
-    const FieldValue& limit = most != nullptr ? *most : *least;
+    const FieldValue& limit = upper != nullptr ? *upper : *lower;
     if (const auto value = checked_number(check_, limit, row)) {
       wanted.criterion.push_back(
-          {result->text, output->unit, most != nullptr ? SeekRelation::at_most : SeekRelation::at_least, *value});
+          {result->text, output->unit, upper != nullptr ? SeekRelation::at_most : SeekRelation::at_least, *value});
     }
   }
 
   void check_analysis() {
-    const FieldValue& at = root_.find("analysis") != nullptr ? *root_.find("analysis") : root_;
+    const FieldValue& value = root_.find("analysis") != nullptr ? *root_.find("analysis") : root_;
     if (study_.analysis == StudyAnalysis::dynamic && !base_.dynamics && !study_.duration) {
-      check_.error(at, "'dynamic'", "a base model with analysis.dynamic, or the key duration");
+      check_.error(value, "'dynamic'", "a base model with analysis.dynamic, or the key duration");
     }
     if (study_.analysis == StudyAnalysis::operation && !is_lay_operation(base_.operation.type)) {
-      check_.error(at, "'operation'", "a base model with an operation on the line");
+      check_.error(value, "'operation'", "a base model with an operation on the line");
     }
     if (study_.analysis == StudyAnalysis::seek && !read_seek(base_)) {
-      check_.error(at, "'seek'", "a base model with the key seek");
+      check_.error(value, "'seek'", "a base model with the key seek");
     }
     if (const FieldValue* duration = root_.find("duration");
         duration != nullptr && duration->given && study_.analysis != StudyAnalysis::dynamic) {
@@ -197,7 +196,7 @@ class StudyBinder {
     }
   }
 
-  /// An absurd number of cases is refused with the arithmetic.
+  /// Reports an excessive number of cases with its factors.
   void check_count() {
     double count = 1.0;
     std::string product;
@@ -210,13 +209,14 @@ class StudyBinder {
     }
     if (study_.sample) times(static_cast<std::size_t>(study_.sample->count));
     if (!study_.seeds.empty()) times(study_.seeds.size());
-    if (count <= kMostCases) return;
-    const FieldValue& at = root_.find("axes") != nullptr ? *root_.find("axes") : root_;
-    check_.error(at, fmt::format("{} = {:.0f} cases", product, count), fmt::format("at most {:.0f}", kMostCases));
+    if (count <= kMaxStudyCases) return;
+    const FieldValue& value = root_.find("axes") != nullptr ? *root_.find("axes") : root_;
+    check_.error(value, fmt::format("{} = {:.0f} cases", product, count),
+                 fmt::format("at most {:.0f}", kMaxStudyCases));
   }
 
   Checker check_;
-  Diagnostics& faults_;
+  Diagnostics& diagnostics_;
   const FieldValue& root_;
   const Description& base_;
   StudyKeys keys_;
@@ -224,8 +224,8 @@ class StudyBinder {
 };
 
 void copy_errors(const Diagnostics& from, Diagnostics& to) {
-  for (const Diagnostic& one : from.sorted()) {
-    if (one.severity == Severity::error) to.add(one);
+  for (const Diagnostic& diagnostic : from.sorted()) {
+    if (diagnostic.severity == Severity::error) to.add(diagnostic);
   }
 }
 
@@ -233,19 +233,20 @@ void copy_errors(const Diagnostics& from, Diagnostics& to) {
 
 namespace {
 
-/// The keys of a study file; nothing where it is no YAML of that kind.
+/// Returns the keys of a study file; empty if the text is not YAML of that kind.
 std::optional<FieldValue> study_keys(const std::string& text, const std::string& path, Diagnostics& diagnostics) {
   const std::optional<YamlNode> root = parse_yaml(text, path, diagnostics);
   if (root && root->kind == YamlNode::Kind::map) return read_fields(*root, study_tree(), path, diagnostics);
   if (!diagnostics.has_errors()) {
-    diagnostics.add({Severity::error, path, 0, 0, "", "no study file", "keys such as 'overbend_study: 1'", ""});
+    diagnostics.add(
+        {Severity::error, path, 0, 0, "", "a text that is not a study file", "keys such as 'overbend_study: 1'", ""});
   }
   return std::nullopt;
 }
 
 void bind_study(const FieldValue& values, const std::string& text, const std::string& path, Description&& base,
                 StudyReading& reading) {
-  Diagnostics none;  // the text was read without any just before
+  Diagnostics none;  // not reported: the text was read before without errors
   const std::optional<YamlNode> tree = parse_yaml(base.source_text, base.source_file, none);
   StudyDescription study = StudyBinder(values, path, base, *tree, reading.diagnostics).bind();
   if (reading.diagnostics.has_errors()) return;
@@ -270,7 +271,7 @@ StudyReading read_study_text(const std::string& text, const std::string& path) {
   return reading;
 }
 
-StudyReading read_study_of(const std::string& text, const std::string& path, Description base) {
+StudyReading read_study_with_base(const std::string& text, const std::string& path, Description base) {
   StudyReading reading;
   if (const std::optional<FieldValue> values = study_keys(text, path, reading.diagnostics)) {
     bind_study(*values, text, path, std::move(base), reading);
@@ -280,12 +281,12 @@ StudyReading read_study_of(const std::string& text, const std::string& path, Des
 
 StudyReading read_study_file(const std::string& path) {
   StudyReading reading;
-  std::error_code fault;
+  std::error_code code;
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, fault)) {
-    const char* why = !std::filesystem::exists(path, fault)        ? "there is no such file"
-                      : std::filesystem::is_directory(path, fault) ? "this is a folder, not a study file"
-                                                                   : "the file cannot be read";
+  if (!file || std::filesystem::is_directory(path, code)) {
+    const char* why = !std::filesystem::exists(path, code)        ? "there is no such file"
+                      : std::filesystem::is_directory(path, code) ? "this is a folder, not a study file"
+                                                                  : "the file cannot be read";
     reading.diagnostics.add({Severity::error, path, 0, 0, "", why, "", ""});
     return reading;
   }

@@ -1,4 +1,4 @@
-/// Reads a study file, and the base model that it names.
+/// Reader of study files and their base models.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@
 namespace overbend {
 
 struct StudyReading {
-  std::optional<StudyDescription> study;  ///< Both only when there is no error.
+  std::optional<StudyDescription> study;  ///< Both only if there is no error.
   std::optional<Description> base;
   Diagnostics diagnostics;
 };
 
-/// Strict as the model file: units, ranges and names of keys are held to the base model's. Everything that is wrong is
-/// told at once. Never throws on what the files hold.
+/// Reads a study file as strictly as a model file: units, ranges and key names are checked against the base model. All
+/// errors are reported at once. Never throws because of the files' contents.
 StudyReading read_study_file(const std::string& path);
 
-/// The same for a text; `path` names it in messages and gives the folder of the files it mentions.
+/// The same for a text; `path` names it in messages and determines the folder of the files it names.
 StudyReading read_study_text(const std::string& text, const std::string& path);
 
-/// The same of a base model that has been read already, whatever file the text names.
-StudyReading read_study_of(const std::string& text, const std::string& path, Description base);
+/// The same with a base model that has been read, whichever file the text names.
+StudyReading read_study_with_base(const std::string& text, const std::string& path, Description base);
 
 }  // namespace overbend

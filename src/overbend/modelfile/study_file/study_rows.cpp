@@ -1,7 +1,7 @@
 #include "modelfile/study_file/study_rows.h"
 
-#include "base/words.h"
-#include "model/description/study_words.h"
+#include "base/enum_names.h"
+#include "model/description/study_enum_names.h"
 #include "modelfile/fields/row_makers.h"
 #include "modelfile/schema/make_field_tree.h"
 
@@ -10,14 +10,14 @@ namespace {
 
 using namespace field_rows;
 
-Field text_row(std::string path, std::string text, std::string otherwise_words = "") {
+Field text_row(std::string path, std::string text, std::string fallback_text = "") {
   return otherwise(row_of_kind(FieldKind::text, std::move(path), read_elsewhere(), std::move(text)),
-                   std::move(otherwise_words));
+                   std::move(fallback_text));
 }
 
-Field word_row(std::string path, std::vector<std::string> words, std::string fallback, std::string text) {
+Field word_row(std::string path, std::vector<std::string> names, std::string fallback, std::string text) {
   Field row = row_of_kind(FieldKind::choice, std::move(path), read_elsewhere(), std::move(text));
-  row.choices = std::move(words);
+  row.choices = std::move(names);
   row.fallback = std::move(fallback);
   return row;
 }
@@ -30,71 +30,71 @@ Field group(std::string path, std::string text) {
   return group_row(std::move(path), read_elsewhere(), std::move(text));
 }
 
-Field list(std::string path, std::string text, std::string otherwise_words, int least = 1) {
-  Field row = list_row(std::move(path), read_elsewhere(), std::move(text), std::move(otherwise_words));
-  row.least = least;
+Field list(std::string path, std::string text, std::string fallback_text, int min_items = 1) {
+  Field row = list_row(std::move(path), read_elsewhere(), std::move(text), std::move(fallback_text));
+  row.min_items = min_items;
   return row;
 }
 
 std::vector<Field> head() {
-  Field base = required(text_row("base", "Model file that the cases are made from, beside the study file."));
+  Field base = required(text_row("base", "Model file that the cases are made from, in the folder of the study file."));
   base.file = true;
   return {
       required(count_row("overbend_study", "Version of the study file's format.", {.low = 1, .high = 1})),
       text_row("title", "Title of tables and report.", "that of the model"),
       std::move(base),
-      word_row("analysis", words_of<StudyAnalysis>(), "static",
-               "What is computed of every case: static, dynamic, every stage of the operation, or the goal seek."),
+      word_row("analysis", enum_names<StudyAnalysis>(), "static",
+               "Analysis of each case: static, dynamic, every stage of the operation, or the goal seek."),
       otherwise(quantity_row("duration", read_elsewhere(), "Simulated time of dynamic analyses.", kTime,
                              {.low = kMinDuration, .high = kMaxDuration}),
                 "that of the model"),
-      word_row("keep", {"true", "false"}, "false", "All result files of every case stay, not its record alone."),
+      word_row("keep", {"true", "false"}, "false", "Keeps all result files of each case, not only its record."),
   };
 }
 
 std::vector<Field> axes() {
   return {
-      list("axes", "Keys and their values. Every value of one is combined with every value of the others.", "none"),
+      list("axes", "Keys and their values. Each value of one is combined with each value of the others.", "none"),
       group("axes[]", "A key and its values."),
       required(text_row("axes[].key",
-                        "Key of the model file with a single value. An item of a list is chosen by its index from 0, "
+                        "Key of the model file with a single value. An item of a list is selected by its index from 0, "
                         "its name or a pattern: supports.stinger.boxes[stinger 3].z.")),
-      list("axes[].values", "Its values, one after the other.", "from and to are given"),
-      text_row("axes[].values[]", "A value as it would stand in the model file."),
+      list("axes[].values", "List of values.", "from and to are given"),
+      text_row("axes[].values[]", "A value as written in a model file."),
       text_row("axes[].from", "First value of a range, with the unit of the key.", "values are given"),
       text_row("axes[].to", "Last value of the range.", "values are given"),
-      text_row("axes[].step", "Difference of neighbouring values.", "steps is given"),
+      text_row("axes[].step", "Difference between successive values.", "steps is given"),
       otherwise(count_row("axes[].steps", "Number of values of the range, both ends included.",
-                          {.low = 2, .high = kMostCases}),
+                          {.low = 2, .high = kMaxStudyCases}),
                 "step is given"),
-      text_row("axes[].with", "Key of the axis with which this one changes together, value by value.", "crossed"),
+      text_row("axes[].with", "Key of the axis that this one varies together with, value by value.", "crossed"),
   };
 }
 
 std::vector<Field> sample() {
   const std::string k = "sample.keys.*";
   const auto number = [&](const char* key, const char* text) { return text_row(k + key, text, "see distribution"); };
-  Field seed = count_row("sample.seed", "Selects the draws.", {.low = 0});
+  Field seed = count_row("sample.seed", "Seed of the random draws.", {.low = 0});
   seed.fallback = "1";
   return {
       otherwise(group("sample",
-                      "Keys drawn at random by a Latin hypercube. With axes beside it every draw is combined with "
-                      "every combination of theirs."),
+                      "Keys drawn at random by a Latin hypercube. With axes, each draw is combined with each "
+                      "combination of their values."),
                 "none"),
-      required(count_row("sample.count", "Number of draws.", {.low = 1, .high = kMostCases})),
+      required(count_row("sample.count", "Number of draws.", {.low = 1, .high = kMaxStudyCases})),
       std::move(seed),
       required(group("sample.keys", "Keys of the model file with their distributions.")),
       group(k, "A key with its distribution."),
-      word_row(k + ".distribution", words_of<Distribution>(), "uniform",
-               "uniform and triangular take from and to, the latter mode; normal and lognormal take mean and std; "
-               "weibull takes scale and shape."),
-      number(".from", "Least value; of a normal, lognormal or Weibull one a bound below which none is drawn."),
-      number(".to", "Largest value; of a normal, lognormal or Weibull one a bound above which none is drawn."),
-      number(".mode", "Most probable value of a triangular one."),
-      number(".mean", "Mean of a normal or lognormal one."),
-      number(".std", "Standard deviation of a normal or lognormal one, of the key itself."),
-      number(".scale", "Scale of a Weibull one."),
-      row_of_kind(FieldKind::number, k + ".shape", read_elsewhere(), "Shape of a Weibull one.", kPositive),
+      word_row(k + ".distribution", enum_names<Distribution>(), "uniform",
+               "uniform and triangular need from and to, the latter also mode; normal and lognormal need mean and std; "
+               "weibull needs scale and shape."),
+      number(".from", "Minimum value; for normal, lognormal and weibull a lower truncation bound."),
+      number(".to", "Maximum value; for normal, lognormal and weibull an upper truncation bound."),
+      number(".mode", "Most probable value of the triangular distribution."),
+      number(".mean", "Mean of the normal or lognormal distribution."),
+      number(".std", "Standard deviation of the normal or lognormal distribution, of the key itself."),
+      number(".scale", "Scale of the Weibull distribution."),
+      row_of_kind(FieldKind::number, k + ".shape", read_elsewhere(), "Shape of the Weibull distribution.", kPositive),
   };
 }
 
@@ -103,10 +103,10 @@ std::vector<Field> seeds_and_results() {
   return {
       otherwise(count_row("seeds", "Number of seeds of the waves: 1, 2, ... up to this; or a list of seeds.",
                           {.low = 1, .high = 1000}),
-                "the model's first"),
-      list("seeds", "Seeds of the waves: every case is run with each.", "the model's first"),
+                "the model's first seed"),
+      list("seeds", "Seeds of the waves: each case is run with each seed.", "the model's first seed"),
       count_row("seeds[]", "A seed.", seed),
-      list("gather", "Results that become columns of the table.", "a choice for the analysis"),
+      list("gather", "Results that become columns of the table.", "default set of the analysis"),
       text_row("gather[]",
                "Result by its path in summary.json, such as static.sagbend.max_bending_stress, dynamic.top_tension.max "
                "or checks.governing; min(), max(), mean() and spread() of a path with a pattern."),
@@ -116,31 +116,31 @@ std::vector<Field> seeds_and_results() {
 std::vector<Field> condition(const std::string& p) {
   return {
       required(text_row(p + ".result", "Result by its path in summary.json.")),
-      text_row(p + ".at_most", "Upper limit, with its unit.", "not asked for"),
-      text_row(p + ".at_least", "Lower limit, with its unit.", "not asked for"),
+      text_row(p + ".at_most", "Upper limit, with its unit.", "no upper limit"),
+      text_row(p + ".at_least", "Lower limit, with its unit.", "no lower limit"),
   };
 }
 
 std::vector<Field> operability() {
   const std::string p = "operability";
   std::vector<Field> rows = {
-      otherwise(group(p, "Looks for the largest value of one axis with which a criterion holds."), "not looked for"),
-      text_row(p + ".over", "Key of the axis; its least and largest value are the bounds.", "environment.waves.hs"),
-      text_row(p + ".resolution", "Difference of the values tried, with the unit of the key.",
-               "0.25 m of lengths, else a hundredth of the range"),
-      word_row(p + ".criterion", {"checks"}, "", "Every governing check is passed; or a list of conditions."),
-      list(p + ".criterion", "Conditions on results, all of them to hold.", "checks"),
-      word_row(p + ".criterion[]", {"checks"}, "", "Every governing check is passed."),
+      otherwise(group(p, "Finds the maximum value of one axis that satisfies a criterion."), "no search"),
+      text_row(p + ".over", "Key of the axis; its minimum and maximum values are the bounds.", "environment.waves.hs"),
+      text_row(p + ".resolution", "Resolution of the limit, with the unit of the key.",
+               "0.25 m for lengths, otherwise a hundredth of the range"),
+      word_row(p + ".criterion", {"checks"}, "", "Pass of every governing check; or a list of conditions."),
+      list(p + ".criterion", "Conditions on results, all of which must hold.", "checks"),
+      word_row(p + ".criterion[]", {"checks"}, "", "Pass of every governing check."),
       group(p + ".criterion[]", "A condition."),
   };
   append(rows, condition(p + ".criterion[]"));
-  Field scatter = text_row(p + ".scatter", "Scatter diagram of the sea (CSV), from which workability follows.", "none");
+  Field scatter = text_row(p + ".scatter", "Scatter diagram of the sea (CSV), for workability.", "none");
   scatter.file = true;
   rows.push_back(std::move(scatter));
-  rows.push_back(
-      otherwise(row_of_kind(FieldKind::number, p + ".alpha", read_elsewhere(),
-                            "alpha factor of DNV-ST-N001 on the limit.", {.low = 0.0, .high = 1.0, .low_open = true}),
-                "none"));
+  rows.push_back(otherwise(
+      row_of_kind(FieldKind::number, p + ".alpha", read_elsewhere(),
+                  "alpha factor of DNV-ST-N001 applied to the limit.", {.low = 0.0, .high = 1.0, .low_open = true}),
+      "none"));
   return rows;
 }
 

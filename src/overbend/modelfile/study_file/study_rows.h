@@ -1,4 +1,4 @@
-/// The table of all keys of a study file, read by the same rules as a model file.
+/// Table of all keys of a study file, read by the same rules as a model file.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace overbend {
 
-/// Every key, groups before their members. Members are filled by modelfile/study_file/study_reader.cpp, for what their
-/// texts mean hangs on the keys of the model that they name.
+/// Returns every key, groups before their members. modelfile/study_file/study_reader.cpp fills the members, since the
+/// meaning of their texts depends on the model keys that they name.
 const std::vector<Field>& study_table();
 
 const FieldNode& study_tree();
 
-/// Most cases of a study.
-inline constexpr double kMostCases = 1e6;
+/// Max. number of cases of a study.
+inline constexpr double kMaxStudyCases = 1e6;
 
 }  // namespace overbend

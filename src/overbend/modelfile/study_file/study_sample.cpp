@@ -4,18 +4,18 @@
 #include <cmath>
 #include <limits>
 
-#include "model/description/study_words.h"
+#include "model/description/study_enum_names.h"
 #include "modelfile/fields/seek_values.h"
 #include "modelfile/study_file/study_axes.h"
 
 namespace overbend {
 namespace {
 
-/// A parameter of a distribution, and what its values are held to.
+/// Parameter of a distribution and the check of its values.
 struct Parameter {
   const char* key;
   double SampledKey::*member;
-  enum class Holds { value, width } holds;  ///< The key's own range, or above zero.
+  enum class Holds { value, width } holds;  ///< Range of the key itself, or a positive number.
 };
 
 constexpr std::array<Parameter, 6> kParameters = {{
@@ -29,7 +29,7 @@ constexpr std::array<Parameter, 6> kParameters = {{
 
 enum class Use { none, may, must };
 
-Use use_of(Distribution of, std::string_view key) {
+Use find_use(Distribution of, std::string_view key) {
   const bool bound = key == "from" || key == "to";
   switch (of) {
     case Distribution::uniform:
@@ -53,7 +53,7 @@ class SampleReader {
     SampledKey key;
     key.key = item_.key;
     key.line = item_.line;
-    key.unit = unit_of(row_);
+    key.unit = row_unit(row_);
     key.show = row_.kind == FieldKind::quantity ? row_.show : "";
     key.distribution = item_.get_word<Distribution>("distribution").value_or(Distribution::uniform);
     key.from = -std::numeric_limits<double>::infinity();
@@ -66,15 +66,15 @@ class SampleReader {
   }
 
  private:
-  /// Complains about what is missing and about what the distribution does not know.
+  /// Reports missing parameters and those that the distribution does not have.
   bool wanted(Distribution of, const char* name) {
-    const Use use = use_of(of, name);
+    const Use use = find_use(of, name);
     const FieldValue* value = item_.find(name);
     if (use == Use::must && !item_.mentions(name)) {
-      check_.missing(item_, name, fmt::format("a parameter of a {} distribution", word_of(of)));
+      check_.missing(item_, name, fmt::format("a parameter of a {} distribution", enum_name(of)));
     }
     if (use == Use::none && value != nullptr) {
-      check_.error(*value, value->shown, fmt::format("no such parameter of a {} distribution", word_of(of)));
+      check_.error(*value, value->shown, fmt::format("no such parameter of a {} distribution", enum_name(of)));
     }
     return use != Use::none && value != nullptr;
   }

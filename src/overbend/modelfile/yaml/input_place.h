@@ -1,12 +1,12 @@
-/// Where a key stands in the file of a model.
+/// Position of a key in a model file.
 #pragma once
 
 #include <string>
 
 namespace overbend {
 
-/// "model.yaml:37: operation.loads"; of a key that is not there the line of the deepest group that is. `text` is what
-/// the file holds; without one, or where it cannot be read, the key alone.
+/// Returns "model.yaml:37: operation.loads"; for a missing key the line of its deepest existing group. `text` is the
+/// file's content; if it is empty or unreadable, only the key.
 std::string input_place(const std::string& file, const std::string& text, const std::string& key);
 
 }  // namespace overbend

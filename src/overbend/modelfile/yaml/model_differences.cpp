@@ -13,12 +13,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kAlike = 1e-9;  ///< Relative: what is left of a number that was converted.
+constexpr double kRelativeTolerance = 1e-9;  ///< Relative tolerance for rounding of converted numbers.
 
 /// Keys with their values, in the order of the file.
 using Flat = std::vector<std::pair<std::string, std::string>>;
 
-std::string name_of(const YamlNode& node) {
+std::string find_item_name(const YamlNode& node) {
   for (const YamlEntry& entry : node.entries) {
     if (entry.key == "name" && entry.value.kind == YamlNode::Kind::scalar) return entry.value.text;
   }
@@ -32,14 +32,14 @@ void flatten(const YamlNode& node, const std::string& path, Flat& flat) {
     flatten(entry.value, path.empty() ? entry.key : path + "." + entry.key, flat);
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {
-    std::string item = name_of(node.items[i]);
-    const auto same = [&](const YamlNode& other) { return name_of(other) == item; };
+    std::string item = find_item_name(node.items[i]);
+    const auto same = [&](const YamlNode& sibling) { return find_item_name(sibling) == item; };
     if (item.empty() || std::ranges::count_if(node.items, same) > 1) item = std::to_string(i);
     flatten(node.items[i], fmt::format("{}[{}]", path, item), flat);
   }
 }
 
-Flat flat_of(const std::string& text) {
+Flat flatten_text(const std::string& text) {
   Diagnostics ignored;
   Flat flat;
   if (const std::optional<YamlNode> root = parse_yaml(text, "", ignored)) flatten(*root, "", flat);
@@ -55,7 +55,7 @@ std::optional<std::pair<double, std::string>> number_with_unit(const std::string
 }
 
 bool close(double a, double b) {
-  return std::abs(a - b) <= kAlike * std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= kRelativeTolerance * std::max(std::abs(a), std::abs(b));
 }
 
 }  // namespace
@@ -74,10 +74,10 @@ std::vector<DifferingKey> differing_keys(std::span<const std::string> texts) {
   std::vector<DifferingKey> all;
   std::map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    for (const auto& [key, value] : flat_of(texts[i])) {
-      const auto [at, added] = places.try_emplace(key, all.size());
+    for (const auto& [key, value] : flatten_text(texts[i])) {
+      const auto [place, added] = places.try_emplace(key, all.size());
       if (added) all.push_back({key, std::vector<std::string>(texts.size())});
-      all[at->second].values[i] = value;
+      all[place->second].values[i] = value;
     }
   }
   std::erase_if(all, [](const DifferingKey& key) {

@@ -1,4 +1,4 @@
-/// In what model files differ, key by key.
+/// Differences between model files, key by key.
 #pragma once
 
 #include <span>
@@ -7,17 +7,17 @@
 
 namespace overbend {
 
-/// A key that not all have alike.
+/// Key that differs between the models.
 struct DifferingKey {
-  std::string key;                  ///< "stinger.boxes[stinger 7].height": items of a list by their name, else index.
-  std::vector<std::string> values;  ///< Of every model as it stands there; empty where it is not given.
+  std::string key;                  ///< "stinger.boxes[stinger 7].height": items of a list by name, else by index.
+  std::vector<std::string> values;  ///< Value in each model as written; empty if it is not given.
 };
 
-/// Compares YAML texts of models. Quantities that are equal within 1e-9 are alike whatever their units: 1 m and
-/// 1000 mm. A text that is no YAML counts as empty. Keys in the order in which they first come.
+/// Compares YAML texts of models. Quantities that are equal within 1e-9 are equal in any unit: 1 m and 1000 mm. Invalid
+/// YAML counts as empty. Keys are in the order of their first appearance.
 std::vector<DifferingKey> differing_keys(std::span<const std::string> texts);
 
-/// Whether two values of a key say the same.
+/// Returns true if two values of a key are equal.
 bool same_quantity(const std::string& a, const std::string& b);
 
 }  // namespace overbend

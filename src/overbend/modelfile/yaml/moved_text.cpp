@@ -12,8 +12,8 @@
 namespace overbend {
 
 std::string moved_text(const std::string& text, const std::string& file, const std::filesystem::path& folder) {
-  Diagnostics faults;
-  const std::optional<YamlNode> tree = parse_yaml(text, file, faults);
+  Diagnostics diagnostics;
+  const std::optional<YamlNode> tree = parse_yaml(text, file, diagnostics);
   std::vector<YamlChange> changes;
   for (const Field& row : field_table()) {
     std::string rest;
@@ -21,7 +21,7 @@ std::string moved_text(const std::string& text, const std::string& file, const s
     if (spots.empty() || !rest.empty() || spots.back().node->kind != YamlNode::Kind::scalar) continue;
     const std::filesystem::path named = spots.back().node->text;
     if (named.is_absolute()) continue;
-    // Absolute first: of a relative path of which nothing exists weakly_canonical() leaves it relative.
+    // Absolute first: weakly_canonical() leaves a relative path relative if no part of it exists.
     const std::filesystem::path found =
         std::filesystem::weakly_canonical(std::filesystem::absolute(resolved_file(named.string(), file)));
     const std::filesystem::path from = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));

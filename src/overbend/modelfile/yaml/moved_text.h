@@ -1,4 +1,4 @@
-/// The text of a model for a file in another folder.
+/// Text of a model for a file in another folder.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,8 @@
 
 namespace overbend {
 
-/// The text with comments and layout kept; files that it names beside `file` are named from `folder`.
+/// Returns the text with comments and layout unchanged; files named relative to `file` are renamed relative to
+/// `folder`.
 std::string moved_text(const std::string& text, const std::string& file, const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -13,11 +13,11 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-/// The value within groups and lists of the parts from `first` on, in flow style: "{b: [{c: 3}]}".
+/// Returns the value nested in groups and lists of the parts from `first`, in flow style: "{b: [{c: 3}]}".
 std::string nested(const std::vector<std::string>& parts, std::size_t first, std::string value) {
   for (std::size_t i = parts.size(); i > first; --i) {
     const std::string& part = parts[i - 1];
-    if (part[0] == '[' && part != "[0]") throw YamlEditFault("a list starts with item [0]");
+    if (part[0] == '[' && part != "[0]") throw YamlEditError("a list starts with item [0]");
     const bool item = part[0] == '[';
     std::string around = item ? "[" : "{" + yaml_scalar(part) + ": ";
     around.append(value).append(item ? "]" : "}");
@@ -26,7 +26,7 @@ std::string nested(const std::vector<std::string>& parts, std::size_t first, std
   return value;
 }
 
-/// One change of one text.
+/// Applies one change to a text.
 class Editor {
  public:
   Editor(const std::string& text, const YamlNode& root) : text_(text), root_(root), extent_(text) {}
@@ -34,23 +34,23 @@ class Editor {
   std::string set(const std::string& path, const std::string& value) const {
     std::string rest;
     const std::vector<YamlSpot> spots = follow_path(root_, path, rest);
-    const YamlSpot& at = spots.back();
-    if (rest.empty()) return replace(at, value);
+    const YamlSpot& spot = spots.back();
+    if (rest.empty()) return replace(spot, value);
     const std::vector<std::string> parts = path_parts(rest);
-    if (at.node->kind == Kind::map) return insert_key(*at.node, parts, value);
-    if (at.node->kind == Kind::list) return append(*at.node, parts, value);
-    return replace(at, nested(parts, 0, value));
+    if (spot.node->kind == Kind::map) return insert_key(*spot.node, parts, value);
+    if (spot.node->kind == Kind::list) return append(*spot.node, parts, value);
+    return replace(spot, nested(parts, 0, value));
   }
 
   std::string remove(const std::string& path) const {
     std::string rest;
     std::vector<YamlSpot> spots = follow_path(root_, path, rest);
     if (!rest.empty()) return text_;
-    // A group or list that would be left empty goes as well.
+    // Also removes the group or list that would become empty.
     while (spots.size() > 2 && members(*spots.back().parent) == 1) spots.pop_back();
-    const YamlSpot& at = spots.back();
-    if (at.parent == nullptr || members(*at.parent) == 1) throw YamlEditFault("the model would be empty");
-    return extent_.flow(*at.parent) ? remove_flow(at) : remove_block(at);
+    const YamlSpot& spot = spots.back();
+    if (spot.parent == nullptr || members(*spot.parent) == 1) throw YamlEditError("the model would be empty");
+    return extent_.flow(*spot.parent) ? remove_flow(spot) : remove_block(spot);
   }
 
  private:
@@ -58,49 +58,49 @@ class Editor {
     return node.kind == Kind::map ? node.entries.size() : node.items.size();
   }
 
-  std::string with(std::size_t from, std::size_t to, const std::string& now) const {
-    return text_.substr(0, from) + now + text_.substr(to);
+  std::string with(std::size_t from, std::size_t to, const std::string& replacement) const {
+    return text_.substr(0, from) + replacement + text_.substr(to);
   }
 
   std::string line_break() const { return text_.find("\r\n") != std::string::npos ? "\r\n" : "\n"; }
 
   static std::string blanks(int column) { return std::string(static_cast<std::size_t>(std::max(column, 1) - 1), ' '); }
 
-  std::string replace(const YamlSpot& at, const std::string& value) const {
-    if (at.parent == nullptr) throw YamlEditFault("the path is empty");
-    const YamlNode& node = *at.node;
+  std::string replace(const YamlSpot& spot, const std::string& value) const {
+    if (spot.parent == nullptr) throw YamlEditError("the path is empty");
+    const YamlNode& node = *spot.node;
     const bool block = (node.kind == Kind::map || node.kind == Kind::list) && !extent_.flow(node);
     const bool nothing = node.kind == Kind::null && node.text.empty();
     if (!block && !nothing) {
       const std::size_t begin = extent_.begin(node);
-      // A plain text with a quotation mark (12" pipe) or a backslash is another one between quotation marks.
+      // A plain text with a quotation mark (12" pipe) or a backslash changes its meaning within quotation marks.
       const bool stays_quoted =
           node.quoted && value[0] != '{' && value[0] != '[' && value.find_first_of("\"\\") == std::string::npos;
       return with(begin, extent_.end(node), stays_quoted ? '"' + value + '"' : value);
     }
-    if (at.parent->kind == Kind::list) {
-      if (nothing) throw YamlEditFault("there is an empty item");
+    if (spot.parent->kind == Kind::list) {
+      if (nothing) throw YamlEditError("there is an empty item");
       return with(extent_.begin(node), extent_.end(node), value);
     }
-    const std::size_t colon = extent_.after_colon(at.parent->entries[at.index]);
+    const std::size_t colon = extent_.after_colon(spot.parent->entries[spot.index]);
     if (nothing) return with(colon, colon, " " + value);
-    // The comment behind the key stays; the lines below it go.
+    // Keeps the comment behind the key and removes the lines below it.
     const std::size_t head_end = extent_.line_end(colon), end = extent_.line_end(extent_.end(node));
     return text_.substr(0, colon) + " " + value + text_.substr(colon, head_end - colon) + text_.substr(end);
   }
 
   std::string insert_key(const YamlNode& map, const std::vector<std::string>& parts, const std::string& value) const {
-    if (parts[0][0] == '[') throw YamlEditFault("a group has keys, not numbered items");
+    if (parts[0][0] == '[') throw YamlEditError("a group has keys, not numbered items");
     if (extent_.flow(map)) {
       const std::string entry = yaml_scalar(parts[0]) + ": " + nested(parts, 1, value);
-      const std::size_t at = map.entries.empty() ? extent_.begin(map) + 1 : extent_.end(map.entries.back());
-      return with(at, at, (map.entries.empty() ? "" : ", ") + entry);
+      const std::size_t offset = map.entries.empty() ? extent_.begin(map) + 1 : extent_.end(map.entries.back());
+      return with(offset, offset, (map.entries.empty() ? "" : ", ") + entry);
     }
     return insert_lines(extent_.end(map.entries.back()), block_lines(parts, map.column, value));
   }
 
-  /// "a:", "  b: value"; what follows the first list is in flow style, its first item on a line of its own where it is
-  /// a group.
+  /// Returns "a:", "  b: value"; from the first list on in flow style, its first item on a line of its own if it is a
+  /// group.
   std::vector<std::string> block_lines(const std::vector<std::string>& parts, int column,
                                        const std::string& value) const {
     std::vector<std::string> lines;
@@ -120,26 +120,26 @@ class Editor {
     return lines;
   }
 
-  /// Behind the line in which `end` stands.
+  /// Inserts after the line that contains `end`.
   std::string insert_lines(std::size_t end, const std::vector<std::string>& lines) const {
-    const std::size_t at = extent_.line_end(end);
+    const std::size_t offset = extent_.line_end(end);
     std::string added;
     for (const std::string& line : lines) added += line_break() + line;
-    if (at == text_.size()) added += line_break();
-    return with(at, at, added);
+    if (offset == text_.size()) added += line_break();
+    return with(offset, offset, added);
   }
 
   std::string append(const YamlNode& list, const std::vector<std::string>& parts, const std::string& value) const {
     const auto index = leading_index(parts[0]);
-    if (!index) throw YamlEditFault("a list has numbered items, not keys");
+    if (!index) throw YamlEditError("a list has numbered items, not keys");
     if (index->first != list.items.size()) {
-      throw YamlEditFault("the list has " + std::to_string(list.items.size()) + " items; the next is [" +
+      throw YamlEditError("the list has " + std::to_string(list.items.size()) + " items; the next is [" +
                           std::to_string(list.items.size()) + "]");
     }
     const std::string item = nested(parts, 1, value);
     if (!extent_.flow(list)) return insert_lines(extent_.end(list), {blanks(list.column) + "- " + item});
-    const std::size_t at = list.items.empty() ? extent_.begin(list) + 1 : extent_.end(list.items.back());
-    return with(at, at, (list.items.empty() ? "" : ", ") + item);
+    const std::size_t offset = list.items.empty() ? extent_.begin(list) + 1 : extent_.end(list.items.back());
+    return with(offset, offset, (list.items.empty() ? "" : ", ") + item);
   }
 
   std::size_t begin(const YamlNode& parent, std::size_t i) const {
@@ -149,23 +149,23 @@ class Editor {
     return parent.kind == Kind::map ? extent_.end(parent.entries[i]) : extent_.end(parent.items[i]);
   }
 
-  std::string remove_flow(const YamlSpot& at) const {
-    if (at.index + 1 < members(*at.parent)) {
-      return with(begin(*at.parent, at.index), begin(*at.parent, at.index + 1), "");
+  std::string remove_flow(const YamlSpot& spot) const {
+    if (spot.index + 1 < members(*spot.parent)) {
+      return with(begin(*spot.parent, spot.index), begin(*spot.parent, spot.index + 1), "");
     }
-    return with(end(*at.parent, at.index - 1), end(*at.parent, at.index), "");
+    return with(end(*spot.parent, spot.index - 1), end(*spot.parent, spot.index), "");
   }
 
-  std::string remove_block(const YamlSpot& at) const {
-    std::size_t from = begin(*at.parent, at.index);
-    if (at.parent->kind == Kind::list) from = text_.rfind('-', from - 1);
+  std::string remove_block(const YamlSpot& spot) const {
+    std::size_t from = begin(*spot.parent, spot.index);
+    if (spot.parent->kind == Kind::list) from = text_.rfind('-', from - 1);
     const std::size_t line = extent_.line_begin(from);
     if (text_.find_first_not_of(' ', line) != from) {
-      // The first key of "- a: 1" has the dash before it: the next takes its place.
-      if (at.index + 1 == members(*at.parent)) throw YamlEditFault("the layout there is unusual");
-      return with(from, begin(*at.parent, at.index + 1), "");
+      // The first key of "- a: 1" follows the dash; the next key takes its position.
+      if (spot.index + 1 == members(*spot.parent)) throw YamlEditError("the layout of this item is unusual");
+      return with(from, begin(*spot.parent, spot.index + 1), "");
     }
-    const std::size_t end_of_line = text_.find('\n', end(*at.parent, at.index));
+    const std::size_t end_of_line = text_.find('\n', end(*spot.parent, spot.index));
     return with(line, end_of_line == std::string::npos ? text_.size() : end_of_line + 1, "");
   }
 
@@ -188,8 +188,8 @@ bool same(const YamlNode& a, const YamlNode& b) {
                     [](const YamlEntry& x, const YamlEntry& y) { return x.key == y.key && same(x.value, y.value); });
 }
 
-/// Whether the text now says what was wanted: the guard against a layout that the editor takes for another.
-bool took_effect(const std::string& text, const YamlChange& change, const std::string& written) {
+/// Returns true if the edited text contains the change: detects a layout that the editor misinterprets.
+bool has_change(const std::string& text, const YamlChange& change, const std::string& written) {
   const std::optional<YamlNode> root = parsed(text);
   if (!root) return false;
   std::string rest;
@@ -206,32 +206,32 @@ bool took_effect(const std::string& text, const YamlChange& change, const std::s
 std::string edited(const std::string& text, const YamlChange& change) {
   const std::optional<YamlNode> root = parsed(text);
   if (!root || root->kind != Kind::map || root->entries.empty()) {
-    throw YamlEditFault("the text cannot be read as YAML; correct it first");
+    throw YamlEditError("the text cannot be read as YAML; correct it first");
   }
   const Editor editor(text, *root);
   const bool remove = change.kind == YamlChange::Kind::remove;
   const std::string written = change.kind == YamlChange::Kind::flow ? change.value : yaml_scalar(change.value);
-  std::string now = remove ? editor.remove(change.path) : editor.set(change.path, written);
-  if (!took_effect(now, change, written)) throw YamlEditFault("the text is laid out in an unusual way there");
-  return now;
+  std::string edited_text = remove ? editor.remove(change.path) : editor.set(change.path, written);
+  if (!has_change(edited_text, change, written)) throw YamlEditError("the text has an unusual layout at this key");
+  return edited_text;
 }
 
-/// The node at a path, made where its last key is missing in a group; null where that cannot be.
+/// Returns the node at a path, created if its last key is missing in a group; null if that is impossible.
 YamlNode* node_at(YamlNode& root, const std::string& path) {
   std::string rest;
   const std::vector<YamlSpot> spots = follow_path(root, path, rest);
-  YamlNode* at = &root;
+  YamlNode* node = &root;
   for (std::size_t i = 1; i < spots.size(); ++i) {
-    at = at->kind == Kind::map ? &at->entries[spots[i].index].value : &at->items[spots[i].index];
+    node = node->kind == Kind::map ? &node->entries[spots[i].index].value : &node->items[spots[i].index];
   }
-  if (rest.empty()) return at;
-  if (at->kind != Kind::map || rest.find_first_of(".[") != std::string::npos) return nullptr;
-  at->entries.push_back({rest, at->line, at->column, {}});
-  return &at->entries.back().value;
+  if (rest.empty()) return node;
+  if (node->kind != Kind::map || rest.find_first_of(".[") != std::string::npos) return nullptr;
+  node->entries.push_back({rest, node->line, node->column, {}});
+  return &node->entries.back().value;
 }
 
-/// A path deeper than any key would be written out on as many lines, each further in than the one before.
-bool too_deep(const std::string& path) {
+/// Returns true if a path is deeper than any key; each level would add a line and increase the indentation.
+bool exceeds_max_depth(const std::string& path) {
   constexpr std::size_t kMaxLength = 4000;
   constexpr std::ptrdiff_t kMaxDepth = 64;
   const auto steps = std::ranges::count_if(path, [](char c) { return c == '.' || c == '['; });
@@ -243,7 +243,7 @@ bool too_deep(const std::string& path) {
 bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes) {
   for (const YamlChange& change : changes) {
     check_interruption();
-    if (too_deep(change.path)) return false;
+    if (exceeds_max_depth(change.path)) return false;
     YamlNode* node = change.kind == YamlChange::Kind::scalar ? node_at(root, change.path) : nullptr;
     if (node == nullptr || !node->items.empty() || !node->entries.empty()) return false;
     if (node->line == 0) node->line = root.line;
@@ -272,21 +272,21 @@ std::string yaml_scalar(const std::string& text) {
 }
 
 std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& changes) {
-  std::string now = text;
+  std::string edited_text = text;
   for (const YamlChange& change : changes) {
     check_interruption();
-    if (too_deep(change.path)) {
-      throw YamlEditFault("'" + for_display(change.path) + "' cannot be set: it is deeper than any key of a model");
+    if (exceeds_max_depth(change.path)) {
+      throw YamlEditError("'" + for_display(change.path) + "' cannot be set: it is deeper than any key of a model");
     }
     try {
-      now = edited(now, change);
-    } catch (const std::runtime_error& fault) {
-      throw YamlEditFault(
-          "'" + change.path + "' cannot be set: " + fault.what() +
-          (std::string(fault.what()).find("correct it") == std::string::npos ? "; change it in the text" : ""));
+      edited_text = edited(edited_text, change);
+    } catch (const std::runtime_error& error) {
+      throw YamlEditError(
+          "'" + change.path + "' cannot be set: " + error.what() +
+          (std::string(error.what()).find("correct it") == std::string::npos ? "; change it in the text" : ""));
     }
   }
-  return now;
+  return edited_text;
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Changes single keys of a YAML text and leaves the rest of it, comments and layout, as it stands.
+/// Edits single keys of a YAML text; comments and layout are unchanged.
 #pragma once
 
 #include <stdexcept>
@@ -11,28 +11,28 @@ namespace overbend {
 
 struct YamlChange {
   enum class Kind { scalar, flow, remove };
-  std::string path;  ///< "pipe.coatings[1].thickness", indices from 0; one behind the end of a list appends.
+  std::string path;  ///< "pipe.coatings[1].thickness", indices from 0; the index after the last appends.
   Kind kind = Kind::scalar;
-  std::string value;  ///< A scalar as it is meant ("260 kN"), or YAML in flow style ("{x: 1 m, z: 2 m}").
+  std::string value;  ///< Scalar ("260 kN"), or YAML in flow style ("{x: 1 m, z: 2 m}").
 };
 
-/// A change that cannot be made; says which and why.
-class YamlEditFault : public std::runtime_error {
+/// Error of an impossible change; the message names the change and the reason.
+class YamlEditError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The text with the changes made, one after the other. A key that is missing is put behind the others of its group;
-/// groups that are missing are made; a group that loses its last key goes with it. Removing what is not there changes
-/// nothing. Throws YamlEditFault where the text is no YAML, a path leads through something else than groups and lists,
-/// or a value runs over several lines.
+/// Returns the text with the changes applied in order. A missing key is inserted after the others of its group; missing
+/// groups are created; a group that loses its last key is removed. Removing a missing key has no effect. Throws
+/// YamlEditError if the text is not YAML, a path passes through something other than groups and lists, or a value
+/// extends over several lines.
 std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& changes);
 
-/// The same in the tree instead of the text, for values that are scalars now or keys yet missing in a group. False,
-/// with the tree in an unknown state, where a change is none of these.
+/// Applies the changes to the tree, for scalars and for keys missing in a group. Returns false, with the tree in an
+/// undefined state, if a change is of another kind.
 bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes);
 
-/// A scalar as it has to be written within flow style to be read as this text: in quotes where it would mislead.
+/// Returns a scalar as written in flow style to be read as this text: quoted where necessary.
 std::string yaml_scalar(const std::string& text);
 
 }  // namespace overbend

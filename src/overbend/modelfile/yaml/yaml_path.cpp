@@ -17,20 +17,20 @@ std::optional<std::size_t> leading_key(const YamlNode& map, const std::string& r
   return best;
 }
 
-/// Takes one step down; false when the path leads nowhere.
+/// Descends one level; returns false if the path does not exist.
 bool step(std::vector<YamlSpot>& spots, std::string& rest) {
-  const YamlNode& at = *spots.back().node;
-  if (at.kind == YamlNode::Kind::map) {
-    const auto found = leading_key(at, rest);
+  const YamlNode& node = *spots.back().node;
+  if (node.kind == YamlNode::Kind::map) {
+    const auto found = leading_key(node, rest);
     if (!found) return false;
-    rest.erase(0, at.entries[*found].key.size());
-    spots.push_back({&at.entries[*found].value, &at, *found});
+    rest.erase(0, node.entries[*found].key.size());
+    spots.push_back({&node.entries[*found].value, &node, *found});
     return true;
   }
-  const auto found = at.kind == YamlNode::Kind::list ? leading_index(rest) : std::nullopt;
-  if (!found || found->first >= at.items.size()) return false;
+  const auto found = node.kind == YamlNode::Kind::list ? leading_index(rest) : std::nullopt;
+  if (!found || found->first >= node.items.size()) return false;
   rest.erase(0, found->second);
-  spots.push_back({&at.items[found->first], &at, found->first});
+  spots.push_back({&node.items[found->first], &node, found->first});
   return true;
 }
 
@@ -40,8 +40,8 @@ std::optional<std::pair<std::size_t, std::size_t>> leading_index(const std::stri
   const std::size_t close = path.find(']');
   if (path.empty() || path[0] != '[' || close == std::string::npos) return std::nullopt;
   std::size_t index = 0;
-  const auto [end, fault] = std::from_chars(path.data() + 1, path.data() + close, index);
-  if (fault != std::errc() || end != path.data() + close) return std::nullopt;
+  const auto [end, code] = std::from_chars(path.data() + 1, path.data() + close, index);
+  if (code != std::errc() || end != path.data() + close) return std::nullopt;
   return std::pair{index, close + 1};
 }
 
@@ -56,10 +56,10 @@ std::vector<YamlSpot> follow_path(const YamlNode& root, const std::string& path,
 
 std::vector<std::string> path_parts(const std::string& path) {
   std::vector<std::string> parts;
-  for (std::size_t at = 0; at < path.size();) {
-    const std::size_t end = std::min(path.find_first_of(".[", at + 1), path.size());
-    parts.push_back(path.substr(at, end - at));
-    at = end + (end < path.size() && path[end] == '.' ? 1 : 0);
+  for (std::size_t start = 0; start < path.size();) {
+    const std::size_t end = std::min(path.find_first_of(".[", start + 1), path.size());
+    parts.push_back(path.substr(start, end - start));
+    start = end + (end < path.size() && path[end] == '.' ? 1 : 0);
   }
   return parts;
 }

@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// A roller with the box it belongs to; both null where there is none.
+/// A roller and its box; both null if there is none.
 struct RollerPlace {
   const SupportDynamics* box = nullptr;
   const RollerDynamics* roller = nullptr;
@@ -15,16 +15,17 @@ struct RollerPlace {
 };
 
 struct ContactCount {
-  int carrying = 0;     ///< Rollers that carry in the static state.
-  int losing = 0;       ///< Of these, that lose the pipe at some time.
-  int never = 0;        ///< Bottom rollers that the pipe never touches.
-  int bottom = 0;       ///< All bottom rollers.
-  RollerPlace hardest;  ///< With the largest reaction of all times.
+  int carrying = 0;     ///< Number of rollers in contact in the static state.
+  int losing = 0;       ///< Number of these that lose contact at some time.
+  int never = 0;        ///< Number of bottom rollers never in contact.
+  int bottom = 0;       ///< Number of bottom rollers.
+  RollerPlace hardest;  ///< Roller with the maximum reaction over time.
 };
 
+/// Counts contacts over all rollers of the run.
 ContactCount count_contacts(const DynamicResults& results);
 
-/// The roller of this index in Supports::rollers.
+/// Returns the roller with this index in Supports::rollers.
 RollerPlace find_roller(const DynamicResults& results, int roller);
 
 }  // namespace overbend

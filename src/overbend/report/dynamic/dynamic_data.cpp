@@ -10,25 +10,25 @@
 #include "report/page/report_style.h"
 #include "report/page/thinning.h"
 #include "report/static/mooring_data.h"
-#include "results/fields/dynamic_values.h"
-#include "results/fields/places.h"
+#include "results/fields/dynamic_scalars.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
 
-/// The largest of these are never thinned away.
+/// Their maxima are never removed by thinning.
 constexpr std::array<Envelope DynamicResults::*, 4> kExtremes = {&DynamicResults::effective_tension,
                                                                  &DynamicResults::bending_moment,
                                                                  &DynamicResults::von_mises, &DynamicResults::strain};
 
 bool is_extreme(const DynamicResults& results, std::size_t i) {
   return std::ranges::any_of(kExtremes, [&](Envelope DynamicResults::*envelope) {
-    const std::vector<double>& most = (results.*envelope).max;
-    return most[i] >= most[i - 1] && most[i] > most[i + 1];
+    const std::vector<double>& maxima = (results.*envelope).max;
+    return maxima[i] >= maxima[i - 1] && maxima[i] > maxima[i + 1];
   });
 }
 
-/// The lists of the stations shown, from the tensioner on.
+/// The lists of the stations shown, starting at the tensioner.
 struct EnvelopeData {
   const ReportStyle& style;
   const std::set<std::size_t>& shown;
@@ -69,21 +69,21 @@ Json region_data(const ReportStyle& style, const StaticResults& statics, const D
   Json all = Json::object();
   visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
     if (!field.key(Output::report)) return;
-    JsonWriter<ReportStyle> one(style);
-    visit_instant_of_extreme(extreme, one);
-    one["value"] = style.number(extreme.over_time.max);
-    one["place"] = place_name(statics, extreme.s);
-    all[field.name] = one.take();
+    JsonWriter<ReportStyle> item(style);
+    visit_instant_of_extreme(extreme, item);
+    item["value"] = style.number(extreme.over_time.max);
+    item["place"] = location_name(statics, extreme.s);
+    all[field.name] = item.take();
   });
   return all;
 }
 
 Json support_data(const ReportStyle& style, const SupportDynamics& box) {
-  std::map<int, Json> rows;  // by index, so that a box without side rollers in a row is no trouble
+  std::map<int, Json> rows;  // by index, as a row may have no side rollers
   for (const RollerDynamics& r : box.rollers) {
-    JsonWriter<ReportStyle> one(style);
-    visit_dynamic_roller(r, one);
-    rows[r.row][word(r.position)] = one.take();
+    JsonWriter<ReportStyle> item(style);
+    visit_dynamic_roller(r, item);
+    rows[r.row][word(r.position)] = item.take();
   }
   Json list = Json::array();
   for (auto& [index, row] : rows) {
@@ -93,26 +93,26 @@ Json support_data(const ReportStyle& style, const SupportDynamics& box) {
 }
 
 Json impact_data(const ReportStyle& style, const DynamicResults& results) {
-  std::map<int, const SupportDynamics*> box_of;
-  std::map<int, const RollerDynamics*> roller_of;
+  std::map<int, const SupportDynamics*> boxes_by_roller;
+  std::map<int, const RollerDynamics*> rollers_by_index;
   for (const SupportDynamics& box : results.supports) {
     for (const RollerDynamics& r : box.rollers) {
-      box_of[r.roller] = &box;
-      roller_of[r.roller] = &r;
+      boxes_by_roller[r.roller] = &box;
+      rollers_by_index[r.roller] = &r;
     }
   }
   Json all = Json::array();
   for (const Impact& impact : results.hardest_impacts) {
-    const auto roller = roller_of.find(impact.roller);
-    if (roller == roller_of.end()) {
+    const auto roller = rollers_by_index.find(impact.roller);
+    if (roller == rollers_by_index.end()) {
       continue;
     }
-    JsonWriter<ReportStyle> one(style);
-    visit_impact(impact, one);
-    one["box"] = box_of[impact.roller]->name;
-    one["row"] = roller->second->row + 1;
-    one["position"] = word(roller->second->position);
-    all.push_back(one.take());
+    JsonWriter<ReportStyle> item(style);
+    visit_impact(impact, item);
+    item["box"] = boxes_by_roller[impact.roller]->name;
+    item["row"] = roller->second->row + 1;
+    item["position"] = word(roller->second->position);
+    all.push_back(item.take());
   }
   return all;
 }

@@ -1,4 +1,4 @@
-/// Data of the figures of a dynamic run.
+/// Data for the figures of a dynamic run.
 #pragma once
 
 #include "base/json.h"
@@ -6,9 +6,9 @@
 
 namespace overbend {
 
-/// Envelopes as columns from the tensioner to the anchor (SI), histories and spectra in the units of
-/// report/page/quantity.h, contacts and impacts. Only what the figures show: of all supports the hardest pressed.
-/// Without a pipe histories, spectra and where the vessel was.
+/// Returns envelopes as columns from the tensioner to the anchor (SI), histories and spectra in the units of
+/// report/page/quantity.h, contacts and impacts. Only the data that the figures show: of all supports those with the
+/// largest reactions. Without a pipe: histories, spectra and vessel positions.
 Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results);
 
 }  // namespace overbend

@@ -33,15 +33,15 @@ std::vector<Figure> all_figures(bool pipe) {
        "Time history of the clearance at the stinger tip; below zero the pipe is in contact",
        {"separation"}},
       {"history",
-       "Time history of the stinger on its hinges: angle, positive when the tip goes down from where it is drawn, and "
+       "Time history of the stinger on its hinges: angle from the nominal position, positive for tip down, and "
        "draught of its tanks",
        {"stinger_angle"}},
       {"history",
        "Time history of the hinges of the stinger: forces on the section, moment of the stops",
        {"stinger_hinge"}},
       {"history",
-       pipe ? "Pull-ahead in time: the vessel, the tensioner and the pipe below each other"
-            : "Pull-ahead in time: the vessel from as drawn; the build-up is shaded",
+       pipe ? "Time histories of the pull-ahead: vessel, tensioner and pipe"
+            : "Time history of the pull-ahead: vessel offset from the nominal pose; the build-up is shaded",
        {"operation"}},
       {"history",
        pipe ? "Time history of wave elevation at the stern shoe" : "Time history of wave elevation at midship",
@@ -65,14 +65,14 @@ Blocks dynamic_figures_section(const StaticResults& statics, const DynamicResult
     groups.insert(history["group"].get<std::string>());
   }
   const bool supported = !results.supports.empty();
-  const auto makes_sense = [&](const Figure& figure, const std::string& part) {
+  const auto is_applicable = [&](const Figure& figure, const std::string& part) {
     if (figure.id == "history") return groups.contains(part);
     if (figure.id == "spectra") return !spectrum_data(results).empty();
     if (figure.id == "impacts") return !results.hardest_impacts.empty();
     return supported || (part == "whole" && statics.has_pipe());
   };
   return block::section("dynamic-figures", "Figures of the dynamic analysis",
-                        figure_list(all_figures(statics.has_pipe()), makes_sense));
+                        figure_list(all_figures(statics.has_pipe()), is_applicable));
 }
 
 }  // namespace overbend

@@ -5,21 +5,21 @@
 #include "report/dynamic/dynamic_contacts.h"
 #include "report/dynamic/dynamic_sections.h"
 #include "report/page/quantity.h"
-#include "report/page/sea_words.h"
+#include "report/page/sea_labels.h"
 #include "report/page/sections.h"
-#include "results/fields/dynamic_values.h"
-#include "results/fields/places.h"
+#include "results/fields/dynamic_scalars.h"
+#include "results/fields/location_names.h"
 #include "results/findings.h"
 
 namespace overbend {
 namespace {
 
-std::string range(const Spread& force) {
+std::string range(const SummaryStatistics& force) {
   return forces().text(force.min, 1) + " to " + forces().text(force.max, 1);
 }
 
 std::string where(const StaticResults& statics, const DynamicExtreme& extreme) {
-  const std::string place = place_name(statics, extreme.s);
+  const std::string place = location_name(statics, extreme.s);
   return place == "sagbend" ? "X = " + shown(ship_point(statics, extreme.p_W).x(), "m", 1) : place;
 }
 
@@ -58,11 +58,11 @@ void add_contact_tiles(std::vector<Tile>& tiles, const StaticResults& statics, c
   } else {
     tiles.push_back({"Impacts", "none", "", "the pipe never lands on a roller"});
   }
-  tiles.push_back(
-      {"Rollers that lose contact", std::to_string(count.losing), fmt::format("of {}", count.carrying),
-       fmt::format("carrying in the static state; {} of {} bottom rollers never touched", count.never, count.bottom)});
+  tiles.push_back({"Rollers that lose contact", std::to_string(count.losing), fmt::format("of {}", count.carrying),
+                   fmt::format("in contact in the static state; {} of {} bottom rollers never touched", count.never,
+                               count.bottom)});
   if (statics.stinger_tip_clearance) {
-    const Spread& clearance = r.stinger_tip_clearance;
+    const SummaryStatistics& clearance = r.stinger_tip_clearance;
     tiles.push_back({"Stinger tip clearance",
                      clearances().text(clearance.min, 1) + " to " + clearances().text(clearance.max, 1),
                      clearances().unit,
@@ -97,7 +97,7 @@ Extreme static_extreme(const RegionResult& region, const std::string& name) {
   return found;
 }
 
-/// Largest values of a region over its length and time beside those of the static state.
+/// Maxima of a region over its length and time next to those of the static state.
 Table region_table(const StaticResults& statics, const std::string& title, const DynamicRegion& region,
                    const RegionResult& before) {
   Table table{title,
@@ -116,15 +116,16 @@ Table region_table(const StaticResults& statics, const std::string& title, const
     const Quantity q = quantity(field.name, std::string(field.units));
     const Extreme at_rest = static_extreme(before, field.name);
     const Vec3 p = ship_point(statics, extreme.p_W);
-    const double largest = extreme.over_time.max;
+    const double max_value = extreme.over_time.max;
     std::optional<double> ratio, use, use_at_rest;
-    if (at_rest.value > 0.0) ratio = largest / at_rest.value;
+    if (at_rest.value > 0.0) ratio = max_value / at_rest.value;
     if (field.units == "Pa") {  // a stress, compared with yield
-      use = yield_percent(statics, extreme.s, largest);
+      use = yield_percent(statics, extreme.s, max_value);
       use_at_rest = yield_percent(statics, at_rest.s, at_rest.value);
     }
-    table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(largest), q.text(at_rest.value), ratio, use, use_at_rest,
-               extreme.time, from_tensioner(statics, extreme.s), p.x(), p.z(), place_name(statics, extreme.s)});
+    table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(max_value), q.text(at_rest.value), ratio, use,
+               use_at_rest, extreme.time, from_tensioner(statics, extreme.s), p.x(), p.z(),
+               location_name(statics, extreme.s)});
   });
   return table;
 }
@@ -137,15 +138,15 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
                                                                  const std::string& written) {
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics, description);
   if (description) {
-    entries.emplace_back("Sea", sea_words(description->environment.waves));
-    entries.emplace_back("Vessel motion", motion_words(description->vessel));
+    entries.emplace_back("Sea", sea_label(description->environment.waves));
+    entries.emplace_back("Vessel motion", motion_label(description->vessel));
   }
   entries.emplace_back("Seed", std::to_string(results.seed));
-  entries.emplace_back("Duration",
-                       duration_words(results.duration) + " after a build-up of " + duration_words(results.build_up));
+  entries.emplace_back(
+      "Duration", readable_duration(results.duration) + " after a build-up of " + readable_duration(results.build_up));
   entries.emplace_back("Integrator", results.run.integrator);
   if (statics.has_pipe()) entries.emplace_back("Tensioner", results.tensioner.mode);
-  entries.emplace_back("Status", status_words("completed", all_findings(statics, results).size()));
+  entries.emplace_back("Status", status_label("completed", all_findings(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written);
   return entries;
@@ -159,7 +160,8 @@ Blocks dynamic_key_results(const StaticResults& statics, const DynamicResults& r
                             results.overbend, *statics.overbend);
   }
   regions += region_table(
-      statics, statics.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
+      statics,
+      statics.overbend ? "Sagbend: from the inflection to touchdown" : "Suspended pipe: tensioner to touchdown",
       results.sagbend, statics.sagbend);
   return block::section(
       "results", "Key results",

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "report/dynamic/dynamic_sections.h"
-#include "report/page/key_spread.h"
+#include "report/page/key_statistics.h"
 #include "report/page/quantity.h"
 #include "report/page/static_value.h"
 
 namespace overbend {
 namespace {
 
-/// Forces, moments, stresses and strains grow by a factor; lengths and angles do not.
+/// A ratio is meaningful for forces, moments, stresses and strains; not for lengths and angles.
 bool has_ratio(const std::string& units) {
   return units == "N" || units == "N m" || units == "Pa" || units == "1";
 }
@@ -23,10 +23,11 @@ class Statistics {
     table_.column({"Max / static", "-", 2});
   }
 
-  void add(const std::string& name, const std::string& units, const Spread& spread, bool largest = false) {
+  void add(const std::string& name, const std::string& units, const SummaryStatistics& spread,
+           bool is_maximum = false) {
     const Quantity q = quantity(name, units);
     const std::optional<double> before = static_value(statics_, results_, name);
-    table_.row({largest ? q.name + ", maximum of the region" : q.name, q.unit, before ? q.text(*before) : "",
+    table_.row({is_maximum ? q.name + ", maximum of the region" : q.name, q.unit, before ? q.text(*before) : "",
                 q.text(spread.min), q.text(spread.mean), q.text(spread.max), q.text(spread.std),
                 before && *before > 0.0 && has_ratio(units) ? TableCell(spread.max / *before) : TableCell()});
   }
@@ -94,9 +95,9 @@ bool is_of_moorings(const ExtremeEstimate& extreme) {
 std::vector<TableCell> extreme_cells(const StaticResults& statics, const DynamicResults& r, const ExtremeEstimate& e) {
   const Quantity q = quantity(e.name, e.units);
   const std::optional<double> before = static_value(statics, r, e.name);
-  const std::optional<Spread> spread = key_spread(r, e.name);
-  const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
-  std::vector<TableCell> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
+  const std::optional<SummaryStatistics> spread = key_statistics(r, e.name);
+  const double observed = !spread ? e.observed : e.is_minimum ? spread->min : spread->max;
+  std::vector<TableCell> cells = {e.is_minimum ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
                                   q.text(observed), e.peaks};
   const auto put = [&](const std::optional<double>& value, const std::optional<double>& low,
                        const std::optional<double>& high) {
@@ -109,12 +110,12 @@ std::vector<TableCell> extreme_cells(const StaticResults& statics, const Dynamic
   return cells;
 }
 
-/// Why estimates are not good, each reason once with the quantities that have it.
+/// Reasons why estimates are uncertain, each once with its quantities.
 Blocks extreme_remarks(const DynamicResults& r, bool of_moorings) {
   std::vector<std::pair<std::string, std::string>> reasons;
   for (const ExtremeEstimate& e : r.extremes) {
     if (is_of_moorings(e) != of_moorings || e.remark.empty()) continue;
-    const std::string name = quantity(e.name, e.units).name + (e.smallest ? ", smallest" : "");
+    const std::string name = quantity(e.name, e.units).name + (e.is_minimum ? ", smallest" : "");
     const auto known = std::ranges::find(reasons, e.remark, &std::pair<std::string, std::string>::first);
     if (known == reasons.end()) {
       reasons.emplace_back(e.remark, name);
@@ -127,7 +128,7 @@ Blocks extreme_remarks(const DynamicResults& r, bool of_moorings) {
   return remarks;
 }
 
-/// Of the lay, or of the mooring lines, which are many with long names. Empty where there are none.
+/// Extremes of the lay, or of the mooring lines, which are numerous and have long names. Empty without any.
 Blocks extremes_table(const StaticResults& statics, const DynamicResults& r, bool of_moorings) {
   const TableColumn estimate = TableColumn::texts("estimate"), interval = TableColumn::texts("95 % interval");
   Table table{of_moorings ? "Most probable extremes of the mooring lines in three hours"
@@ -154,8 +155,8 @@ Blocks extremes(const StaticResults& statics, const DynamicResults& r) {
   if (r.extremes.empty()) return {};
   return extremes_table(statics, r, false) + extremes_table(statics, r, true) +
          block::remark(
-             "Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the build-up. Where too "
-             "few of them, or no distribution that describes the largest, only the observed value is given. Observed: "
+             "Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the build-up. If "
+             "there are too few, or no distribution fits the largest, only the observed value is given. Observed: "
              "maximum of this run, whose duration may differ from three hours.");
 }
 

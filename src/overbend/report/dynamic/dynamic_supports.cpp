@@ -19,12 +19,12 @@ std::string share(double part) {
   return fixed(std::min(std::max(100.0 * part, 0.1), 99.9), 1);
 }
 
-/// The boxes that the pipe left, in the order of time; empty where it stayed on all.
+/// The boxes that the pipe left, in the order of time; empty if there are none.
 Blocks left_boxes(const DynamicResults& results) {
   std::vector<std::pair<double, std::string>> left;
   for (const SupportDynamics& box : results.supports) {
-    if (box.left_to_port) left.emplace_back(*box.left_to_port, box.name + " to port");
-    if (box.left_to_starboard) left.emplace_back(*box.left_to_starboard, box.name + " to starboard");
+    if (box.left_to_port) left.emplace_back(*box.left_to_port, box.name + ", to port");
+    if (box.left_to_starboard) left.emplace_back(*box.left_to_starboard, box.name + ", to starboard");
   }
   if (left.empty()) return {};
   std::ranges::stable_sort(left, {}, &std::pair<double, std::string>::first);
@@ -32,7 +32,7 @@ Blocks left_boxes(const DynamicResults& results) {
   for (const auto& [time, side] : left) {
     text += (text.empty() ? "" : ", ") + fmt::format("{} at t = {:.1f} s", side, time);
   }
-  return block::paragraph("The pipe left over their sides: " + text + ".");
+  return block::paragraph("The pipe left these boxes: " + text + ".");
 }
 
 Blocks support_table(const DynamicResults& results) {
@@ -57,7 +57,7 @@ Blocks support_table(const DynamicResults& results) {
   table.groups({{"", 2}, {"Reaction on the pipe, resultant", 8}, {"Separation", 3}, {"", 1}, {"Impacts", 2}});
   for (const SupportDynamics& box : results.supports) {
     double impact = 0.0;
-    for (const RollerDynamics& r : box.rollers) impact = std::max(impact, r.largest_impact_force);
+    for (const RollerDynamics& r : box.rollers) impact = std::max(impact, r.max_impact_force);
     table.row({box.name, box.stinger ? "stinger" : "ramp", box.static_reaction, box.reaction.min, box.reaction.mean,
                box.reaction_over_time.p99, box.reaction.max, box.reaction.std, box.vertical.max,
                forces().text(box.lateral.min, 1) + " to " + forces().text(box.lateral.max, 1), box.static_separation,
@@ -67,9 +67,9 @@ Blocks support_table(const DynamicResults& results) {
   }
   return Blocks(table) +
          block::remark(
-             "99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance between pipe and "
-             "roller, the smallest of the box's bottom rollers; negative is penetration due to the contact stiffness. "
-             "Contact: any roller of the box carries.") +
+             "99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance between pipe "
+             "and roller, the smallest of the box's bottom rollers; negative is penetration due to the contact "
+             "stiffness. Contact: share of time with any roller of the box in contact.") +
          left_boxes(results);
 }
 
@@ -100,15 +100,15 @@ Blocks roller_table(const DynamicResults& results) {
       const auto of_touch = [&](double value) { return touched ? TableCell(value) : TableCell(); };
       table.row({box.name, r.row + 1, word(r.position), r.static_reaction, r.reaction.mean, r.reaction.max,
                  r.static_separation, r.separation.min, r.separation.max, share(r.contact_share), r.impact_count,
-                 of_impact(r.largest_approach_velocity), of_impact(r.largest_impact_force),
-                 of_impact(r.largest_impulse), of_touch(r.dent_depth), of_touch(r.line_load)},
+                 of_impact(r.max_approach_velocity), of_impact(r.max_impact_force), of_impact(r.max_impulse),
+                 of_touch(r.dent_depth), of_touch(r.line_load)},
                 touched ? RowMark::loaded : RowMark::none);
     }
   }
   return block::folded(fmt::format("All {} rollers", table.rows.size()), table);
 }
 
-/// The impacts from `first` to before `last`.
+/// The impacts from index `first` to `last`, exclusive.
 Table impact_table(const std::string& title, const DynamicResults& results, std::size_t first, std::size_t last) {
   Table table{title,
               {{"No.", "", 0},

@@ -1,4 +1,4 @@
-/// Fatigue of welds while the pipe is laid: a table of the spots, and what the figure draws.
+/// Fatigue of welds during laying: a table of the spots, and the data of the figure.
 #pragma once
 
 #include "base/json.h"
@@ -7,10 +7,10 @@
 
 namespace overbend {
 
-/// Nothing without fatigue.
+/// Returns the section; empty without fatigue.
 Blocks fatigue_section(const StaticResults& statics, const DynamicResults& results);
 
-/// Damage per hour along the line from the tensioner on, by spot; null without fatigue.
+/// Returns the damage per hour along the line from the tensioner on, by spot; null without fatigue.
 Json fatigue_figure_data(const StaticResults& statics, const DynamicResults& results);
 
 }  // namespace overbend

@@ -8,32 +8,32 @@
 
 #include "report/dynamic/mooring_histories.h"
 #include "report/page/json_number.h"
-#include "report/page/key_spread.h"
+#include "report/page/key_statistics.h"
 #include "report/page/quantity.h"
 #include "report/page/static_value.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostStretches = 1000;  ///< About the width of a figure in points.
-constexpr std::size_t kMostSupports = 4;
+constexpr std::size_t kMaxIntervals = 1000;  ///< about the width of a figure in points
+constexpr std::size_t kMaxSupports = 4;
 constexpr double kLevels = 4095.0;
 
 const HistorySummary* find(const DynamicResults& results, const std::string& name) {
-  const auto at = std::find_if(results.histories.begin(), results.histories.end(),
-                               [&](const HistorySummary& h) { return h.name == name; });
-  return at == results.histories.end() ? nullptr : &*at;
+  const auto found = std::find_if(results.histories.begin(), results.histories.end(),
+                                  [&](const HistorySummary& h) { return h.name == name; });
+  return found == results.histories.end() ? nullptr : &*found;
 }
 
-/// Neighbouring stretches joined until few enough are left; what is not a number is absent.
-std::vector<double> joined(const std::vector<double>& values, bool greatest) {
-  const std::size_t each = (values.size() + kMostStretches - 1) / kMostStretches;
+/// Merges neighbouring intervals until at most the given number remain; NaN is a missing value.
+std::vector<double> merge_intervals(const std::vector<double>& values, bool maxima) {
+  const std::size_t each = (values.size() + kMaxIntervals - 1) / kMaxIntervals;
   std::vector<double> out;
   for (std::size_t i = 0; i < values.size(); i += each) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
     const auto last = values.begin() + static_cast<std::ptrdiff_t>(std::min(i + each, values.size()));
     out.push_back(std::accumulate(first, last, std::numeric_limits<double>::quiet_NaN(),
-                                  [&](double a, double b) { return greatest ? std::fmax(a, b) : std::fmin(a, b); }));
+                                  [&](double a, double b) { return maxima ? std::fmax(a, b) : std::fmin(a, b); }));
   }
   return out;
 }
@@ -64,27 +64,27 @@ Json levels(const std::vector<double>& values, const Range& range) {
   return out;
 }
 
-Json spread_data(const Spread& spread, const Quantity& q) {
+Json spread_data(const SummaryStatistics& spread, const Quantity& q) {
   return {{"min", json_number(q.shown(spread.min))},
           {"max", json_number(q.shown(spread.max))},
           {"mean", json_number(q.shown(spread.mean))},
           {"std", json_number(q.shown(spread.std))}};
 }
 
-/// Whether it varies by more than the last digit shown.
-bool moves(const Spectrum& spectrum, double total, const Quantity& q) {
+/// True if it varies by more than the last digit shown.
+bool varies_visibly(const Spectrum& spectrum, double total, const Quantity& q) {
   const double step = spectrum.frequency.back() / static_cast<double>(spectrum.frequency.size());
   return q.shown(std::sqrt(total * step)) > 0.5 * std::pow(10.0, -q.digits);
 }
 
-/// Of a mooring line its name, which is long, and which its tension's unit makes clear.
+/// Title of a spectrum; for a mooring line only its name, which is long: the unit shows that it is a tension.
 std::string spectrum_title(const std::string& history, const Quantity& q) {
   const std::string mooring = "mooring/", tension = "/fairlead_tension";
   if (!history.starts_with(mooring) || !history.ends_with(tension)) return q.name;
   return history.substr(mooring.size(), history.size() - mooring.size() - tension.size());
 }
 
-/// The picker of histories: each once, only those with values.
+/// Selection of histories: each once, only those with values.
 class Histories {
  public:
   Histories(const StaticResults& statics, const DynamicResults& results) : statics_(statics), results_(results) {}
@@ -104,7 +104,7 @@ class Histories {
                   {"unit", q.unit},
                   {"digits", q.digits},
                   {"description", history->description},
-                  {"over_time", spread_data(key_spread(results_, history->name).value_or(history->over_time), q)},
+                  {"over_time", spread_data(key_statistics(results_, history->name).value_or(history->over_time), q)},
                   {"static", before ? json_number(q.shown(*before)) : Json(nullptr)}});
     out_.push_back(std::move(trace));
     return true;
@@ -112,20 +112,20 @@ class Histories {
 
   bool add(const std::string& group, const std::string& name) { return add(group, find(results_, name)); }
 
-  /// Of calm water, or a vessel that is held, there is nothing to draw.
+  /// Adds a history that varies: calm water or a fixed vessel has nothing to show.
   void add_moving(const std::string& group, const std::string& name) {
     const HistorySummary* history = find(results_, name);
     if (history != nullptr && history->over_time.min < history->over_time.max) add(group, history);
   }
 
-  /// The peak between rows is more informative than the value at the row.
+  /// Adds the peaks between rows, which are more informative than the values at the rows.
   void add_peak(const std::string& group, const std::string& name) {
     if (!add(group, name + "_peak")) {
       add(group, name);
     }
   }
 
-  /// Down to the rows, up to the peaks between them: tension that falls off counts as much as its peaks.
+  /// Adds minima at the rows and maxima between them: loss of tension is as important as its peaks.
   bool add_between(const std::string& group, const std::string& name) {
     const HistorySummary* rows = find(results_, name);
     const HistorySummary* peaks = find(results_, name + "_peak");
@@ -161,15 +161,15 @@ std::vector<const HistorySummary*> hardest_supports(const DynamicResults& result
   std::stable_sort(all.begin(), all.end(), [](const HistorySummary* a, const HistorySummary* b) {
     return a->over_time.max > b->over_time.max;
   });
-  all.resize(std::min(all.size(), kMostSupports));
+  all.resize(std::min(all.size(), kMaxSupports));
   return all;
 }
 
 }  // namespace
 
 Json history_trace(const HistorySummary& history, const Quantity& q) {
-  const std::vector<double> low = joined(history.low, false);
-  const std::vector<double> high = joined(history.high, true);
+  const std::vector<double> low = merge_intervals(history.low, false);
+  const std::vector<double> high = merge_intervals(history.high, true);
   Range range;
   range.widen(low);
   range.widen(high);
@@ -190,7 +190,8 @@ Json history_data(const StaticResults& statics, const DynamicResults& results) {
   }
   histories.add_between("tension", "top_tension");
   histories.add("tension", "bottom_tension");
-  if (results.tensioner.mode != "locked") {  // a locked one does not move, and its tension is that of the pipe's top
+  if (results.tensioner.mode != "locked") {  // a locked tensioner has no motion, and its tension is the pipe's top
+                                             // tension
     histories.add("tensioner", "tensioner/tension");
     histories.shade(results.tensioner.range_low, results.tensioner.range_high);
     histories.add("tensioner", "tensioner/travel");
@@ -227,7 +228,7 @@ Json history_data(const StaticResults& statics, const DynamicResults& results) {
 
 Json spectrum_data(const DynamicResults& results) {
   constexpr double kShare = 0.995;
-  constexpr std::size_t kMostPoints = 400;
+  constexpr std::size_t kMaxSpectrumPoints = 400;
   Json all = Json::array();
   for (const Spectrum& spectrum : results.spectra) {
     const std::size_t count = std::min(spectrum.frequency.size(), spectrum.density.size());
@@ -236,7 +237,7 @@ Json spectrum_data(const DynamicResults& results) {
       total += spectrum.density[i];
     }
     const Quantity q = quantity(spectrum.name, spectrum.units);
-    if (!(total > 0.0) || !std::isfinite(total) || !moves(spectrum, total, q)) {
+    if (!(total > 0.0) || !std::isfinite(total) || !varies_visibly(spectrum, total, q)) {
       continue;
     }
     Json frequency = Json::array(), density = Json::array();
@@ -245,7 +246,7 @@ Json spectrum_data(const DynamicResults& results) {
     while (last < count && part < kShare * total) {
       part += spectrum.density[last++];
     }
-    const std::size_t stride = (last + kMostPoints - 1) / kMostPoints;
+    const std::size_t stride = (last + kMaxSpectrumPoints - 1) / kMaxSpectrumPoints;
     for (std::size_t i = 0; i < last; i += stride) {
       const auto first = spectrum.density.begin() + static_cast<std::ptrdiff_t>(i);
       const auto peak = std::max_element(first, first + static_cast<std::ptrdiff_t>(std::min(stride, last - i)));

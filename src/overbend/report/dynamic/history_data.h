@@ -7,16 +7,17 @@
 
 namespace overbend {
 
-/// Low and high of each stretch as whole numbers between 0 and 4095, to be scaled by `quantum` and shifted by `lowest`;
-/// null where they are not finite. Null where none is.
+/// Returns minimum and maximum of each interval as integers from 0 to 4095, to be multiplied by `quantum` and added to
+/// `lowest`; null for values that are not finite. Null if there are none.
 Json history_trace(const HistorySummary& history, const Quantity& q);
 
-/// The histories that the report shows, each with the group it is drawn in: "wave", "motions", "tension", "stress",
-/// "reactions" (of the supports pressed hardest), "separation", "offset", "moorings" or, in a pull-ahead, "operation".
+/// Returns the histories of the report, each with its figure group: "wave", "motions", "tension", "stress", "reactions"
+/// (of the supports with the largest reactions), "separation", "offset", "moorings" or, in a pull-ahead, "operation".
 /// Values as in history_trace().
 Json history_data(const StaticResults& statics, const DynamicResults& results);
 
-/// Spectra up to the frequency below which nearly all variance lies; none of what moves less than can be read.
+/// Returns spectra up to the frequency that contains nearly all variance; none for quantities with negligible
+/// variation.
 Json spectrum_data(const DynamicResults& results);
 
 }  // namespace overbend

@@ -11,28 +11,29 @@ namespace {
 
 struct Moving {
   const char* freedom;
-  MotionSpread VesselDynamics::*motion;
+  MotionStatistics VesselDynamics::*motion;
   const char* title;
 };
-constexpr std::array<Moving, 3> kMoving = {{{"surge", &VesselDynamics::surge, "Surge from as drawn"},
-                                            {"sway", &VesselDynamics::sway, "Sway from as drawn"},
-                                            {"yaw", &VesselDynamics::yaw, "Yaw from as drawn"}}};
+constexpr std::array<Moving, 3> kMoving = {{{"surge", &VesselDynamics::surge, "Surge from the nominal pose"},
+                                            {"sway", &VesselDynamics::sway, "Sway from the nominal pose"},
+                                            {"yaw", &VesselDynamics::yaw, "Yaw from the nominal pose"}}};
 
 const HistorySummary* find(const DynamicResults& results, const std::string& name) {
-  const auto at = std::find_if(results.histories.begin(), results.histories.end(),
-                               [&](const HistorySummary& h) { return h.name == name; });
-  return at == results.histories.end() || at->low.empty() || at->low.size() != at->high.size() ? nullptr : &*at;
+  const auto found = std::find_if(results.histories.begin(), results.histories.end(),
+                                  [&](const HistorySummary& h) { return h.name == name; });
+  return found == results.histories.end() || found->low.empty() || found->low.size() != found->high.size() ? nullptr
+                                                                                                           : &*found;
 }
 
-Json spread_data(const Spread& spread, const Quantity& q) {
+Json spread_data(const SummaryStatistics& spread, const Quantity& q) {
   return {{"min", json_number(q.shown(spread.min))},
           {"max", json_number(q.shown(spread.max))},
           {"mean", json_number(q.shown(spread.mean))},
           {"std", json_number(q.shown(spread.std))}};
 }
 
-Json entry(const HistorySummary& history, const std::string& group, const std::string& title, const Spread& over_time,
-           double before) {
+Json entry(const HistorySummary& history, const std::string& group, const std::string& title,
+           const SummaryStatistics& over_time, double before) {
   const Quantity q = quantity(history.name, history.units);
   Json trace = history_trace(history, q);
   if (trace.is_null()) return trace;
@@ -46,17 +47,17 @@ Json entry(const HistorySummary& history, const std::string& group, const std::s
   return trace;
 }
 
-double start_of(const VesselDynamics& vessel, const std::string& freedom) {
+double start_offset(const VesselDynamics& vessel, const std::string& freedom) {
   return freedom == "surge" ? vessel.start_surge : freedom == "sway" ? vessel.start_sway : vessel.start_yaw;
 }
 
 void add_offsets(const DynamicResults& results, Json& out) {
   for (const Moving& moving : kMoving) {
     const std::string freedom = moving.freedom;
-    const HistorySummary* whole = find(results, "vessel/" + freedom);
-    if (whole == nullptr) continue;
-    Json trace = entry(*whole, "offset", moving.title, (*results.vessel.*moving.motion).whole,
-                       start_of(*results.vessel, freedom));
+    const HistorySummary* total = find(results, "vessel/" + freedom);
+    if (total == nullptr) continue;
+    Json trace = entry(*total, "offset", moving.title, (*results.vessel.*moving.motion).whole,
+                       start_offset(*results.vessel, freedom));
     if (trace.is_null()) continue;
     if (const HistorySummary* slow = find(results, "vessel/slow_" + freedom)) {
       trace["slow"] = history_trace(*slow, quantity(slow->name, slow->units));
@@ -76,7 +77,7 @@ Json operation_history_data(const DynamicResults& results) {
     if (history == nullptr) continue;
     Json trace = entry(*history, "operation", quantity(name, history->units).name, history->over_time, 0.0);
     if (trace.is_null()) continue;
-    trace["static"] = nullptr;  // the vessel goes on from there
+    trace["static"] = nullptr;  // the vessel moves on from there
     out.push_back(std::move(trace));
   }
   return out;

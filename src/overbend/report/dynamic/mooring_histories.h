@@ -1,4 +1,4 @@
-/// Histories of a floating hull and its mooring lines, as report/dynamic/history_data.h has those of the lay.
+/// Histories of a floating hull and its mooring lines, in the form of report/dynamic/history_data.h.
 #pragma once
 
 #include "base/json.h"
@@ -6,10 +6,11 @@
 
 namespace overbend {
 
-/// Group "operation": what pipe and vessel have while the vessel is pulled ahead, below each other.
+/// Returns the group "operation": histories of pipe and vessel during a pull-ahead.
 Json operation_history_data(const DynamicResults& results);
 
-/// Groups "offset" (of the vessel, each with its slow part under "slow") and "moorings" (tension at every fairlead).
+/// Returns the groups "offset" (of the vessel, each with its low-frequency part under "slow") and "moorings" (tension
+/// at every fairlead).
 Json mooring_history_data(const DynamicResults& results);
 
 }  // namespace overbend

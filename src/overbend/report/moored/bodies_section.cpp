@@ -19,7 +19,8 @@ Table rest_table(const std::vector<BodyResult>& bodies) {
                {"north", "N", 2},
                {"up", "N", 2}},
               "dense summary"};
-  table.groups({{"", 1}, {"Place", 2}, {"", 1}, {"From as drawn", 6}, {"Force of all lines on it", 3}});
+  table.groups(
+      {{"", 1}, {"Place", 2}, {"", 1}, {"Offset from the nominal pose", 6}, {"Resultant force of all lines", 3}});
   for (const BodyResult& b : bodies) {
     table.row({b.name, b.place.x(), b.place.y(), b.heading, b.surge, b.sway, b.heave, b.roll, b.pitch, b.yaw,
                b.force.x(), b.force.y(), b.force.z()});
@@ -31,7 +32,7 @@ Table time_table(const std::vector<BodyDynamics>& bodies) {
   Table table{"Bodies over time", {TableColumn("Body"), TableColumn("Quantity"), TableColumn("Unit")}, "dense summary"};
   for (const char* statistic : {"min", "max", "mean", "std"}) table.column(TableColumn::texts(statistic));
   for (const BodyDynamics& body : bodies) {
-    const auto add = [&](const char* name, const Spread& spread, const char* unit) {
+    const auto add = [&](const char* name, const SummaryStatistics& spread, const char* unit) {
       std::vector<TableCell> cells = {body.name, name, shown_name(unit)};
       for (const double value : {spread.min, spread.max, spread.mean, spread.std}) {
         cells.push_back(shown_number(value, unit, 3));

@@ -1,4 +1,4 @@
-/// Bodies that lines are on: where they lie, how they move, what lines do to them.
+/// Bodies connected to lines: poses, motions and loads of the lines.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Empty without bodies. `dynamics`: of a run, or null.
+/// Returns the section; empty without bodies. `dynamics`: results of a run, or null.
 Blocks bodies_section(const StaticResults& statics, const DynamicResults* dynamics);
 
 }  // namespace overbend

@@ -28,12 +28,12 @@ std::string added_mass_units() {
   return fmt::format("{0}, {0} {1}, {0} {1}2", shown_name("kg"), shown_name("m"));
 }
 
-/// The part of dynamic positioning has a column only where there is one.
+/// The share of dynamic positioning has a column only if there is any.
 Blocks damping_table(const std::vector<ModeDampingResult>& modes) {
   if (modes.empty()) return {};
   const bool positioned = std::any_of(modes.begin(), modes.end(),
                                       [](const ModeDampingResult& mode) { return mode.station_keeping != 0.0; });
-  Table table{"Damping of the slow motions, shares of critical damping",
+  Table table{"Damping of the low-frequency motions, shares of critical damping",
               {TableColumn("Mode"),
                {"Natural period", "s", 2},
                TableColumn::texts("Critical", critical_units()),
@@ -53,10 +53,9 @@ Blocks damping_table(const std::vector<ModeDampingResult>& modes) {
   }
   return Blocks(table.drop_empty_columns()) +
          block::remark(
-             "Each mode alone on the stiffness of the moorings. Radiation: of the fitted memory, next to it that of "
-             "the "
-             "hydrodynamic file at the same period. The drag of the mooring lines and the friction of the seabed damp "
-             "besides and are not included.");
+             "Each mode alone on the stiffness of the moorings. Radiation: from the fitted radiation memory, "
+             "followed by that of the hydrodynamic file at the same period. The additional damping by drag of the "
+             "mooring lines and seabed friction is not included.");
 }
 
 Table load_table(const HullResults& hull) {
@@ -65,39 +64,39 @@ Table load_table(const HullResults& hull) {
   const auto add = [&](const char* name, const SteadyLoad& load) {
     if (load.surge != 0.0 || load.sway != 0.0 || load.yaw != 0.0) table.row({name, load.surge, load.sway, load.yaw});
   };
-  add("Mean drift of the waves", hull.drift);
+  add("Mean wave drift", hull.drift);
   add("Current", hull.current);
   add("Wind", hull.wind);
   return table;
 }
 
 Blocks sensitivity_table(const HullResults& hull) {
-  if (hull.current_least == 0.0 && hull.current_most == 0.0) return {};
-  Table table{"Current across the hull: what its drag coefficient decides",
+  if (hull.min_current_force == 0.0 && hull.max_current_force == 0.0) return {};
+  Table table{"Transverse current on the hull: effect of the drag coefficient",
               {TableColumn("Transverse drag coefficient"), {"Force to port", "N", 1}}};
-  return table.row({"0.44, a barge in deep water by UFC 4-159-03", hull.current_least})
+  return table.row({"0.44, a barge in deep water by UFC 4-159-03", hull.min_current_force})
       .row({"as in the model", hull.current.sway}, RowMark::total)
-      .row({"1.2, sharp edges in two dimensions", hull.current_most});
+      .row({"1.2, sharp edges in two dimensions", hull.max_current_force});
 }
 
 Table group_table(const HullResults& hull) {
-  Table table{"Memory of radiated waves, group by group",
+  Table table{"Radiation memory, by group of modes",
               {TableColumn("Modes"),
                TableColumn("Method"),
                {"Order", "", 0},
-               TableColumn::texts("Least eigenvalue of B"),
+               TableColumn::texts("Min. eigenvalue of B"),
                {"at", ShownUnit{"rad/s", "rad/s"}, 3},
                TableColumn::texts("Damping added", "of largest B")}};
   for (const RadiationGroupResult& group : hull.groups) {
     table.row({group.modes, group.method, group.order > 0 ? TableCell(group.order) : "-",
-               fmt::format("{:.1e}", group.least_damping), group.least_damping_omega,
+               fmt::format("{:.1e}", group.min_fitted_damping), group.min_fitted_damping_omega,
                group.added_damping > 0.0 ? fmt::format("{:.1e}", group.added_damping) : "none"});
   }
   return table;
 }
 
 Table entry_table(const HullResults& hull) {
-  Table table{"Fit to the hydrodynamic file, entry by entry",
+  Table table{"Fit to the hydrodynamic file, by pair of modes",
               {TableColumn("Modes"),
                {"Error of B", "%", 2},
                {"Error of A", "%", 2},
@@ -122,9 +121,9 @@ Blocks fit_part(const HullResults& hull) {
   if (hull.entries.empty()) return {};
   Blocks part = block::subheading("Radiation") + group_table(hull) + entry_table(hull);
   part += block::remark(fmt::format(
-      "Errors: the largest over the frequencies of the file, as shares of the largest value. The memory has {} numbers "
-      "of state. A negative eigenvalue of the fitted damping would feed energy into the hull; what remains of it is "
-      "lifted by the damping added. A\u221e in use is the one that belongs to the retardation functions.",
+      "Errors: maxima over the frequencies of the file, relative to the maximum value. The radiation memory has {} "
+      "states. A negative eigenvalue of the fitted damping would feed energy into the hull; it is compensated by "
+      "the added damping. A\u221e in use is consistent with the retardation functions.",
       hull.states));
   if (hull.below_table > 0.0 || hull.above_table > 0.0) {
     part += block::remark(

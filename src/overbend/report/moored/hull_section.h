@@ -1,5 +1,5 @@
-/// The section on a floating hull: damping of its slow motions, steady loads, and how well its memory of radiated waves
-/// represents the hydrodynamic file.
+/// Section on a floating hull: damping of its low-frequency motions, steady loads, and the accuracy of its radiation
+/// memory compared with the hydrodynamic file.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -7,6 +7,7 @@
 
 namespace overbend {
 
+/// Returns the section.
 Blocks hull_section(const HullResults& hull);
 
 }  // namespace overbend

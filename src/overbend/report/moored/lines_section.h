@@ -1,4 +1,4 @@
-/// The section on lines that stand by themselves.
+/// The section on stand-alone lines.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Tiles, figures and tables; empty without lines. `dynamics`: of a run, or null.
+/// Returns tiles, figures and tables; empty without lines. `dynamics`: results of a run, or null.
 Blocks lines_section(const StaticResults& statics, const DynamicResults* dynamics);
 
 }  // namespace overbend

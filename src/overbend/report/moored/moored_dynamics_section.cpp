@@ -15,8 +15,9 @@ namespace {
 Blocks vessel_table(const VesselDynamics& v, const std::string& along) {
   return Blocks(vessel_motions(v, along)) +
          block::remark(fmt::format(
-             "Surge to yaw from the hull as drawn; along, across and offset from where midship lay at the start of the "
-             "run. Slow: periods above {} s. Most probable: slow and wave part combined.{}{}",
+             "Surge to yaw: from the nominal pose; along, across and offset: from the position of midship at the "
+             "start of the run. Low-frequency: periods above {} s. Most probable: low-frequency and wave-frequency "
+             "parts combined.{}{}",
              fixed(v.cut_off, 1), v.confidence.empty() ? "" : " ", v.confidence));
 }
 
@@ -24,8 +25,8 @@ Blocks thrust_table(const DynamicResults& results) {
   if (results.thrust.empty()) return {};
   return Blocks(thrust_over_time(results.thrust)) +
          block::remark(
-             "Of the slow motion, along its heading. Most asked for: magnitude of what spring and damper would give "
-             "without a limit.");
+             "For the low-frequency motion, along its heading. Max. demand: magnitude of the force of spring and "
+             "damper without the limit.");
 }
 
 Blocks event_table(const std::vector<MooringLineDynamics>& lines) {
@@ -34,10 +35,10 @@ Blocks event_table(const std::vector<MooringLineDynamics>& lines) {
   return block::folded(fmt::format("{} events of the mooring lines", table.rows.size()), table);
 }
 
-Tile shift_tile(const std::string& name, const MotionSpread& motion) {
+Tile shift_tile(const std::string& name, const MotionStatistics& motion) {
   return {name, shown_number(motion.whole.min, "m", 2) + " to " + shown_number(motion.whole.max, "m", 2),
           shown_name("m"),
-          fmt::format("std slow {}, waves {}", shown_number(motion.slow.std, "m", 2),
+          fmt::format("LF std {}, WF std {}", shown_number(motion.slow.std, "m", 2),
                       shown_number(motion.wave.std, "m", 2))};
 }
 
@@ -65,10 +66,12 @@ Blocks tiles(const DynamicResults& results) {
 
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> kFigures = {
-      {"mooring_offsets", "Where midship was during the run, north up", {"dynamic"}},
-      {"history", "Offset of the vessel in time: whole motion and its slow part; the build-up is shaded", {"offset"}},
+      {"mooring_offsets", "Position of midship during the run, north up", {"dynamic"}},
       {"history",
-       "Tension at the fairleads in time; dashed: at the start of the run; the build-up is shaded",
+       "Time history of the vessel offset: total and low-frequency part; the build-up is shaded",
+       {"offset"}},
+      {"history",
+       "Time history of the tension at the fairleads; dashed: at the start of the run; the build-up is shaded",
        {"moorings"},
        true},
   };
@@ -81,10 +84,10 @@ Blocks moored_dynamics_section(const DynamicResults& results) {
   if (!results.vessel && results.moorings.empty()) return {};
   std::set<std::string> groups;
   for (const Json& history : mooring_history_data(results)) groups.insert(history["group"]);
-  const auto makes_sense = [&](const Figure& figure, const std::string& part) {
+  const auto is_applicable = [&](const Figure& figure, const std::string& part) {
     return figure.id == "mooring_offsets" ? results.vessel.has_value() : groups.contains(part);
   };
-  Blocks body = tiles(results) + figure_list(all_figures(), makes_sense);
+  Blocks body = tiles(results) + figure_list(all_figures(), is_applicable);
   if (results.vessel) body += vessel_table(*results.vessel, course(results));
   body += thrust_table(results) + fairlead_tensions(results.moorings) + moorings_over_time(results.moorings) +
           event_table(results.moorings);

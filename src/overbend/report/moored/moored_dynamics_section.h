@@ -1,4 +1,4 @@
-/// Vessel and mooring lines over time: tables of slow and wave parts.
+/// Vessel and mooring lines over time: tables of low-frequency and wave-frequency parts.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Nothing where the hull is not free and no line was followed.
+/// Returns the section; empty for a fixed hull without lines in the dynamic model.
 Blocks moored_dynamics_section(const DynamicResults& results);
 
 }  // namespace overbend

@@ -12,7 +12,7 @@
 namespace overbend {
 namespace {
 
-/// Of a tension and the share of a capacity that it takes.
+/// A tension and its utilisation of a capacity.
 Tile tension_tile(const std::string& name, double tension, const std::string& line, const std::optional<double>& use,
                   const char* capacity) {
   return {name, shown_number(tension, "N", 1), shown_name("N"),
@@ -29,26 +29,27 @@ Blocks tiles(const MooredState& state) {
   if (!lines.empty()) {
     const MooringLineResult& hardest = **std::ranges::max_element(lines, {}, &MooringLineResult::fairlead_tension);
     const MooringLineResult& anchor = **std::ranges::max_element(lines, {}, &MooringLineResult::anchor_tension);
-    const MooringLineResult& shortest = **std::ranges::min_element(lines, {}, &MooringLineResult::on_bed);
+    const MooringLineResult& min_on_bed = **std::ranges::min_element(lines, {}, &MooringLineResult::on_bed);
     all = {tension_tile("Largest line tension", hardest.fairlead_tension, hardest.name, hardest.utilisation,
                         "breaking load"),
            tension_tile("Largest anchor load", anchor.anchor_tension, anchor.name, anchor.anchor_utilisation,
                         "holding power"),
-           {"Least length on the bed", shown_number(shortest.on_bed, "m", 1), shown_name("m"), shortest.name,
-            shortest.on_bed <= 0.0}};
+           {"Minimum length on the seabed", shown_number(min_on_bed.on_bed, "m", 1), shown_name("m"), min_on_bed.name,
+            min_on_bed.on_bed <= 0.0}};
   }
   const VesselResult& vessel = state.vessel;
   all.push_back({"Offset of midship", shown_number(std::hypot(vessel.surge, vessel.sway), "m", 3), shown_name("m"),
-                 fmt::format("yaw {} deg, from the hull as drawn", shown_number(vessel.yaw, "rad", 3))});
+                 fmt::format("yaw {} deg, from the nominal pose", shown_number(vessel.yaw, "rad", 3))});
   return block::tiles(all);
 }
 
 Blocks line_table(const std::vector<MooringLineResult>& lines) {
   return Blocks(moorings_at_rest(lines)) +
          block::remark(
-             "Azimuth: of the anchor from the fairlead, clockwise from north. Tension, horizontal part and declination "
-             "at the fairlead; uplift angle over horizontal at the anchor. Lengths are unstressed. Utilisations are "
-             "shares of the breaking load and of the anchor's holding power, without safety factors.");
+             "Azimuth: of the anchor from the fairlead, clockwise from north. Tension, its horizontal component "
+             "and declination at the fairlead; uplift angle above horizontal at the anchor. Lengths are "
+             "unstressed. Utilisations are shares of the breaking load and of the anchor's holding power, without "
+             "safety factors.");
 }
 
 Table value_table(const std::string& title) {
@@ -60,7 +61,7 @@ void add_value(Table& table, const char* name, double value, std::string_view si
 }
 
 Table offset_table(const VesselResult& v) {
-  Table table = value_table("Vessel at rest, from as drawn");
+  Table table = value_table("Static offset from nominal position");
   add_value(table, "Surge, forward", v.surge, "m", 3);
   add_value(table, "Sway, to port", v.sway, "m", 3);
   add_value(table, "Heave, up", v.heave, "m", 4);
@@ -71,7 +72,7 @@ Table offset_table(const VesselResult& v) {
 }
 
 Table thrust_table(const std::vector<double>& thrust) {
-  Table table = value_table("Dynamic positioning at rest");
+  Table table = value_table("Static thrust of dynamic positioning");
   if (thrust.size() != 3) return table;
   add_value(table, "Thrust ahead", thrust[0], "N", 1);
   add_value(table, "Thrust to port", thrust[1], "N", 1);
@@ -80,22 +81,22 @@ Table thrust_table(const std::vector<double>& thrust) {
 }
 
 Table period_table(const VesselResult& v) {
-  Table table{"Natural periods at rest, undamped", {TableColumn("Mode"), {"Period", "s", 2}}};
+  Table table{"Natural periods, undamped", {TableColumn("Mode"), {"Period", "s", 2}}};
   for (const PeriodResult& mode : v.natural_periods) table.row({mode.mode, mode.period});
   return table;
 }
 
-/// Of a force or a moment (rows) by a shift or a turn (columns).
+/// Display factor of a force or a moment (rows) by a shift or a rotation (columns).
 double stiffness_factor(std::size_t row, std::size_t column) {
   return shown_unit("N").factor * std::pow(shown_unit("m").factor, (row < 3 ? 0 : 1) - (column < 3 ? 1 : 0));
 }
 
-/// Rotations in radians. Sizes differ by ten thousand.
+/// Rotations in radians. Magnitudes differ by a factor of ten thousand.
 Blocks stiffness_table(const std::vector<double>& stiffness) {
   if (stiffness.size() != 36) return {};
   constexpr std::array<const char*, 6> kFreedoms = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
-  const double largest = std::abs(*std::max_element(stiffness.begin(), stiffness.end(),
-                                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double max_stiffness = std::abs(*std::max_element(
+      stiffness.begin(), stiffness.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
   Table table{fmt::format("Stiffness of lines, thrusters and water about midship [{0}/{1}, {0}, {0} {1}]",
                           shown_name("N"), shown_name("m")),
               {TableColumn("")}};
@@ -104,7 +105,8 @@ Blocks stiffness_table(const std::vector<double>& stiffness) {
     std::vector<TableCell> cells = {kFreedoms[i]};
     for (std::size_t k = 0; k < 6; ++k) {
       const double value = stiffness[6 * i + k];
-      cells.push_back(std::abs(value) < 1e-9 * largest ? "0" : fmt::format("{:.5g}", value * stiffness_factor(i, k)));
+      cells.push_back(std::abs(value) < 1e-9 * max_stiffness ? "0"
+                                                             : fmt::format("{:.5g}", value * stiffness_factor(i, k)));
     }
     table.row(cells);
   }
@@ -121,7 +123,7 @@ Blocks vessel_tables(const MooredState& state) {
 const std::vector<Figure>& rest_figures() {
   static const std::vector<Figure> kFigures = {
       {"mooring_plan",
-       "Plan of the moorings, north up. Full: hanging part of a line; pale: on the bed; tension at the fairlead",
+       "Plan of the moorings, north up. Solid: suspended part of a line; pale: on the seabed; tension at the fairlead",
        {"field"}},
       {"mooring_profile", "Mooring lines in profile, each in its own vertical plane; heights enlarged", {"rest"}},
   };

@@ -1,4 +1,4 @@
-/// The sections on mooring lines at rest: words and tables. Each is empty where there is nothing to say.
+/// Sections on the static results of mooring lines: texts and tables. Each is empty without content.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// Tiles, plan, table of lines, profiles and where the hull lies.
+/// Returns tiles, plan, table of lines, profiles and the equilibrium of the hull.
 Blocks moorings_section(const MooringResults& results);
 
-/// The stages of the operation; what winches do and the pipe has in a pull-ahead; where anchors go
+/// Returns the stages of the operation; winch operations and pipe results of a pull-ahead; anchor moves
 /// (operation_section.cpp).
 Blocks operation_section(const MooringResults& results);
 

@@ -59,7 +59,7 @@ Blocks winch_table(const MooringResults& results) {
     table.row({move.name, signed_text(move.after - move.before, "m", 3), move.before, move.after, move.tension_before,
                move.tension_after, signed_text(move.tension_after - move.tension_before, "N", 1)});
   }
-  return Blocks(table) + block::remark("Paid out: negative where the winch hauls in. The pull-ahead is " +
+  return Blocks(table) + block::remark("Paid out: negative if the winch hauls in. The pull-ahead is " +
                                        shown(results.distance, "m", 2) + "; lengths are unstressed.");
 }
 
@@ -71,7 +71,7 @@ bool has_pipe(const MooringResults& results) {
 Blocks pipe_table(const MooringResults& results) {
   if (!has_pipe(results)) return {};
   const TableColumn stress("stress", "Pa", 1), strain("strain", shown_unit("strain", "1"), 4);
-  Table table{"The pipe at the places of the pull-ahead",
+  Table table{"The pipe at the positions of the pull-ahead",
               {{"Advance", "m", 2},
                {"top", "N", 1},
                {"bottom", "N", 1},
@@ -88,13 +88,13 @@ Blocks pipe_table(const MooringResults& results) {
   for (const MoveStep& step : results.steps) {
     const PipeAtStep& pipe = *step.pipe;
     table.row({step.advance, pipe.top_tension, pipe.bottom_tension, pipe.overbend_bending_stress, pipe.overbend_strain,
-               pipe.sagbend_bending_stress, pipe.sagbend_strain, pipe.largest_reaction, pipe.largest_reaction_support,
+               pipe.sagbend_bending_stress, pipe.sagbend_strain, pipe.max_reaction, pipe.max_reaction_support,
                pipe.lay_back, or_dash(pipe.stinger_tip_clearance)});
   }
   return table;
 }
 
-/// Long, and of interest to whoever sets the winches.
+/// Long tables for the setting of the winches.
 Blocks step_tables(const MooringResults& results) {
   if (results.steps.empty() || !has_lines(results)) return {};
   Table lengths{"Unstressed length of the first segments",
@@ -111,11 +111,11 @@ Blocks step_tables(const MooringResults& results) {
     lengths.row(length);
     tensions.row(tension);
   }
-  return block::folded(fmt::format("Lengths and tensions at {} places", results.steps.size()), lengths + tensions);
+  return block::folded(fmt::format("Lengths and tensions at {} positions", results.steps.size()), lengths + tensions);
 }
 
 Table anchor_table(const std::vector<AnchorDue>& anchors) {
-  Table table{"Anchors that are due on the route",
+  Table table{"Anchor moves due on the route",
               {{"Before joint", "", 0},
                TableColumn("Line"),
                TableColumn("Reason"),
@@ -134,7 +134,7 @@ Table anchor_table(const std::vector<AnchorDue>& anchors) {
 
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> kFigures = {
-      {"mooring_offsets", "Where midship lies in the stages, north up", {"stages"}},
+      {"mooring_offsets", "Position of midship in the stages, north up", {"stages"}},
       {"mooring_stages", "Tension at the fairleads, stage by stage", {"stages"}},
       {"mooring_stages", "Tension at the fairleads and length of the lines over the advance", {"tensions", "lengths"}},
       {"move_pipe", "The pipe over the advance of the vessel", {"pipe"}, true},

@@ -67,9 +67,9 @@ Blocks tiles(const std::vector<Tile>& all) {
   if (all.empty()) return {};
   Json list = Json::array();
   for (const Tile& tile : all) {
-    Json one = {{"name", tile.name}, {"value", tile.value}, {"unit", tile.unit}, {"note", tile.note}};
-    if (tile.over) one["over"] = true;
-    list.push_back(one);
+    Json row = {{"name", tile.name}, {"value", tile.value}, {"unit", tile.unit}, {"note", tile.note}};
+    if (tile.over) row["over"] = true;
+    list.push_back(row);
   }
   return Blocks({{"kind", "tiles"}, {"tiles", list}});
 }

@@ -14,13 +14,13 @@ const char* const kBasisOfChecks = "Basis of the checks: see the calculation she
 
 namespace {
 
-/// Rows that a check stands for: the same formula with the same limit in another region is not written twice.
+/// True if two rows have the same formula with the same limit in different regions: it is printed once.
 bool same_check(const CheckRow& a, const CheckRow& b) {
   return a.id == b.id && a.code == b.code && (a.id != "yield_share" || a.remark == b.remark);
 }
 
-/// The most used row of each check, in the order of the table; rows that govern come before those for information.
-std::vector<const CheckRow*> most_used_rows(const CheckTable& table) {
+/// Row with the maximum utilisation of each check, in the order of the table; governing rows before informational ones.
+std::vector<const CheckRow*> find_governing_rows(const CheckTable& table) {
   std::vector<const CheckRow*> rows;
   for (const CheckRow& row : table.rows) {
     if (row.sheet.empty()) continue;
@@ -48,7 +48,7 @@ std::string confirmation_text(const SheetLine& line) {
   return "";
 }
 
-/// The formula with its symbol on the left, as an equation where the value solves one.
+/// The formula with its symbol on the left, as an equation if the value is its solution.
 std::string equation(const SheetLine& line) {
   if (line.formula.empty()) return "";
   const bool implicit = line.formula.find(" = ") != std::string::npos;
@@ -61,7 +61,7 @@ Json sheet_line(const std::vector<SheetLine>& lines, std::size_t i) {
   Json json = {{"symbol", line.symbol},
                {"meaning", line.meaning},
                {"formula", equation(line)},
-               {"numbers", numbers_put_in(lines, i)},
+               {"numbers", substituted_formula(lines, i)},
                {"value", value_text(line)},
                {"origin", line.origin},
                {"confirmed", confirmation_text(line) + sources}};
@@ -84,12 +84,13 @@ std::string heading(const CheckRow& row) {
 }  // namespace
 
 Blocks calculation_sheet_section(const CheckTable& table) {
-  const std::vector<const CheckRow*> rows = most_used_rows(table);
+  const std::vector<const CheckRow*> rows = find_governing_rows(table);
   if (rows.empty()) return {};
   Blocks body = block::paragraph(
-      "Most used row of each check. A line without a formula is an input or a number of the code. Formulas were "
-      "compared with public texts that restate the codes, named in the last column; none was compared with the printed "
-      "standard. Compare the clauses below with it before you submit results; start with what is not confirmed.");
+      "Row with the maximum utilisation of each check. A line without a formula is an input or a number of the "
+      "code. Formulas were compared with public texts that restate the codes, named in the last column; none was "
+      "compared with the printed standard. Compare the clauses below with it before you submit results; start with "
+      "those not confirmed.");
   for (const CheckRow* row : rows) body += block::folded(heading(*row), sheet_block(*row));
   return block::section("calculation-sheet", "Appendix: calculation sheet of the checks", body);
 }

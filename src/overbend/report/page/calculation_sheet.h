@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// For the most used row of each check: formulas with symbols, the numbers put in, values, clauses and how far each is
-/// confirmed. Empty without sheets.
+/// Returns, for the row of each check with the maximum utilisation: formulas with symbols, with numbers, values,
+/// clauses and their confirmation. Empty without sheets.
 Blocks calculation_sheet_section(const CheckTable& table);
 
 /// "Basis of the checks: see the calculation sheet."

@@ -8,8 +8,8 @@ namespace overbend {
 namespace {
 
 const char* word(CurveLook look) {
-  constexpr std::array kWords = {"line", "thin", "marks"};
-  return kWords[static_cast<std::size_t>(look)];
+  constexpr std::array kEnumNames = {"line", "thin", "marks"};
+  return kEnumNames[static_cast<std::size_t>(look)];
 }
 
 Json curves_json(const std::vector<ChartCurve>& curves) {

@@ -13,20 +13,21 @@ namespace overbend {
 enum class CurveLook { line, thin, marks };
 
 struct ChartCurve {
-  std::string name;                               ///< For the legend.
+  std::string name;                               ///< Legend text.
   std::vector<std::pair<double, double>> points;  ///< In the units of the axes.
-  CurveLook look = CurveLook::line;               ///< `marks`: circles at the points, no line.
-  std::optional<std::size_t> colour = {};         ///< Number of its colour; its own where not given.
+  CurveLook look = CurveLook::line;               ///< `marks`: circles at the points without a line.
+  std::optional<std::size_t> colour = {};         ///< Number of its colour; by default its own.
   bool in_legend = true;
 };
 
 struct CurveChart {
-  std::string across, up;  ///< What the axes are, with units.
+  std::string across, up;  ///< Labels of the axes with units.
   std::vector<ChartCurve> curves;
-  std::vector<ChartCurve> ground;  ///< Thin lines that stand for what surrounds: bed, water level.
+  std::vector<ChartCurve> ground;  ///< Thin lines of the surroundings: seabed.
   std::vector<ChartCurve> water;   ///< The same in the colour of water.
 };
 
+/// Returns a figure with the chart.
 Blocks curve_figure(const CurveChart& chart, const std::string& caption);
 
 }  // namespace overbend

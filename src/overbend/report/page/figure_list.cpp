@@ -5,10 +5,10 @@
 namespace overbend {
 
 Blocks figure_list(const std::vector<Figure>& figures,
-                   const std::function<bool(const Figure&, const std::string& part)>& makes_sense) {
+                   const std::function<bool(const Figure&, const std::string& part)>& is_applicable) {
   Blocks blocks;
   for (Figure figure : figures) {
-    std::erase_if(figure.parts, [&](const std::string& part) { return !makes_sense(figure, part); });
+    std::erase_if(figure.parts, [&](const std::string& part) { return !is_applicable(figure, part); });
     blocks += block::figure(figure);
   }
   return blocks;

@@ -1,4 +1,4 @@
-/// Figures of a page, chosen by what there is to show.
+/// Selection of the figures of a page.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace overbend {
 
-/// The figures with those of their parts that pass `makes_sense`; a figure without any part is left out.
+/// Returns the figures with those of their parts that pass `is_applicable`; a figure without parts is omitted.
 Blocks figure_list(const std::vector<Figure>& figures,
-                   const std::function<bool(const Figure&, const std::string& part)>& makes_sense);
+                   const std::function<bool(const Figure&, const std::string& part)>& is_applicable);
 
-/// All of them.
+/// Returns all figures.
 Blocks figure_list(const std::vector<Figure>& figures);
 
 }  // namespace overbend

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "report/page/figure_list.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
@@ -27,20 +27,20 @@ const std::vector<Figure>& all_figures() {
   return kFigures;
 }
 
-/// Whether the line leaves the vertical plane by more than a plan would show as a stroke.
-bool drifts(const StaticResults& results) {
+/// True if the line leaves the vertical plane by a distance visible in a plan.
+bool leaves_vertical_plane(const StaticResults& results) {
   constexpr double kVisible = 0.05;  // [m]
   return std::any_of(results.stations.begin(), results.stations.end(),
-                     [&](const Station& at) { return std::abs(ship_point(results, at.p_W).y()) > kVisible; });
+                     [&](const Station& station) { return std::abs(ship_point(results, station.p_W).y()) > kVisible; });
 }
 
-/// Whether there is something to show in this panel.
-bool makes_sense(const std::string& part, const StaticResults& results) {
+/// True if the panel has content.
+bool is_applicable(const std::string& part, const StaticResults& results) {
   if (part == "whole") {
     return true;
   }
   if (part == "plan") {
-    return drifts(results);
+    return leaves_vertical_plane(results);
   }
   const bool stinger = std::any_of(results.supports.begin(), results.supports.end(),
                                    [](const SupportResult& box) { return box.stinger; });
@@ -51,7 +51,7 @@ bool makes_sense(const std::string& part, const StaticResults& results) {
 
 Blocks figures_section(const StaticResults& results, const std::string& id, const std::string& heading) {
   if (!results.has_pipe()) return {};
-  const auto shown = [&](const Figure&, const std::string& part) { return makes_sense(part, results); };
+  const auto shown = [&](const Figure&, const std::string& part) { return is_applicable(part, results); };
   return block::section(id, heading, figure_list(all_figures(), shown));
 }
 

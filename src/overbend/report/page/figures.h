@@ -1,4 +1,4 @@
-/// The report's figures with their captions, which the page draws.
+/// The report's figures with their captions, drawn by the page.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// All figures that make sense for these results: without supports there is no overbend to show.
+/// Returns all figures that apply to these results: without supports there is no overbend to show.
 Blocks figures_section(const StaticResults& results, const std::string& id, const std::string& heading);
 
-/// Likewise of a dynamic run: envelopes, histories, spectra, contacts.
+/// Returns the same for a dynamic run: envelopes, histories, spectra, contacts.
 Blocks dynamic_figures_section(const StaticResults& statics, const DynamicResults& results);
 
 }  // namespace overbend

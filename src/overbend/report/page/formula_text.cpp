@@ -55,13 +55,13 @@ std::vector<Token> split_tokens(const std::string& formula) {
   return tokens;
 }
 
-/// Whether two tokens in a row are factors of a product.
+/// True if two consecutive tokens are factors of a product.
 bool multiplies(const Token& left, const Token& right) {
   const auto ends = [](TokenKind k) { return k == TokenKind::number || k == TokenKind::name || k == TokenKind::close; };
   return ends(left.kind) && right.kind != TokenKind::close && right.kind != TokenKind::sign;
 }
 
-/// A sign between two terms; that before a number or after a bracket stands close.
+/// A sign between two terms; a sign of a number, or after an opening bracket, has no blanks.
 std::string sign_text(const std::vector<Token>& tokens, std::size_t i) {
   const std::string& sign = tokens[i].text;
   if (sign == ",") return ", ";
@@ -94,8 +94,8 @@ const SheetLine* find_line(const std::vector<SheetLine>& lines, std::size_t befo
   return nullptr;
 }
 
-/// Value in place of a name; in brackets where its sign or unit would be read amiss.
-std::string value_in_place(const SheetLine& line, bool powered) {
+/// Value in place of a name; in brackets if its sign or unit would be ambiguous.
+std::string substituted_value(const SheetLine& line, bool powered) {
   const std::string text = value_text(line);
   const bool unit = text.find('\u0020') != std::string::npos || text.find("\u00a0") != std::string::npos;
   return line.value < 0.0 || (powered && unit) ? "(" + text + ")" : text;
@@ -121,7 +121,7 @@ std::string value_text(const SheetLine& line) {
   return text;
 }
 
-std::string numbers_put_in(const std::vector<SheetLine>& lines, std::size_t line) {
+std::string substituted_formula(const std::vector<SheetLine>& lines, std::size_t line) {
   const std::vector<Token> tokens = split_tokens(lines[line].formula);
   std::string out;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -129,7 +129,7 @@ std::string numbers_put_in(const std::vector<SheetLine>& lines, std::size_t line
     const bool powered = i + 1 < tokens.size() && tokens[i + 1].text == "^";
     const SheetLine* known = tokens[i].kind == TokenKind::name ? find_line(lines, line, tokens[i].text) : nullptr;
     const bool name = tokens[i].kind == TokenKind::name || tokens[i].kind == TokenKind::function;
-    out += known != nullptr                    ? value_in_place(*known, powered)
+    out += known != nullptr                    ? substituted_value(*known, powered)
            : tokens[i].kind == TokenKind::sign ? sign_text(tokens, i)
            : name                              ? greek(tokens[i].text)
                                                : tokens[i].text;

@@ -1,5 +1,4 @@
-/// Formulas of calculation sheets with the numbers put in. The page sets their symbols
-/// (web/src/components/Formula.tsx).
+/// Formulas of calculation sheets with their numbers. The page typesets the symbols (web/src/components/Formula.tsx).
 #pragma once
 
 #include <string>
@@ -9,14 +8,14 @@
 
 namespace overbend {
 
-/// Six digits, without an exponent where that is possible.
+/// Formats with six digits, without an exponent if possible.
 std::string six_digits(double value);
 
-/// Value with its unit, as people read it: "448 MPa".
+/// Formats a value with its unit for readers: "448 MPa".
 std::string value_text(const SheetLine& line);
 
-/// A line's formula with the values of the lines before it in place of their symbols, as plain text; empty for an
-/// input.
-std::string numbers_put_in(const std::vector<SheetLine>& lines, std::size_t line);
+/// Returns a line's formula with the values of the preceding lines in place of their symbols, as plain text; empty for
+/// an input.
+std::string substituted_formula(const std::vector<SheetLine>& lines, std::size_t line);
 
 }  // namespace overbend

@@ -11,13 +11,13 @@
 #include "base/shown_unit.h"
 #include "report/page/calculation_sheet.h"
 #include "report/page/json_number.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
 
-/// The box that a document carries: all of its cells as soon as one is filled, so that the others can be by hand. Null
-/// where none is.
+/// Document control: all cells as soon as one is filled, so that the others can be filled in by hand. Null if all are
+/// empty.
 Json control_box(const ReportDescription& control) {
   const std::array<std::pair<const char*, std::string>, 6> cells = {{{"Client", control.client},
                                                                      {"Project", control.project},
@@ -36,13 +36,13 @@ std::string upper_first(std::string text) {
   return text;
 }
 
-Utilisation bar_of(const StaticResults& statics, const CheckRow& row) {
+Utilisation make_bar(const StaticResults& statics, const CheckRow& row) {
   const std::string when = row.in_time ? ", t = " + fixed(row.time, 1) + " s" : "";
   return {region_title(row.region), row.utilisation,
-          fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row), when)};
+          fmt::format("{}, {}; {}{}", row.name, row.code, location_name(statics, row), when)};
 }
 
-/// Without bars what the verdict is of.
+/// Without bars, `reach` states the scope of the verdict.
 Json utilisation_json(const std::string& heading, const std::vector<Utilisation>& bars, const std::string& note,
                       const std::string& reach) {
   Json list = Json::array();
@@ -52,7 +52,7 @@ Json utilisation_json(const std::string& heading, const std::vector<Utilisation>
   return {{"heading", heading}, {"bars", list}, {"note", bars.empty() ? reach : note}};
 }
 
-/// Of rows on lines, anchors and cables: they have names of their own.
+/// Title of a row on lines, anchors or cables, which have names.
 std::string line_title(const CheckRow& row) {
   static constexpr std::array<std::pair<std::string_view, const char*>, 5> kTitles = {
       {{"mooring_load", "Mooring lines"},
@@ -74,7 +74,7 @@ void add_line_bars(const CheckTable& checks, std::vector<Utilisation>& bars) {
   }
 }
 
-/// Without the rows on lines, anchors and cables, which have bars of their own.
+/// Without the rows on lines, anchors and cables, which have separate bars.
 CheckTable without_lines(CheckTable checks) {
   std::erase_if(checks.rows, [](const CheckRow& row) { return !line_title(row).empty(); });
   return checks;
@@ -85,14 +85,14 @@ Json region_utilisations(const StaticResults& statics, const CheckTable& checks,
   std::vector<Utilisation> bars;
   const CheckTable others = without_lines(checks);
   for (const CheckRegion region : check_regions()) {
-    if (const CheckRow* row = governing_check(others, region)) bars.push_back(bar_of(statics, *row));
+    if (const CheckRow* row = governing_check(others, region)) bars.push_back(make_bar(statics, *row));
   }
   add_line_bars(checks, bars);
   return utilisation_json("Utilisation, governing check of each region", bars,
                           kCapacity + page.reach + " " + kBasisOfChecks, page.reach);
 }
 
-/// A message on a file begins with its name, which stays as it is written.
+/// A message on a file begins with the file name, whose case is kept.
 std::string sentence(const Finding& finding) {
   const bool of_file = finding.code == FindingCode::unusual_input || finding.code == FindingCode::unused_input;
   return of_file ? finding.message : upper_first(finding.message);

@@ -13,30 +13,30 @@
 
 namespace overbend {
 
-/// One bar of the card of utilisations.
+/// One bar of the chart of utilisations.
 struct Utilisation {
   std::string title;         ///< "Sagbend", "Mooring lines".
-  double utilisation = 0.0;  ///< 1 is the full capacity, with its safety factor.
-  std::string what;          ///< Of what, where, when.
+  double utilisation = 0.0;  ///< 1 is the full capacity, including its safety factor.
+  std::string what;          ///< Check, position, time.
 };
 
 struct FrontPage {
   std::string kind;  ///< "Static pipelay analysis"
   std::string title;
   ReportDescription control;
-  std::vector<std::pair<std::string, std::string>> entries;  ///< Names with values below the title.
+  std::vector<std::pair<std::string, std::string>> entries;  ///< Names and values below the title.
   Findings findings;
-  std::string reach;  ///< A sentence on what the verdict is of: the static state, a run of so many seconds.
+  std::string reach;  ///< Sentence on the scope of the verdict: the static state, a run of a given duration.
 };
 
-/// The first page with the verdict of the checks and a bar for each region.
+/// Returns the first page with the verdict of the checks and a bar for each region.
 Json front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks);
 
-/// The same with a verdict and bars of its own; `note` says below the bars what their marks are.
+/// Returns the same with another verdict and other bars; `note` explains their marks.
 Json front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
                 const std::string& note);
 
-/// The same without a verdict.
+/// Returns the same without a verdict.
 Json front_page(const FrontPage& page);
 
 }  // namespace overbend

@@ -103,7 +103,7 @@ std::string front(const Json& page) {
   return text + findings(page.at("findings"));
 }
 
-/// Those that a reader cannot do without.
+/// Sections included for readers without scripts.
 bool is_key_section(const Json& section) {
   constexpr std::array kKey = {"results", "checks", "stages",     "procedure", "stage-checks", "seek",
                                "summary", "rows",   "quantities", "folders",   "operability",  "cases"};
@@ -153,7 +153,7 @@ std::string escape_json(std::string_view json) {
 }
 
 std::string plain(const Document& document) {
-  std::string text = element("p", "Figures and the other sections of this report need scripts, which are off.") +
+  std::string text = element("p", "Figures and the other sections of this report need scripts, which are disabled.") +
                      front(document.front);
   for (const Json& section : document.body.json()) {
     if (is_key_section(section)) text += element("h2", escaped(section, "heading")) + blocks(section.at("body"));

@@ -8,13 +8,13 @@
 
 namespace overbend::html {
 
-/// Text made harmless in element content and in quoted attributes.
+/// Escapes text for element content and quoted attributes.
 std::string escape(std::string_view text);
 
-/// JSON made harmless inside a script element: no "<" is left, so no "</script>" either.
+/// Escapes JSON for a script element: no "<" remains, and thus no "</script>".
 std::string escape_json(std::string_view json);
 
-/// First page, key results and checks of a document as headings, paragraphs, lists and tables.
+/// Returns first page, key results and checks of a document as headings, paragraphs, lists and tables.
 std::string plain(const Document& document);
 
 }  // namespace overbend::html

@@ -1,4 +1,4 @@
-/// Numbers as the figures' data hold them.
+/// Numbers in the data of figures.
 #pragma once
 
 #include <cmath>
@@ -7,18 +7,18 @@
 
 namespace overbend {
 
-/// Seven significant digits: a tenth of a millimetre in a kilometre. Values that are not finite, which JSON cannot
-/// represent, are 0.
+/// Rounds to seven significant digits: a tenth of a millimetre in a kilometre. Values that are not finite, which JSON
+/// cannot represent, become 0.
 inline double seven_digits(double value) {
   if (value == 0.0 || !std::isfinite(value)) {
     return 0.0;
   }
   const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
   const double rounded = std::round(value * scale) / scale;
-  return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number next to zero has no end
+  return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number close to zero overflows
 }
 
-/// A value that is not a number is absent: null.
+/// Returns null for a missing value (NaN).
 inline Json json_number(double value) {
   if (std::isnan(value)) return nullptr;
   const double rounded = seven_digits(value);

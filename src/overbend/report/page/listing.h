@@ -12,12 +12,12 @@
 
 namespace overbend {
 
-/// Six digits, as inputs are given.
+/// Formats with six digits, as inputs are given.
 inline std::string general(double value) {
   return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
 }
 
-/// A value [SI] as it is shown.
+/// Formats a value [SI] in the unit shown.
 inline std::string general(double value, const ShownUnit& unit) {
   return general(value * unit.factor);
 }

@@ -14,7 +14,7 @@
 namespace overbend {
 namespace {
 
-/// What the figures show SI values in.
+/// Display units of SI values in the figures.
 Json units() {
   Json all = Json::object();
   const auto put = [&](std::string_view si, const ShownUnit& unit) {

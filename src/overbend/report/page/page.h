@@ -1,5 +1,5 @@
 /// A report as one file that opens offline in any browser and prints on A4 and Letter: the document and the data of its
-/// figures as JSON, and the page's components that draw them (web/src/report), embedded in the program.
+/// figures as JSON, and the embedded page components that draw them (web/src/report).
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,19 @@ namespace overbend {
 
 /// A report as data.
 struct Document {
-  std::string title;  ///< Of the window.
+  std::string title;  ///< Title of the window.
   Json front;         ///< The first page, see front_page.h.
   Blocks body;        ///< Its sections, in their order.
-  Json data;          ///< What its figures draw.
+  Json data;          ///< Data of the figures.
 };
 
-/// The file's text. Readers without scripts see first page, key results and checks as plain tables.
+/// Returns the text of the file. Readers without scripts see first page, key results and checks as plain tables.
 std::string page_text(const Document& document);
 
-/// Writes a temporary file and renames it. Throws std::runtime_error where that fails.
+/// Writes a temporary file and renames it. Throws std::runtime_error on failure.
 void write_page(const Document& document, const std::filesystem::path& file);
 
-/// "2026-11-21 14:30 UTC"
+/// Returns the time as "2026-11-21 14:30 UTC".
 std::string written_now();
 
 }  // namespace overbend

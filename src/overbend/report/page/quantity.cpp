@@ -12,25 +12,25 @@ namespace overbend {
 namespace {
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at != std::string::npos) text.replace(at, from.size(), to);
+  const std::size_t position = text.find(from);
+  if (position != std::string::npos) text.replace(position, from.size(), to);
 }
 
 ShownUnit in_use(const ShownUnit& metric, const ShownUnit& us) {
   return units_in_use() == UnitSystem::us ? us : metric;
 }
 
-std::string words(const std::string& name) {
+std::string readable_name(const std::string& name) {
   const std::size_t open = name.find('/');
   const std::size_t close = name.rfind('/');
-  if (open != std::string::npos && close > open) {  // kind/whose/what; whose name is the user's
-    return words(name.substr(close + 1)) + ", " + name.substr(open + 1, close - open - 1);
+  if (open != std::string::npos && close > open) {  // type/object/quantity; the object's name is the user's
+    return readable_name(name.substr(close + 1)) + ", " + name.substr(open + 1, close - open - 1);
   }
   constexpr const char* kTensioner = "tensioner/";
   if (name.rfind(kTensioner, 0) == 0) {
-    return words(name.substr(std::string(kTensioner).size())) + " of the tensioner";
+    return readable_name(name.substr(std::string(kTensioner).size())) + " of the tensioner";
   }
-  std::string text = quantity_of(name);
+  std::string text = history_quantity(name);
   std::replace(text.begin(), text.end(), '_', ' ');
   if (text == "elevation") text = "wave elevation";
   if (text == "lay back") text = "lay-back";
@@ -50,10 +50,10 @@ std::string Quantity::text(double si, int decimals) const {
 }
 
 Quantity quantity(const std::string& name, const std::string& units) {
-  const ShownUnit unit = shown_unit(quantity_of(name), units);
-  constexpr int kPlain = 4;  // decimals of plain numbers, shares mostly
+  const ShownUnit unit = shown_unit(history_quantity(name), units);
+  constexpr int kPlain = 4;  // decimals of plain numbers, mostly shares
   const int digits = unit.name.empty() ? std::min(unit.digits, kPlain) : unit.digits;
-  return {words(name), std::string(unit.name), unit.factor, digits, unit.more};
+  return {readable_name(name), std::string(unit.name), unit.factor, digits, unit.more};
 }
 
 Quantity clearances() {
@@ -96,7 +96,7 @@ std::string name_with_unit(const std::string& name, std::string_view si) {
   return name + " [" + shown_name(si) + "]";
 }
 
-std::string duration_words(double seconds) {
+std::string readable_duration(double seconds) {
   if (seconds >= 7200.0) return fmt::format("{:.4g} h", seconds / 3600.0);
   if (seconds >= 300.0) return fmt::format("{:.4g} min", seconds / 60.0);
   return fmt::format("{:.4g} s", seconds);

@@ -1,4 +1,4 @@
-/// Quantities of dynamic results as a reader wants them: names in words, customary units.
+/// Quantities of dynamic results for readers: full names, customary units.
 #pragma once
 
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace overbend {
 
-/// How a quantity is shown: SI value times `factor`, with `digits` decimals.
+/// Display of a quantity: SI value times `factor`, with `digits` decimals.
 struct Quantity {
   std::string name, unit;
   double factor = 1.0;
   int digits = 3;
-  int more = 0;  ///< Decimals more than asked for, see base/shown_unit.h.
+  int more = 0;  ///< Decimals in addition to those requested, see base/shown_unit.h.
 
+  /// Converts an SI value to the unit shown.
   double shown(double si) const { return factor * si; }
   std::string text(double si) const { return text(si, digits); }
   std::string text(double si, int decimals) const;
 };
 
-/// For the script name and SI units of a history or an extreme: "support/stinger 8/reaction" in N becomes
-/// "Reaction, stinger 8" in kN. An unknown name is shown as it is, with underscores as blanks; unknown units
-/// stay.
+/// Returns the display of a history or an extreme by its script name and SI units: "support/stinger 8/reaction" in N
+/// becomes "Reaction, stinger 8" in kN. An unknown name is shown with blanks for underscores; unknown units are kept.
 Quantity quantity(const std::string& name, const std::string& units);
 
-// What has no name of its own.
+// Display of quantities without a name.
 inline Quantity forces() {
   return quantity("force", "N");
 }
@@ -50,24 +50,24 @@ inline Quantity dents() {
 inline Quantity lengths() {
   return quantity("length", "m");
 }
-/// Small distances between pipe and roller, lengths of a cross-section.
+/// Small distances between pipe and roller, dimensions of a cross-section.
 Quantity clearances();
 
-// Units of reports alone.
-ShownUnit line_weight();     ///< Of ropes and chains [N/m].
+// Units used only in reports.
+ShownUnit line_weight();     ///< Ropes and chains [N/m].
 ShownUnit impulse();         ///< [N s]
 ShownUnit rope_stiffness();  ///< [N]
 ShownUnit steel_area();      ///< [m2]
 ShownUnit steel_inertia();   ///< [m4]
 
-/// The unit for values of a key or a result kept in `si`, spelled as in the model file ("N*m"): `metric`, which is the
-/// one it is written in, or the US unit.
+/// Returns the unit for values of a key or a result stored in `si`, spelled as in the model file ("N*m"): `metric`, the
+/// unit of the file, or the US unit.
 std::string unit_of_key(const std::string& si, const std::string& metric);
 
-/// "Lay-back [m]": a name with the unit that its values are shown in.
+/// Returns "Lay-back [m]": a name with the display unit of its values.
 std::string name_with_unit(const std::string& name, std::string_view si);
 
-/// A duration in the largest unit that leaves it above one: "45 s", "10 min", "3 h". [s]
-std::string duration_words(double seconds);
+/// Formats a duration [s] in the largest unit with a value above one: "45 s", "10 min", "3 h".
+std::string readable_duration(double seconds);
 
 }  // namespace overbend

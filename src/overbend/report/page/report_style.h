@@ -1,10 +1,10 @@
-/// How values look in the data of the report's diagrams: seven digits, places and directions in the axes that people
-/// aboard use (results/fields/places.h), arc lengths from the tensioner.
+/// Style of the data of the report's diagrams: seven digits, positions and directions in the vessel's axes
+/// (results/fields/location_names.h), arc lengths from the tensioner.
 #pragma once
 
 #include "report/page/json_number.h"
 #include "resultfiles/summary/json_fields.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 

@@ -1,13 +1,13 @@
 #include "report/page/static_value.h"
 
 #include "report/page/history_name.h"
-#include "results/fields/static_values.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
 
-/// Keeps the number of one name.
-struct NumberNamed {
+/// Finds the number with a given name.
+struct NamedNumber {
   std::string name;
   std::optional<double> found;
 
@@ -51,10 +51,10 @@ std::optional<double> static_value(const StaticResults& statics, const DynamicRe
                                    const std::string& name) {
   if (const std::optional<double> value = of_line_end(statics, name)) return value;
   if (!statics.has_pipe()) return std::nullopt;
-  NumberNamed of_line{quantity_of(name), {}};
+  NamedNumber of_line{history_quantity(name), {}};
   visit_lay(statics, of_line);
   if (of_line.found) return of_line.found;
-  if (of_line.name == smallest_tension_field().name) return statics.smallest_tension.value;
+  if (of_line.name == min_effective_tension_field().name) return statics.min_effective_tension.value;
   if (statics.overbend) {
     if (const auto value = of_region(*statics.overbend, "overbend", of_line.name)) return value;
   }

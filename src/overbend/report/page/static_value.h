@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-/// The static value of the history or extreme of this name; none where statics has no such quantity.
+/// Returns the static value of the history or extreme of this name; none if the static results have no such quantity.
 std::optional<double> static_value(const StaticResults& statics, const DynamicResults& results,
                                    const std::string& name);
 

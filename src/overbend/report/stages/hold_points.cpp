@@ -6,23 +6,23 @@
 #include <functional>
 #include <map>
 
-#include "report/stages/stage_words.h"
-#include "results/fields/places.h"
+#include "report/stages/stage_labels.h"
+#include "results/fields/location_names.h"
 #include "results/verdict.h"
 
 namespace overbend {
 namespace {
 
-/// How far the head is beyond something, negative before it [m]; none where there is no such thing.
+/// Distance of the head beyond an object, negative before it [m]; none without such an object.
 using Beyond = std::function<std::optional<double>(const StaticResults& lay)>;
 
 struct Passing {
   Beyond beyond;
-  const char* out;   ///< What happens on the way out.
-  const char* back;  ///< And on the way back.
+  const char* out;   ///< Event on the way out.
+  const char* back;  ///< Event on the way back.
 };
 
-/// The support that stands farthest astern; null in J-lay.
+/// The support farthest astern; null in J-lay.
 const SupportResult* last_box(const StaticResults& lay, bool of_stinger) {
   const SupportResult* last = nullptr;
   for (const SupportResult& box : lay.supports) {
@@ -57,15 +57,15 @@ const std::array<Passing, 4>& passings() {
 }
 
 std::optional<double> between(const StageResult& before, const StageResult& after, double share) {
-  const std::optional<double> from = progress_of(before.stage), to = progress_of(after.stage);
+  const std::optional<double> from = stage_progress(before.stage), to = stage_progress(after.stage);
   if (!from || !to) return std::nullopt;
   return *from + share * (*to - *from);
 }
 
-/// What is passed between two stages, in the order in which it is.
+/// Adds the points passed between two stages, in their order.
 void add_passings(const StageResult& before, const StageResult& after, std::size_t stage,
                   std::vector<HoldPoint>& points) {
-  std::multimap<double, HoldPoint> passed;  // by the part of the way
+  std::multimap<double, HoldPoint> passed;  // by the fraction of the way
   for (const Passing& passing : passings()) {
     const std::optional<double> was = passing.beyond(*before.lay), is = passing.beyond(*after.lay);
     if (!was || !is || (*was > 0.0) == (*is > 0.0)) continue;
@@ -81,27 +81,27 @@ bool has_head(const StageResult& stage) {
 
 }  // namespace
 
-std::optional<StageUse> largest_use(const StageResult& stage) {
+std::optional<StageUtilisation> find_max_utilisation(const StageResult& stage) {
   if (!stage.lay) return std::nullopt;
-  std::optional<StageUse> use;
-  if (const CheckRow* worst = worst_check(stage.lay->checks)) use = {worst->utilisation, check_words(*worst)};
+  std::optional<StageUtilisation> use;
+  if (const CheckRow* worst = find_governing_check(stage.lay->checks)) use = {worst->utilisation, check_label(*worst)};
   return use;
 }
 
-std::optional<std::size_t> hardest_stage(const OperationResults& results) {
+std::optional<std::size_t> find_governing_stage_index(const OperationResults& results) {
   std::optional<std::size_t> hardest;
-  double most = 0.0;
+  double max_utilisation = 0.0;
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
-    const std::optional<StageUse> use = largest_use(results.stages[i]);
-    if (!use || (hardest && use->utilisation <= most)) continue;
+    const std::optional<StageUtilisation> use = find_max_utilisation(results.stages[i]);
+    if (!use || (hardest && use->utilisation <= max_utilisation)) continue;
     hardest = i;
-    most = use->utilisation;
+    max_utilisation = use->utilisation;
   }
   return hardest;
 }
 
 std::vector<HoldPoint> hold_points(const OperationResults& results) {
-  const std::optional<std::size_t> hardest = hardest_stage(results);
+  const std::optional<std::size_t> hardest = find_governing_stage_index(results);
   std::vector<HoldPoint> points;
   const StageResult* before = nullptr;
   for (std::size_t i = 0; i < results.stages.size(); ++i) {

@@ -1,4 +1,4 @@
-/// Where an operation on the line pauses: before the head meets something else, and before the hardest stage.
+/// Hold points of an operation on the line: before the head meets another object, and before the governing stage.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,25 @@
 namespace overbend {
 
 struct HoldPoint {
-  std::size_t stage = 0;      ///< Before this one.
+  std::size_t stage = 0;      ///< The stage after the hold point.
   std::string what;           ///< Plain text: "the head leaves the stinger tip".
-  std::optional<double> out;  ///< How far the line has gone by then, linear between the stages [m].
+  std::optional<double> out;  ///< Progress of the line, linear between the stages [m].
 };
 
-/// In the order of the stages. Found from the places of the head at neighbouring stages that have an equilibrium: last
-/// roller, stinger tip, water line, sea bed; and the stage whose checks are used most, or its cable where that is more.
+/// Returns the hold points in the order of the stages. They are found from the positions of the head at consecutive
+/// stages with an equilibrium: last roller, stinger tip, water line, seabed; and the stage with the maximum utilisation
+/// of its checks or its cable.
 std::vector<HoldPoint> hold_points(const OperationResults& results);
 
-/// The check or the cable that is used most at a stage.
-struct StageUse {
+/// The check or the cable with the maximum utilisation at a stage.
+struct StageUtilisation {
   double utilisation = 0.0;
   std::string what;  ///< Plain text: "local buckling, load controlled, sagbend".
 };
-/// None where nothing is judged.
-std::optional<StageUse> largest_use(const StageResult& stage);
+/// Returns none if nothing is judged.
+std::optional<StageUtilisation> find_max_utilisation(const StageResult& stage);
 
-/// The stage that is used most; none where nothing is judged.
-std::optional<std::size_t> hardest_stage(const OperationResults& results);
+/// Returns the stage with the maximum utilisation; none if nothing is judged.
+std::optional<std::size_t> find_governing_stage_index(const OperationResults& results);
 
 }  // namespace overbend

@@ -10,12 +10,12 @@
 #include "report/page/quantity.h"
 #include "report/stages/lift_shapes.h"
 #include "report/stages/stage_columns.h"
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 
 namespace overbend {
 namespace {
 
-/// Calls `each(title, lift)` for the stages that stand.
+/// Calls `each(title, lift)` for the stages with an equilibrium.
 void for_stages(const OperationResults& results,
                 const std::function<void(const std::string&, const LiftResults&)>& each) {
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
@@ -23,21 +23,21 @@ void for_stages(const OperationResults& results,
   }
 }
 
-std::string values_of(const std::vector<LineValue>& values, const char* unit) {
-  std::string words;
+std::string values_text(const std::vector<LineValue>& values, const char* unit) {
+  std::string text;
   for (const LineValue& value : values) {
-    words += (words.empty() ? "" : ", ") + value.line + " " + shown(value.value, unit, 2);
+    text += (text.empty() ? "" : ", ") + value.line + " " + shown(value.value, unit, 2);
   }
-  return words;
+  return text;
 }
 
-std::string vessel_words(const LayStageDescription& stage) {
+std::string vessel_offset_text(const LayStageDescription& stage) {
   if (!stage.vessel) return "";
   return fmt::format("{} ahead, {} to port, {} clockwise", shown(stage.vessel->x, "m", 2),
                      shown(stage.vessel->y, "m", 2), shown(stage.vessel->heading, "rad", 2));
 }
 
-/// What is done at each stage, and why one cannot be.
+/// Actions of each stage, and the reason if it is infeasible.
 Table procedure_table(const OperationResults& results, const std::optional<Description>& description) {
   Table table{"What is done",
               {TableColumn("Stage"), TableColumn("Lengths"), TableColumn("Tensions"), TableColumn("Vessel"),
@@ -45,10 +45,10 @@ Table procedure_table(const OperationResults& results, const std::optional<Descr
               "dense"};
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    const bool given = description && i < description->operation.lay.stages.size();
-    const LayStageDescription& asked = given ? description->operation.lay.stages[i] : stage.stage;
-    table.row({stage_title(results, i), values_of(asked.lengths, "m"), values_of(asked.tensions, "N"),
-               vessel_words(asked), asked.join ? asked.join->first + " to " + asked.join->second : "",
+    const bool is_described = description && i < description->operation.lay.stages.size();
+    const LayStageDescription& asked = is_described ? description->operation.lay.stages[i] : stage.stage;
+    table.row({stage_title(results, i), values_text(asked.lengths, "m"), values_text(asked.tensions, "N"),
+               vessel_offset_text(asked), asked.join ? asked.join->first + " to " + asked.join->second : "",
                stage.failure ? stage.failure->what + ": " + stage.failure->why : "equilibrium found"},
               stage.failure ? RowMark::over : RowMark::none);
   }
@@ -56,7 +56,7 @@ Table procedure_table(const OperationResults& results, const std::optional<Descr
 }
 
 TableCell end_cell(const LiftedEnd& end) {
-  return end.free ? TableCell(end.at.place.z()) : "held";
+  return end.free ? TableCell(end.location.place.z()) : "held";
 }
 
 Table line_table(const OperationResults& results) {
@@ -78,9 +78,9 @@ Table line_table(const OperationResults& results) {
   table.groups({{"", 2}, {"Ends", 3}, {"Bending moment", 3}, {"Stress", 1}, {"Tension", 2}, {"", 2}});
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
-      table.row({title, line.name, end_cell(line.first), line.first.at.inclination, end_cell(line.second),
-                 line.sagging.value, line.hogging.value, line.bending.at.arc_length, line.bending_stress,
-                 line.least_tension, line.largest_tension, line.lift_off ? line.lift_off->arc_length : TableCell(),
+      table.row({title, line.name, end_cell(line.first), line.first.location.inclination, end_cell(line.second),
+                 line.sagging.value, line.hogging.value, line.bending.location.arc_length, line.bending_stress,
+                 line.min_tension, line.max_tension, line.lift_off ? line.lift_off->arc_length : TableCell(),
                  line.suspended_length});
     }
   });
@@ -88,7 +88,7 @@ Table line_table(const OperationResults& results) {
 }
 
 Table davit_table(const OperationResults& results) {
-  Table table{"Lines on lines at every stage",
+  Table table{"Attached lines at every stage",
               {TableColumn("Stage"),
                TableColumn("Line"),
                {"Length", "m", 2},
@@ -106,7 +106,7 @@ Table davit_table(const OperationResults& results) {
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedWire& wire : lift.davits) {
       table.row({title, wire.name, wire.length, wire.tension_upper, wire.tension_lower, or_dash(wire.utilisation),
-                 wire.from_vertical_upper, wire.on, wire.at.place.z(), wire.moment, wire.tension_before,
+                 wire.from_vertical_upper, wire.on, wire.location.place.z(), wire.moment, wire.tension_before,
                  wire.tension_after});
     }
   });
@@ -125,14 +125,15 @@ Table weld_table(const OperationResults& results) {
                {"moment", "N m", 1},
                {"z", "m", 2}},
               "dense summary"};
-  table.groups({{"", 1}, {"Gap, second end less first", 4}, {"Weld: second line on the first", 4}});
+  table.groups({{"", 1}, {"Gap, second end minus first", 4}, {"Weld: second line on the first", 4}});
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     if (!lift.gap && !lift.join) return;
     std::vector<TableCell> cells = {title};
     if (lift.gap) cells = {title, lift.gap->dx, lift.gap->dy, lift.gap->dz, lift.gap->angle};
     cells.resize(5);
     if (lift.join) {
-      cells.insert(cells.end(), {lift.join->tension, lift.join->shear, lift.join->moment, lift.join->at.place.z()});
+      cells.insert(cells.end(),
+                   {lift.join->tension, lift.join->shear, lift.join->moment, lift.join->location.place.z()});
     }
     cells.resize(table.columns.size());
     table.row(cells);
@@ -158,14 +159,14 @@ std::vector<ChartCurve> line_curves(const OperationResults& results, const std::
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
       if (line.name != name) continue;
-      // What lies far behind is left out: it is all alike.
+      // Pipe far behind the lift-off is omitted: it is uniform.
       const double reach = 1.15 * line.suspended_length + 10.0;
       ChartCurve& curve = curves.emplace_back();
       curve.name = title;
       for (const LiftedNode& node : line.nodes) {
         const double from_free = line.second.free && !line.first.free
-                                     ? line.nodes.back().at.arc_length - node.at.arc_length
-                                     : node.at.arc_length;
+                                     ? line.nodes.back().location.arc_length - node.location.arc_length
+                                     : node.location.arc_length;
         if (from_free <= reach) curve.points.push_back(point(node));
       }
     }
@@ -181,11 +182,11 @@ Blocks figures(const OperationResults& results, const std::optional<Description>
     moments.across = tensions.across = name_with_unit("Arc length", "m");
     moments.up = name_with_unit("Bending moment, sagging positive", "N m");
     moments.curves = line_curves(results, name, [&](const LiftedNode& node) {
-      return std::pair{length * node.at.arc_length, moment * node.sagging};
+      return std::pair{length * node.location.arc_length, moment * node.sagging};
     });
     tensions.up = name_with_unit("Effective tension", "N");
     tensions.curves = line_curves(results, name, [&](const LiftedNode& node) {
-      return std::pair{length * node.at.arc_length, force * node.tension};
+      return std::pair{length * node.location.arc_length, force * node.tension};
     });
     blocks += curve_figure(moments, name + ": bending moment in the vertical plane") +
               curve_figure(tensions, name + ": effective tension");
@@ -198,7 +199,7 @@ Blocks figures(const OperationResults& results, const std::optional<Description>
 Blocks lift_sections(const OperationResults& results, const std::optional<Description>& description) {
   return block::section("procedure", "Procedure", procedure_table(results, description)) +
          block::section("stages", "Stages", figures(results, description) + line_table(results)) +
-         block::section("davits", "Davits and other lines on lines", davit_table(results) + weld_table(results));
+         block::section("davits", "Davit cables and other attached lines", davit_table(results) + weld_table(results));
 }
 
 }  // namespace overbend

@@ -9,8 +9,8 @@
 
 namespace overbend {
 
-/// Parts between the front page and the inputs: figures and tables of all stages. What the stages ask for is in
-/// `description`, where there is one.
+/// Returns the sections between the front page and the inputs: figures and tables of all stages. `description`, if
+/// present, contains the inputs of the stages.
 Blocks lift_sections(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -6,24 +6,24 @@
 #include "base/shown_unit.h"
 #include "model/model.h"
 #include "report/page/curve_chart.h"
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 
 namespace overbend {
 namespace {
 
 struct Course {
-  Vec3 origin = Vec3::Zero(), way = Vec3::UnitX();  ///< `way` is a horizontal unit vector.
+  Vec3 origin = Vec3::Zero(), direction = Vec3::UnitX();  ///< `way` is a horizontal unit vector.
 
-  double at(const Vec3& place) const { return way.dot(place - origin); }
+  double at(const Vec3& place) const { return direction.dot(place - origin); }
 };
 
 Course find_course(const LiftedLine& line) {
   const bool first_held = line.second.free && !line.first.free;
-  const Vec3 &held = first_held ? line.first.at.place : line.second.at.place,
-             &free = first_held ? line.second.at.place : line.first.at.place;
-  Vec3 way = free - held;
-  way.z() = 0.0;
-  return {held, way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3::UnitX()};
+  const Vec3 &held = first_held ? line.first.location.place : line.second.location.place,
+             &free = first_held ? line.second.location.place : line.first.location.place;
+  Vec3 direction = free - held;
+  direction.z() = 0.0;
+  return {held, direction.norm() > 1e-9 ? Vec3(direction.normalized()) : Vec3::UnitX()};
 }
 
 /// One chart in the plane of the first pipe; a colour for every stage.
@@ -31,7 +31,7 @@ class SideView {
  public:
   explicit SideView(const Course& course) : course_(course), scale_(shown_unit("m").factor) {
     const std::string metres = " [" + shown_name("m") + "]";
-    chart_.across = "Along the course of the pipe, from its held end" + metres;
+    chart_.across = "Along the pipe, from its held end" + metres;
     chart_.up = "z" + metres;
   }
 
@@ -42,7 +42,7 @@ class SideView {
       curve.in_legend = first;
       first = false;
       for (const LiftedNode& node : line.nodes) {
-        if (is_near(line, node.at.arc_length)) curve.points.push_back(point(node.at.place));
+        if (is_near(line, node.location.arc_length)) curve.points.push_back(point(node.location.place));
       }
     }
     for (const LineResult& line : lay.lines) {
@@ -51,10 +51,11 @@ class SideView {
       for (const LineNodeResult& node : line.nodes) curve.points.push_back(point(node.place));
     }
     for (const LiftedWire& wire : lay.lift->davits) {
-      add_curve(title + ", " + wire.name + " on " + wire.on, CurveLook::marks, colour).points = {point(wire.at.place)};
+      add_curve(title + ", " + wire.name + " on " + wire.on, CurveLook::marks, colour).points = {
+          point(wire.location.place)};
     }
     if (lay.lift->join) {
-      add_curve(title + ", weld", CurveLook::marks, colour).points = {point(lay.lift->join->at.place)};
+      add_curve(title + ", weld", CurveLook::marks, colour).points = {point(lay.lift->join->location.place)};
     }
   }
 
@@ -62,7 +63,7 @@ class SideView {
     chart_.water.push_back({"water level", {{-1e9, 0.0}, {1e9, 0.0}}});
     if (!description) return;
     constexpr int kParts = 60;
-    const BedSurface bed = build_model(*description).seabed.surface;
+    const SeabedSurface bed = build_model(*description).seabed.surface;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const ChartCurve& curve : chart_.curves) {
       for (const auto& [across, up] : curve.points) {
@@ -74,7 +75,7 @@ class SideView {
     line.name = "seabed";
     for (int i = 0; i <= kParts; ++i) {
       const double across = low + (high - low) * i / kParts;
-      const Vec3 place = course_.origin + across / scale_ * course_.way;
+      const Vec3 place = course_.origin + across / scale_ * course_.direction;
       line.points.emplace_back(across, scale_ * bed.height(place.x(), place.y()));
     }
   }
@@ -82,9 +83,9 @@ class SideView {
   const CurveChart& chart() const { return chart_; }
 
  private:
-  /// What lies far behind is left out: it is all alike.
+  /// Pipe far behind the lift-off is omitted: it is uniform.
   static bool is_near(const LiftedLine& line, double arc_length) {
-    const double length = line.nodes.back().at.arc_length;
+    const double length = line.nodes.back().location.arc_length;
     const double from_free = line.second.free && !line.first.free ? length - arc_length : arc_length;
     return from_free <= 1.15 * line.suspended_length + 10.0;
   }
@@ -114,8 +115,8 @@ Blocks lift_side_view(const OperationResults& results, const std::optional<Descr
   if (!view) return {};
   view->add_surroundings(description);
   return curve_figure(view->chart(),
-                      "Side view of all lines at every stage: pipe thick, other lines thin, circles where they are "
-                      "attached and at welds; broken: water level and seabed");
+                      "Side view of all lines at every stage: pipe thick, other lines thin, circles at attachments "
+                      "and welds; dashed: water level and seabed");
 }
 
 }  // namespace overbend

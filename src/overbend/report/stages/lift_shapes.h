@@ -9,7 +9,7 @@
 
 namespace overbend {
 
-/// Empty where no stage stands.
+/// Returns the view; empty if no stage has an equilibrium.
 Blocks lift_side_view(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -1,14 +1,14 @@
 #include "report/stages/operation_report.h"
 
 #include "report/page/calculation_sheet.h"
-#include "report/page/front_of.h"
 #include "report/page/listing.h"
+#include "report/page/make_front_page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/stages/lift_report.h"
 #include "report/stages/operation_verdict.h"
 #include "report/stages/procedure_section.h"
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 #include "report/stages/stages_data.h"
 #include "report/stages/stages_section.h"
 #include "report/static/passage_section.h"
@@ -60,7 +60,7 @@ Blocks gear_section(const std::optional<Description>& description) {
 }
 
 Blocks passage_part(const OperationResults& results) {
-  const std::optional<PassageResults> passage = passage_of(results);
+  const std::optional<PassageResults> passage = find_passage_maxima(results);
   return passage ? passage_section(*passage) : Blocks();
 }
 
@@ -68,7 +68,7 @@ FrontPage front_of_operation(const OperationResults& results, const std::optiona
                              const StaticResults* lay) {
   const char* of =
       results.type == OperationType::lift ? " of lines, static analysis" : " of a pipeline, static analysis";
-  FrontPage front = front_of(operation_title(results.type) + of, results.title, description, {});
+  FrontPage front = make_front_page(operation_title(results.type) + of, results.title, description, {});
   front.findings = operation_findings(results);
   front.reach = "Static states of all stages: the effect of waves needs a dynamic analysis of the stage.";
   if (lay != nullptr && lay->has_pipe()) front.entries = subject_entries(*lay);
@@ -78,7 +78,7 @@ FrontPage front_of_operation(const OperationResults& results, const std::optiona
   return front;
 }
 
-/// Rows of all stages in one table, each with the name of its stage.
+/// The rows of all stages in one table, each with the name of its stage.
 CheckTable checks_of_stages(const OperationResults& results) {
   CheckTable all;
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
@@ -95,7 +95,7 @@ CheckTable checks_of_stages(const OperationResults& results) {
 
 Document operation_report_document(const OperationResults& results, const std::string& model_text,
                                    const FirstSection* first) {
-  const std::optional<Description> description = description_of(model_text);
+  const std::optional<Description> description = read_description(model_text);
   const StaticResults* lay = first_lay(results);
   const bool lift = results.type == OperationType::lift;
   Document document;

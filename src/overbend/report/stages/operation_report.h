@@ -13,14 +13,14 @@ namespace overbend {
 /// A section before those of the stages, such as that of a goal seek.
 struct FirstSection {
   Blocks body;
-  Json data;  ///< Of its figures.
+  Json data;  ///< Data of its figures.
 };
 
-/// The whole page. `model_text` is the model file as the user wrote it.
+/// Returns the whole page. `model_text` is the model file as the user wrote it.
 Document operation_report_document(const OperationResults& results, const std::string& model_text,
                                    const FirstSection* first = nullptr);
 
-/// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the page to a temporary file and renames it. Throws std::runtime_error on failure.
 void write_operation_report(const OperationResults& results, const std::string& model_text,
                             const std::filesystem::path& file, const FirstSection* first = nullptr);
 

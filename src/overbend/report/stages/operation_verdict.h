@@ -10,10 +10,10 @@
 
 namespace overbend {
 
-/// The verdict of all stages; says at which stage the largest utilisation is.
+/// Returns the verdict of all stages, which names the stage of the maximum utilisation.
 Verdict verdict_with_stage(const OperationResults& results);
 
-/// The governing check of each region over all stages, each with its stage.
+/// Returns the governing check of each region over all stages, each with its stage.
 std::vector<Utilisation> operation_bars(const OperationResults& results);
 
 }  // namespace overbend

@@ -9,20 +9,20 @@
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_columns.h"
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 #include "report/stages/stages_section.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
 
-std::optional<double> tension_of(const StageResult& stage) {
+std::optional<double> stage_tension(const StageResult& stage) {
   if (stage.stage.tension) return stage.stage.tension;
   return stage.lay ? std::optional(stage.lay->top_tension) : std::nullopt;
 }
 
-/// What limits the tension from above: the cable's breaking load over its safety factor, used to what the operation
-/// allows.
+/// Upper limit of the tension: the cable's breaking load over its safety factor, times the utilisation limit of the
+/// operation.
 std::optional<double> cable_limit(const std::optional<Description>& description) {
   if (!description) return std::nullopt;
   const LayOperationDescription& lay = description->operation.lay;
@@ -31,47 +31,47 @@ std::optional<double> cable_limit(const std::optional<Description>& description)
   return *lay.cable->breaking_load / factor * (lay.program ? lay.program->limits.utilisation : 1.0);
 }
 
-std::string hold_words(const HoldPoint& point, const std::string& progress) {
+std::string hold_text(const HoldPoint& point, const std::string& progress) {
   std::string text = point.what;
   if (point.out) text += fmt::format(" (at {} {})", progress, shown(*point.out, "m", 1));
   return text;
 }
 
-/// Why to pause before the step, or why it cannot be done.
+/// Reason to pause before the step, or why it is infeasible.
 std::string remarks(const OperationResults& results, const std::vector<HoldPoint>& points, std::size_t stage) {
-  if (results.stages[stage].failure) return "CANNOT BE as planned, see below";
+  if (results.stages[stage].failure) return "INFEASIBLE as planned, see below";
   std::string progress = progress_name(results.type);
   progress[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(progress[0])));
   std::string text;
   for (const HoldPoint& point : points) {
-    if (point.stage == stage) text += (text.empty() ? "HOLD before: " : "; ") + hold_words(point, progress);
+    if (point.stage == stage) text += (text.empty() ? "HOLD before: " : "; ") + hold_text(point, progress);
   }
   const std::string& governing = results.stages[stage].governing;
   if (!governing.empty()) text += (text.empty() ? "Tension set by " : "; tension set by ") + governing;
   return text;
 }
 
-/// Least tension found for the limits of the stage.
-std::optional<double> least_tension(const StageResult& stage) {
-  if (stage.failure && stage.failure->least_tension) return stage.failure->least_tension;
-  return stage.governing.empty() ? std::nullopt : tension_of(stage);
+/// Minimum tension found for the limits of the stage.
+std::optional<double> min_tension(const StageResult& stage) {
+  if (stage.failure && stage.failure->min_tension) return stage.failure->min_tension;
+  return stage.governing.empty() ? std::nullopt : stage_tension(stage);
 }
 
 Table step_table(const OperationResults& results, const std::optional<Description>& description) {
   using Lay = const StaticResults&;
   const std::vector<HoldPoint> points = hold_points(results);
-  const std::optional<double> most = cable_limit(description);
+  const std::optional<double> limit = cable_limit(description);
   StageTable table(results, all_stages(results));
   const auto stage = [&](std::size_t i) -> const StageResult& { return results.stages[i]; };
   table.add("", TableColumn("Step"), [&](std::size_t i) { return stage_title(results, i); });
-  table.add("", {progress_name(results.type), "m", 1}, [&](std::size_t i) { return progress_of(stage(i).stage); });
-  table.add("Tension", {"hold", "N", 1}, [&](std::size_t i) { return tension_of(stage(i)); });
-  table.add("Tension", {"not below", "N", 1}, [&](std::size_t i) { return least_tension(stage(i)); });
+  table.add("", {progress_name(results.type), "m", 1}, [&](std::size_t i) { return stage_progress(stage(i).stage); });
+  table.add("Tension", {"hold", "N", 1}, [&](std::size_t i) { return stage_tension(stage(i)); });
+  table.add("Tension", {"not below", "N", 1}, [&](std::size_t i) { return min_tension(stage(i)); });
   table.add("Tension", {"not above", "N", 1},
-            [&](Lay lay) { return lay.cable && !lay.dragging ? most : std::nullopt; });
+            [&](Lay lay) { return lay.cable && !lay.dragging ? limit : std::nullopt; });
   table.add("Winch", {"pull", "N", 1},
             [](Lay lay) { return lay.dragging ? lay.dragging->winch_tension : TableCell(); });
-  table.add("Winch", {"not above", "N", 1}, [&](Lay lay) { return lay.dragging ? most : std::nullopt; });
+  table.add("Winch", {"not above", "N", 1}, [&](Lay lay) { return lay.dragging ? limit : std::nullopt; });
   table.add("Winch", {"cable out", "m", 1}, [](Lay lay) { return lay.dragging ? lay.cable->length : TableCell(); });
   table.add("", {"Barge ahead", "m", 1},
             [&](std::size_t i) { return stage(i).lay ? stage(i).barge_ahead : TableCell(); });
@@ -80,10 +80,10 @@ Table step_table(const OperationResults& results, const std::optional<Descriptio
   table.add("Head", {"over bed", "m", 1}, [](Lay lay) { return lay.head ? lay.head->clearance : TableCell(); });
   table.add("Watch", {"tip clearance", "m", 2}, [](Lay lay) { return lay.stinger_tip_clearance; });
   table.add("Watch", {"roller load", "N", 1},
-            [](Lay lay) { return lay.largest_reaction_support.empty() ? TableCell() : lay.largest_reaction; });
-  table.add("Watch", TableColumn("at"), [](Lay lay) { return lay.largest_reaction_support; });
+            [](Lay lay) { return lay.max_reaction_support.empty() ? TableCell() : lay.max_reaction; });
+  table.add("Watch", TableColumn("at"), [](Lay lay) { return lay.max_reaction_support; });
   table.add("", {"Utilisation", "", 2}, [&](std::size_t i) {
-    const std::optional<StageUse> use = largest_use(stage(i));
+    const std::optional<StageUtilisation> use = find_max_utilisation(stage(i));
     return use ? use->utilisation : TableCell();
   });
   table.add("", TableColumn("Hold points and remarks"), [&](std::size_t i) { return remarks(results, points, i); });
@@ -103,22 +103,22 @@ std::string numbers(const std::vector<std::size_t>& stages) {
   return text;
 }
 
-/// Steps that the analysis speaks against.
+/// Adds the steps that the analysis advises against.
 void add_steps_to_avoid(const OperationResults& results, std::vector<std::string>& reasons) {
   std::vector<std::size_t> exceeded;
   for (const std::size_t i : all_stages(results)) {
-    if (results.stages[i].failure) reasons.push_back(failure_words(results, i) + " Stop at the step before.");
-    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    if (results.stages[i].failure) reasons.push_back(failure_text(results, i) + " Stop at the step before.");
+    const std::optional<StageUtilisation> use = find_max_utilisation(results.stages[i]);
     if (use && use->utilisation > 1.0) exceeded.push_back(i);
   }
   if (!exceeded.empty()) {
     reasons.push_back(
-        fmt::format("Step{} {}: a check is exceeded even at the tension given. Not to be done as planned.",
+        fmt::format("Step{} {}: a check is exceeded even at the given tension. Do not carry out as planned.",
                     exceeded.size() > 1 ? "s" : "", numbers(exceeded)));
   }
 }
 
-/// What the operation may not do, as the model gives it.
+/// Adds the limits of the operation, as given in the model.
 void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
   if (limits.tip_clearance) {
     reasons.push_back(fmt::format("Clearance at the stinger tip below {}.", shown(*limits.tip_clearance, "m", 2)));
@@ -139,21 +139,21 @@ void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
 Blocks abort_list(const OperationResults& results, const std::optional<Description>& description) {
   std::vector<std::string> reasons;
   add_steps_to_avoid(results, reasons);
-  if (const std::optional<double> most = cable_limit(description)) {
+  if (const std::optional<double> limit = cable_limit(description)) {
     const SafetyFactor factor = cable_safety_factor(description->checks.safety_factors);
     reasons.push_back(fmt::format(
         "Tension of the cable above {}: its breaking load of {} over a safety factor of {:.3g} ({}){}.",
-        shown(*most, "N", 1), shown(*description->operation.lay.cable->breaking_load, "N", 1), factor.value,
+        shown(*limit, "N", 1), shown(*description->operation.lay.cable->breaking_load, "N", 1), factor.value,
         factor.source, description->operation.lay.program ? ", times the utilisation that the model allows" : ""));
   }
   if (description && description->operation.lay.program) {
     add_limits(description->operation.lay.program->limits, reasons);
   }
-  reasons.emplace_back("Tension, length out or place of the barge cannot be brought to the values of the step.");
+  reasons.emplace_back("Tension, length paid out or vessel position cannot be brought to the values of the step.");
   return block::subheading("Stop and hold if") + block::list(reasons);
 }
 
-/// Boxes to be filled by hand where the model says nothing.
+/// Fields to be filled in by hand if the model does not give their values.
 Blocks signatures(const std::optional<Description>& description) {
   const ReportDescription control = description ? description->report : ReportDescription{};
   return block::entry_frame({{"Document", control.document},
@@ -176,10 +176,10 @@ Blocks procedure_section(const OperationResults& results, const std::optional<De
       "procedure", "Procedure sheet",
       block::paragraph(subject) + signatures(description) + step_table(results, description) +
           block::remark(
-              "Values at the end of each step, at rest: motions of the vessel add to them. Astern: of the stern shoe; "
-              "barge ahead: from its place at step 1. Not below: least tension found for the limits; not above: "
-              "breaking load of the cable over its safety factor, times the utilisation that the model allows. Hold "
-              "before: pause, compare length, tension and place with the sheet, then go on.") +
+              "Static values at the end of each step, without vessel motions. Astern: of the stern shoe; barge "
+              "ahead: from its position at step 1. Not below: minimum tension found for the limits; not above: "
+              "breaking load of the cable over its safety factor, times the utilisation that the model allows. "
+              "Hold before: pause, compare length, tension and position with the sheet, then continue.") +
           abort_list(results, description));
 }
 

@@ -1,4 +1,4 @@
-/// The procedure sheet of an operation on the line: one page that goes on board.
+/// The procedure sheet of an operation on the line: one page for use on board.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace overbend {
 
-/// Step by step: how far the line goes, the tension to hold, where barge and head are then, what to watch, where to
-/// pause, and what ends the operation. `description` gives limits and document control; empty where no stage stands.
+/// Returns the steps: length of line to pay out, tension to hold, positions of vessel and head, items to watch, hold
+/// points, and abort criteria. `description` gives limits and document control; empty if no stage has an equilibrium.
 Blocks procedure_section(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -8,9 +8,9 @@
 namespace overbend {
 namespace {
 
-/// `over` where a stage has no equilibrium or its checks or its cable are exceeded.
+/// `over` if a stage has no equilibrium or exceeds a check or its cable's capacity.
 RowMark stage_mark(const StageResult& stage) {
-  const std::optional<StageUse> use = largest_use(stage);
+  const std::optional<StageUtilisation> use = find_max_utilisation(stage);
   return !stage.lay || (use && use->utilisation > 1.0) ? RowMark::over : RowMark::none;
 }
 
@@ -43,7 +43,7 @@ Table StageTable::table(const std::string& title, const std::string& look, bool 
     TableRow& row = table.rows[i];
     if (marked) row.mark = stage_mark(results_.stages[stages_[i]]);
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
-      if (!table.columns[k].words && std::holds_alternative<std::monostate>(row.cells[k])) row.cells[k] = "-";
+      if (!table.columns[k].is_text && std::holds_alternative<std::monostate>(row.cells[k])) row.cells[k] = "-";
     }
   }
   return table;

@@ -1,4 +1,4 @@
-/// Tables with a row per stage of an operation: columns that say nothing at any stage are left out.
+/// Tables with a row per stage of an operation: columns without a value at any stage are omitted.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace overbend {
 /// Fractions in percent.
 inline constexpr ShownUnit kPercent{"1", "%", 100.0, 1};
 
-/// Columns are added from the left; each makes its cells of all rows.
+/// Columns are added from the left; each computes its cells of all rows.
 class StageTable {
  public:
   using StageCell = std::function<TableCell(std::size_t stage)>;
@@ -22,12 +22,12 @@ class StageTable {
   /// `stages` are the numbers of the rows, from 0.
   StageTable(const OperationResults& results, const std::vector<std::size_t>& stages);
 
-  /// `group` is the head above neighbouring columns; empty: none.
+  /// `group` is the common heading of neighbouring columns; empty: none.
   void add(const std::string& group, TableColumn column, const StageCell& cell);
-  /// Of the equilibrium of the stage; empty where it has none.
+  /// Adds a column from the equilibrium of the stage; empty cells without one.
   void add(const std::string& group, TableColumn column, const LayCell& cell);
 
-  /// Empty cells of numbers become dashes. `marked`: rows of failed and exceeded stages stand out.
+  /// Returns the table. Empty cells of numbers become dashes. `marked`: rows of failed and exceeded stages are marked.
   Table table(const std::string& title, const std::string& look, bool marked = true) const;
 
  private:
@@ -36,7 +36,7 @@ class StageTable {
   Table table_;
 };
 
-/// The numbers of all stages.
+/// Returns the numbers of all stages.
 std::vector<std::size_t> all_stages(const OperationResults& results);
 
 }  // namespace overbend

@@ -9,50 +9,51 @@
 #include "report/page/json_number.h"
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
-#include "report/stages/stage_words.h"
-#include "results/fields/places.h"
+#include "report/stages/stage_labels.h"
+#include "results/fields/location_names.h"
 #include "results/sagbend.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostPoints = 400;  // of a line in a figure with many
-constexpr double kOfLaidPipe = 0.15;      // drawn behind touchdown, part of the length from the top to it
+constexpr std::size_t kMaxLinePoints = 400;  // per line in a figure with many lines
+constexpr double kLaidPipeFraction = 0.15;   // length drawn behind touchdown, as a fraction of the length from the top
+                                             // to touchdown
 
-const char* word_of(SectionKind kind) {
+const char* enum_name(SectionKind kind) {
   return kind == SectionKind::cable ? "cable" : kind == SectionKind::head ? "head" : "pipe";
 }
 
-/// Stations from the top on, fewer of long lines, with those next to the head.
+/// Stations from the top on, thinned for long lines, including those next to the head.
 std::vector<const Station*> drawn(const StaticResults& lay, const std::optional<LineParts>& parts) {
   const std::size_t count = lay.stations.size();
-  const std::size_t stride = std::max<std::size_t>(1, count / kMostPoints);
+  const std::size_t stride = std::max<std::size_t>(1, count / kMaxLinePoints);
   const double top = lay.stations.back().s;
-  const double end = lay.touchdown.s - std::max(30.0, kOfLaidPipe * (top - lay.touchdown.s));
+  const double end = lay.touchdown.s - std::max(30.0, kLaidPipeFraction * (top - lay.touchdown.s));
   std::vector<const Station*> all;
   for (std::size_t i = count; i-- > 0;) {
-    const Station& at = lay.stations[i];
-    if (at.s < end) break;
-    const bool borders = parts && ((i + 1 < count && parts->at(lay.stations[i + 1].s) != parts->at(at.s)) ||
-                                   (i > 0 && parts->at(lay.stations[i - 1].s) != parts->at(at.s)));
-    if (i % stride == 0 || i + 1 == count || borders) all.push_back(&at);
+    const Station& station = lay.stations[i];
+    if (station.s < end) break;
+    const bool borders = parts && ((i + 1 < count && parts->at(lay.stations[i + 1].s) != parts->at(station.s)) ||
+                                   (i > 0 && parts->at(lay.stations[i - 1].s) != parts->at(station.s)));
+    if (i % stride == 0 || i + 1 == count || borders) all.push_back(&station);
   }
   return all;
 }
 
-/// Runs of points of one kind; each ends where the next begins.
-Json line_of(const StaticResults& lay, double head_length) {
+/// Runs of points of one kind; each ends at the start of the next.
+Json line_runs(const StaticResults& lay, double head_length) {
   const std::optional<LineParts> parts = line_parts(lay, head_length);
   Json runs = Json::array();
   SectionKind kind = SectionKind::pipe;
-  for (const Station* at : drawn(lay, parts)) {
-    const SectionKind now = parts ? parts->at(at->s) : SectionKind::pipe;
-    const Vec3 p = ship_point(lay, at->p_W);
+  for (const Station* station : drawn(lay, parts)) {
+    const SectionKind next_kind = parts ? parts->at(station->s) : SectionKind::pipe;
+    const Vec3 p = ship_point(lay, station->p_W);
     const Json point = {json_number(p.x()), json_number(p.z())};
-    if (runs.empty() || now != kind) {
+    if (runs.empty() || next_kind != kind) {
       if (!runs.empty()) runs.back()["points"].push_back(point);
-      runs.push_back({{"of", word_of(now)}, {"points", Json::array()}});
-      kind = now;
+      runs.push_back({{"of", enum_name(next_kind)}, {"points", Json::array()}});
+      kind = next_kind;
     }
     runs.back()["points"].push_back(point);
   }
@@ -98,33 +99,33 @@ std::vector<Curve> curves() {
        [](Stage, Lay lay) { return lay.overbend ? std::optional(lay.overbend->strain.value) : std::nullopt; }},
       {"tip", "Clearance at the stinger tip", distances(), [](Stage, Lay lay) { return lay.stinger_tip_clearance; }},
       {"roller", "Largest load of a roller", forces(),
-       [](Stage, Lay lay) { return lay.supports.empty() ? std::nullopt : std::optional(lay.largest_reaction); }},
+       [](Stage, Lay lay) { return lay.supports.empty() ? std::nullopt : std::optional(lay.max_reaction); }},
       {"use", "Largest utilisation", plain,
        [](Stage stage, Lay) {
-         const std::optional<StageUse> use = largest_use(stage);
+         const std::optional<StageUtilisation> use = find_max_utilisation(stage);
          return use ? std::optional(use->utilisation) : std::nullopt;
        }},
   };
 }
 
-std::map<std::string, double> limits_of(const std::optional<Description>& description) {
+std::map<std::string, double> stage_limit_values(const std::optional<Description>& description) {
   std::map<std::string, double> limits = {{"use", 1.0}, {"cable", 1.0}};
   if (!description || !description->operation.lay.program) return limits;
-  const StageLimits& given = description->operation.lay.program->limits;
+  const StageLimits& stage_limits = description->operation.lay.program->limits;
   const auto put = [&](const char* key, const std::optional<double>& value) {
     if (value) limits[key] = *value;
   };
-  put("sagbend_stress", given.sagbend_stress);
-  put("sagbend_strain", given.sagbend_strain);
-  put("tip", given.tip_clearance);
-  put("roller", given.roller_load);
-  put("use", given.utilisation);
-  put("cable", given.utilisation);
+  put("sagbend_stress", stage_limits.sagbend_stress);
+  put("sagbend_strain", stage_limits.sagbend_strain);
+  put("tip", stage_limits.tip_clearance);
+  put("roller", stage_limits.roller_load);
+  put("use", stage_limits.utilisation);
+  put("cable", stage_limits.utilisation);
   return limits;
 }
 
 Json curve_data(const OperationResults& results, const std::optional<Description>& description) {
-  const std::map<std::string, double> limits = limits_of(description);
+  const std::map<std::string, double> limits = stage_limit_values(description);
   Json all = Json::array();
   for (const Curve& curve : curves()) {
     Json values = Json::array();
@@ -149,19 +150,19 @@ Json curve_data(const OperationResults& results, const std::optional<Description
 
 Json stage_data(const OperationResults& results, std::size_t i, double head_length) {
   const StageResult& stage = results.stages[i];
-  Json one = {{"name", stage_title(results, i)},
-              {"out", or_null(progress_of(stage.stage))},
+  Json row = {{"name", stage_title(results, i)},
+              {"out", or_null(stage_progress(stage.stage))},
               {"ahead", json_number(stage.barge_ahead)},
-              {"line", stage.lay ? line_of(*stage.lay, head_length) : Json(nullptr)},
+              {"line", stage.lay ? line_runs(*stage.lay, head_length) : Json(nullptr)},
               {"touchdown", stage.lay ? json_number(stage.lay->touchdown.astern) : Json(nullptr)}};
-  const std::optional<StageUse> use = largest_use(stage);
-  one["use"] = use ? json_number(use->utilisation) : Json(nullptr);
-  one["governing"] = use ? use->what : std::string();
-  one["why"] = stage.failure ? stage.failure->what + ": " + stage.failure->why : std::string();
-  return one;
+  const std::optional<StageUtilisation> use = find_max_utilisation(stage);
+  row["use"] = use ? json_number(use->utilisation) : Json(nullptr);
+  row["governing"] = use ? use->what : std::string();
+  row["why"] = stage.failure ? stage.failure->what + ": " + stage.failure->why : std::string();
+  return row;
 }
 
-Json hull_of(const StaticResults& lay) {
+Json hull_outline(const StaticResults& lay) {
   Json corners = Json::array();
   if (!(lay.vessel_length > 0.0)) return corners;
   for (const auto& [along, up] : {std::pair{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}) {
@@ -172,7 +173,7 @@ Json hull_of(const StaticResults& lay) {
   return corners;
 }
 
-Json supports_of(const StaticResults& lay) {
+Json support_outlines(const StaticResults& lay) {
   Json boxes = Json::array();
   for (const SupportResult& box : lay.supports) {
     Json rows = Json::array();
@@ -185,8 +186,8 @@ Json supports_of(const StaticResults& lay) {
   return boxes;
 }
 
-/// Points of the bed that are known: below the stern shoe, and where the line touches down.
-Json bed_of(const OperationResults& results) {
+/// Known points of the seabed: below the stern shoe, and at the touchdown points.
+Json seabed_points(const OperationResults& results) {
   std::map<double, double> points;
   for (const StageResult& stage : results.stages) {
     if (!stage.lay) continue;
@@ -202,13 +203,13 @@ Json bed_of(const OperationResults& results) {
 }  // namespace
 
 Json stages_data(const OperationResults& results, const std::optional<Description>& description) {
-  const double head_length = description ? head_length_of(description->operation.lay) : 0.0;
+  const double head_length = description ? find_head_length(description->operation.lay) : 0.0;
   Json stages = Json::array(), hull = Json::array(), supports = Json::array();
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     stages.push_back(stage_data(results, i, head_length));
     if (!results.stages[i].lay || !hull.empty()) continue;
-    hull = hull_of(*results.stages[i].lay);
-    supports = supports_of(*results.stages[i].lay);
+    hull = hull_outline(*results.stages[i].lay);
+    supports = support_outlines(*results.stages[i].lay);
   }
   return {{"stages",
            {{"list", std::move(stages)},
@@ -216,7 +217,7 @@ Json stages_data(const OperationResults& results, const std::optional<Descriptio
             {"out", progress_name(results.type)},
             {"hull", std::move(hull)},
             {"supports", std::move(supports)},
-            {"bed", bed_of(results)}}}};
+            {"bed", seabed_points(results)}}}};
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Data of the figures of an operation on the line.
+/// Data for the figures of an operation on the line.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace overbend {
 
-/// JSON under "stages": shape of the line at each stage with what of it is pipe, head and cable, results over the
-/// stages, limits, and what stands around. SI but for what says its unit; places as in report_data.h.
+/// Returns JSON under "stages": shape of the line at each stage with its division into pipe, head and cable, results
+/// over the stages, limits, and surrounding objects. SI unless a unit is given; positions as in report_data.h.
 Json stages_data(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -9,8 +9,8 @@
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_columns.h"
-#include "report/stages/stage_words.h"
-#include "results/fields/places.h"
+#include "report/stages/stage_labels.h"
+#include "results/fields/location_names.h"
 #include "results/fields/result_field.h"
 #include "results/findings.h"
 #include "results/sagbend.h"
@@ -27,13 +27,13 @@ StageTable stage_rows(const OperationResults& results, const std::vector<std::si
   StageTable table(results, stages);
   const auto stage = [&](std::size_t i) -> const LayStageDescription& { return results.stages[i].stage; };
   table.add("", TableColumn("Stage"), [&](std::size_t i) { return stage_title(results, i); });
-  table.add("", {progress_name(results.type), "m", 2}, [&](std::size_t i) { return progress_of(stage(i)); });
+  table.add("", {progress_name(results.type), "m", 2}, [&](std::size_t i) { return stage_progress(stage(i)); });
   table.add("Tank", {"empty", "N", 1}, [&](std::size_t i) { return stage(i).tank_weight; });
   table.add("Tank", {"flooded", kPercent, 1}, [&](std::size_t i) { return stage(i).tank_ballast; });
   return table;
 }
 
-/// Empty in an operation during which the barge stays where it is.
+/// Empty cell in an operation without vessel motion.
 TableCell barge_ahead(const OperationResults& results, std::size_t stage) {
   const bool moves = std::ranges::any_of(results.stages,
                                          [](const StageResult& result) { return std::abs(result.barge_ahead) > 5e-3; });
@@ -60,11 +60,11 @@ Table line_table(const OperationResults& results) {
             [](Lay lay) { return has_sagbend(lay) ? lay.sagbend.strain.value : TableCell(); });
   table.add("", {"Tip clearance", "m", 3}, [](Lay lay) { return lay.stinger_tip_clearance; });
   table.add("Largest roller load", {"", "N", 1},
-            [](Lay lay) { return lay.largest_reaction_support.empty() ? TableCell() : lay.largest_reaction; });
-  table.add("Largest roller load", TableColumn("at"), [](Lay lay) { return lay.largest_reaction_support; });
+            [](Lay lay) { return lay.max_reaction_support.empty() ? TableCell() : lay.max_reaction; });
+  table.add("Largest roller load", TableColumn("at"), [](Lay lay) { return lay.max_reaction_support; });
   table.add("", {"Lay-back", "m", 1}, [](Lay lay) { return lay.lay_back; });
   table.add("", {"Largest utilisation", "", 3}, [&](std::size_t i) {
-    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    const std::optional<StageUtilisation> use = find_max_utilisation(results.stages[i]);
     return use ? use->utilisation : TableCell();
   });
   return table.table("The line, stage by stage", kLook);
@@ -80,7 +80,7 @@ Table head_table(const OperationResults& results) {
   table.add("Head", {"over the bed", "m", 2}, [](Lay lay) { return lay.head->clearance; });
   table.add("Cable", {"at the head", "N", 1}, [](Lay lay) { return lay.head->tension; });
   table.add("Cable", {"inclination there", "rad", 2}, [](Lay lay) { return lay.head->cable_inclination; });
-  table.add("Cable", {"largest", "N", 1}, [](Lay lay) { return lay.cable ? lay.cable->largest_tension : TableCell(); });
+  table.add("Cable", {"largest", "N", 1}, [](Lay lay) { return lay.cable ? lay.cable->max_tension : TableCell(); });
   table.add("Cable", {"of breaking load", kPercent, 1},
             [](Lay lay) { return lay.cable ? lay.cable->utilisation : TableCell(); });
   table.add("Cable", {"inclination at the winch", "rad", 2},
@@ -91,7 +91,7 @@ Table head_table(const OperationResults& results) {
   table.add("Cable", {"at the winch", "N", 1},
             [](Lay lay) { return lay.dragging ? lay.dragging->winch_tension : TableCell(); });
   table.add("Line", {"least tension", "N", 1},
-            [](Lay lay) { return lay.dragging ? lay.smallest_tension.value : TableCell(); });
+            [](Lay lay) { return lay.dragging ? lay.min_effective_tension.value : TableCell(); });
   const char* const far = drags_along_bed(results.type) ? "Winch" : "Anchor";
   table.add(far, {"astern", "m", 2}, [](Lay lay) { return lay.far_anchor ? lay.far_anchor->distance : TableCell(); });
   table.add(far, {"horizontal", "N", 1},
@@ -126,14 +126,14 @@ std::string check_cell(const StaticResults& lay, CheckRegion region) {
   return fmt::format("{} {}{}", fixed(row->utilisation, 3), row->name, row->line.empty() ? "" : ", " + row->line);
 }
 
-/// Why stages cannot be, and what tension would do.
+/// Reasons why stages are infeasible, and the tension that would make them feasible.
 Blocks failed_list(const OperationResults& results) {
   std::vector<std::string> items;
   for (const std::size_t i : all_stages(results)) {
-    if (results.stages[i].failure) items.push_back(failure_words(results, i));
+    if (results.stages[i].failure) items.push_back(failure_text(results, i));
   }
   if (items.empty()) return {};
-  return block::subheading("Stages that cannot be") + block::list(items);
+  return block::subheading("Infeasible stages") + block::list(items);
 }
 
 Blocks stage_checks(const OperationResults& results, std::size_t stage) {
@@ -152,7 +152,7 @@ Blocks stage_checks(const OperationResults& results, std::size_t stage) {
       if (row.region != region || !row.governing) continue;
       const std::string status = word(row.status);
       table.row({region_title(region), row.name, row.clause.empty() ? row.code : row.code + ", " + row.clause,
-                 row.judged() ? row.utilisation : TableCell(), place_name(lay, row), along_pipe(lay, row),
+                 row.judged() ? row.utilisation : TableCell(), location_name(lay, row), along_pipe(lay, row),
                  row.remark.empty() ? status : status + ": " + row.remark},
                 row.status == CheckStatus::exceeded ? RowMark::over : RowMark::none);
     }
@@ -166,10 +166,11 @@ Blocks stages_section(const OperationResults& results) {
   return block::section(
       "stages", "Stages",
       failed_list(results) + figures(results) + line_table(results) + head_table(results) +
-          block::remark("Red: no equilibrium, or a utilisation above 1. X: horizontal, astern of the stern shoe; Z: "
-                        "above the mean water level; inclinations from horizontal, positive dipping astern. Stresses "
-                        "are von Mises stresses, strains longitudinal. Barge ahead: from its place at the first stage. "
-                        "Largest utilisation: of the governing code checks and of the cable's breaking load."));
+          block::remark("Red: no equilibrium, or a utilisation above 1. X: horizontal, astern of the stern shoe; "
+                        "Z: above the mean water level; inclinations from horizontal, positive dipping astern. "
+                        "Stresses are von Mises stresses, strains longitudinal. Barge ahead: from its position at "
+                        "the first stage. Largest utilisation: of the governing code checks and of the cable's "
+                        "breaking load."));
 }
 
 Blocks stage_checks_section(const OperationResults& results) {
@@ -181,7 +182,7 @@ Blocks stage_checks_section(const OperationResults& results) {
   }
   StageTable table(results, all_stages(results));
   table.add("", TableColumn("Stage"), [&](std::size_t i) { return stage_title(results, i); });
-  table.add("", TableColumn("Verdict"), [&](std::size_t i) { return stage_verdict(results.stages[i]).words; });
+  table.add("", TableColumn("Verdict"), [&](std::size_t i) { return stage_verdict(results.stages[i]).headline; });
   for (const CheckRegion region : check_regions()) {
     table.add("Utilisation and governing check", TableColumn(region_title(region)),
               [&](Lay lay) { return check_cell(lay, region); });
@@ -190,14 +191,14 @@ Blocks stage_checks_section(const OperationResults& results) {
                         table.table("Governing check of each region", "checks stages") + folded);
 }
 
-std::string failure_words(const OperationResults& results, std::size_t stage) {
+std::string failure_text(const OperationResults& results, std::size_t stage) {
   const StageFailure& failure = *results.stages[stage].failure;
-  std::string text = fmt::format("Stage {} cannot be: {}", stage_title(results, stage), failure.what);
+  std::string text = fmt::format("Stage {} is infeasible: {}", stage_title(results, stage), failure.what);
   if (!failure.where.empty()) text += ", " + failure.where;
   if (!failure.why.empty()) text += ": " + failure.why;
   if (text.back() != '.') text += ".";
-  if (failure.least_tension) {
-    text += fmt::format(" It can be with a tension of {} or more at the top.", shown(*failure.least_tension, "N", 1));
+  if (failure.min_tension) {
+    text += fmt::format(" It is feasible with a top tension of {} or more.", shown(*failure.min_tension, "N", 1));
   }
   return text;
 }

@@ -8,13 +8,14 @@
 
 namespace overbend {
 
-/// All stages in figures and tables, and why those that cannot be cannot.
+/// Returns all stages in figures and tables, and the reasons why stages are infeasible.
 Blocks stages_section(const OperationResults& results);
 
-/// The governing check of each region, stage by stage; then those of every stage in full, folded. Empty without any.
+/// Returns the governing check of each region, stage by stage; then those of every stage in full, collapsed. Empty
+/// without any.
 Blocks stage_checks_section(const OperationResults& results);
 
 /// "Stage 7 (head on the bed) cannot be: no equilibrium at the head: the cable is too short. ..."
-std::string failure_words(const OperationResults& results, std::size_t stage);
+std::string failure_text(const OperationResults& results, std::size_t stage);
 
 }  // namespace overbend

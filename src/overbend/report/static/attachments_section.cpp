@@ -3,7 +3,7 @@
 namespace overbend {
 namespace {
 
-/// With the columns of a place on the pipe; those of what hangs there follow.
+/// Table with the columns of a position on the pipe; those of the attachment follow.
 Table place_table(const std::string& name) {
   return {"",
           {TableColumn(name),
@@ -29,7 +29,7 @@ Table point_table(const StaticResults& results) {
   table.column({"Pulls up", "N", 1});
   table.groups({{"", 2}, {"Place", 3}, {"", 1}, {"Tension", 2}, {"Shear", 2}, {"", 1}});
   for (const PipePointResult& point : results.points) {
-    std::vector<TableCell> cells = place_cells(point.name, point.at);
+    std::vector<TableCell> cells = place_cells(point.name, point.location);
     cells.emplace_back(point.force.z());
     table.row(cells);
   }
@@ -44,7 +44,7 @@ Table wire_table(const StaticResults& results) {
       .column({"Of breaking load", "", 3});
   table.groups({{"", 2}, {"Place", 3}, {"", 1}, {"Tension", 2}, {"Shear", 2}, {"Wire", 4}});
   for (const PipeWireResult& wire : results.wires) {
-    std::vector<TableCell> cells = place_cells(wire.name, wire.at);
+    std::vector<TableCell> cells = place_cells(wire.name, wire.location);
     cells.insert(cells.end(), {wire.length, wire.tension_upper, wire.from_vertical_upper,
                                wire.utilisation ? TableCell(*wire.utilisation) : TableCell("-")});
     table.row(cells);
@@ -59,8 +59,8 @@ Blocks attachments_section(const StaticResults& results) {
   if (tables.empty()) return {};
   return block::section("attachments", "Clumps, buoys and wires on the pipe",
                         tables + block::remark("Moment of the pipe there, sagging positive; its tension and shear "
-                                               "above, towards the tensioner, and below: they jump by what the clump, "
-                                               "buoy or wire pulls."));
+                                               "above, towards the tensioner, and below: they jump by the force of "
+                                               "the clump, buoy or wire."));
 }
 
 }  // namespace overbend

@@ -7,7 +7,7 @@
 #include "report/page/calculation_sheet.h"
 #include "report/page/json_number.h"
 #include "resultfiles/static/check_tables.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 #include "results/fields/result_field.h"
 #include "results/verdict.h"
 
@@ -20,23 +20,23 @@ std::string number(double value) {
   return fixed(value, size >= 1000.0 ? 0 : size >= 100.0 ? 1 : size >= 1.0 ? 3 : 4);
 }
 
-/// A unit that does not break.
-std::string in_one(std::string unit) {
-  const std::size_t at = unit.find(' ');
-  return at == std::string::npos ? unit : unit.replace(at, 1, "\u00a0");
+/// Replaces the blank in a unit by a no-break space.
+std::string with_no_break_space(std::string unit) {
+  const std::size_t space = unit.find(' ');
+  return space == std::string::npos ? unit : unit.replace(space, 1, "\u00a0");
 }
 
-std::string code_of(const CheckRow& row) {
+std::string code_text(const CheckRow& row) {
   return row.clause.empty() ? row.code : row.code + ", " + row.clause;
 }
 
-std::string status_of(const CheckRow& row) {
+std::string status_text(const CheckRow& row) {
   std::string text = row.governing ? word(row.status) : "for information";
   if (!row.governing && row.status != CheckStatus::passed) text += std::string(", ") + word(row.status);
   return row.remark.empty() ? text : text + ": " + row.remark;
 }
 
-RowMark mark_of(const CheckRow& row) {
+RowMark row_mark(const CheckRow& row) {
   if (!row.governing) return RowMark::soft;
   return row.status == CheckStatus::exceeded ? RowMark::over : RowMark::none;
 }
@@ -45,8 +45,8 @@ TableCell reserve(const CheckRow& row) {
   return row.reserve >= 999.0 ? TableCell("> 999") : TableCell(row.reserve);
 }
 
-/// Most used first; what could not be judged last.
-std::vector<const CheckRow*> rows_of(const CheckTable& table, CheckRegion region) {
+/// By descending utilisation; checks that could not be judged are last.
+std::vector<const CheckRow*> find_rows(const CheckTable& table, CheckRegion region) {
   std::vector<const CheckRow*> rows;
   for (const CheckRow& row : table.rows) {
     if (row.region == region) rows.push_back(&row);
@@ -58,7 +58,7 @@ std::vector<const CheckRow*> rows_of(const CheckTable& table, CheckRegion region
   return rows;
 }
 
-TableCell time_of(const CheckRow& row) {
+TableCell time_cell(const CheckRow& row) {
   return row.in_time ? TableCell(row.time) : TableCell("static");
 }
 
@@ -77,14 +77,14 @@ Table governing_table(const StaticResults& statics, const CheckTable& checks) {
   for (const CheckRegion region : check_regions()) {
     const CheckRow* row = governing_check(checks, region);
     if (row == nullptr) continue;
-    table.row({region_title(region), row->name, code_of(*row), row->utilisation, reserve(*row),
-               place_name(statics, *row), along_pipe(statics, *row), time_of(*row), word(row->status)},
-              mark_of(*row));
+    table.row({region_title(region), row->name, code_text(*row), row->utilisation, reserve(*row),
+               location_name(statics, *row), along_pipe(statics, *row), time_cell(*row), word(row->status)},
+              row_mark(*row));
   }
   return table;
 }
 
-/// Every check of a region with its place: along the laid pipe, or in words for lines, moorings and anchors.
+/// Every check of a region with its position: along the laid pipe, or as text for lines, moorings and anchors.
 Table region_table(const StaticResults& statics, const CheckTable& checks, CheckRegion region, bool along) {
   const auto add = [](std::vector<TableColumn>& all, const std::vector<TableColumn>& more) {
     all.insert(all.end(), more.begin(), more.end());
@@ -99,22 +99,22 @@ Table region_table(const StaticResults& statics, const CheckTable& checks, Check
   if (along) add(columns, {{"Along pipe", "m", 1}, {"X", "m", 1}, {"Z", "m", 1}, {"Time", "s", 1}});
   add(columns, {TableColumn("Status")});
   Table table{along ? region_title(region) : "Checks of all lines, moorings and wires", columns, "checks"};
-  for (const CheckRow* row : rows_of(checks, region)) {
-    std::vector<TableCell> cells = {row->name, code_of(*row)};
+  for (const CheckRow* row : find_rows(checks, region)) {
+    std::vector<TableCell> cells = {row->name, code_text(*row)};
     const bool done = row->status != CheckStatus::not_done;
-    if (!along) cells.emplace_back(done ? place_name(statics, *row) : row->line);
+    if (!along) cells.emplace_back(done ? location_name(statics, *row) : row->line);
     if (done) {
       const ShownUnit unit = check_unit(*row);
       cells.insert(cells.end(), {number(row->demand * unit.factor), number(row->capacity * unit.factor),
-                                 in_one(std::string(unit.name)), row->utilisation, reserve(*row)});
+                                 with_no_break_space(std::string(unit.name)), row->utilisation, reserve(*row)});
     }
     if (done && along) {
       const Vec3 p = ship_point(statics, row->p_W);
-      cells.insert(cells.end(), {along_pipe(statics, *row), p.x(), p.z(), time_of(*row)});
+      cells.insert(cells.end(), {along_pipe(statics, *row), p.x(), p.z(), time_cell(*row)});
     }
     cells.resize(columns.size() - 1);
-    cells.emplace_back(status_of(*row));
-    table.row(cells, mark_of(*row));
+    cells.emplace_back(status_text(*row));
+    table.row(cells, row_mark(*row));
   }
   return table;
 }

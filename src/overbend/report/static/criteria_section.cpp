@@ -8,12 +8,12 @@
 namespace overbend {
 namespace {
 
-/// One row for each check, whatever the regions that it is made in.
+/// One row for each check, independent of its regions.
 std::vector<CheckRow> distinct_checks(const CheckTable& checks) {
   std::vector<CheckRow> distinct;
   for (const CheckRow& row : checks.rows) {
     const bool known = std::ranges::any_of(
-        distinct, [&](const CheckRow& other) { return other.id == row.id && other.name == row.name; });
+        distinct, [&](const CheckRow& other_row) { return other_row.id == row.id && other_row.name == row.name; });
     if (!known) distinct.push_back(row);
   }
   std::ranges::stable_sort(distinct, [](const CheckRow& a, const CheckRow& b) { return a.governing && !b.governing; });
@@ -21,8 +21,7 @@ std::vector<CheckRow> distinct_checks(const CheckTable& checks) {
 }
 
 std::string rule_on_findings(const std::optional<Description>& description) {
-  std::string text =
-      "Accepted: the utilisation of every criterion that decides is at most 1, and no finding is serious.";
+  std::string text = "Accepted if the utilisation of every governing criterion is at most 1 and no finding is serious.";
   if (description && !description->checks.accepted_findings.empty()) {
     text += fmt::format(" Serious findings accepted by the project: {}.",
                         fmt::join(description->checks.accepted_findings, ", "));

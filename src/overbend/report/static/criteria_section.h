@@ -1,4 +1,4 @@
-/// What the verdict asks for: the acceptance criteria of the analysis.
+/// Acceptance criteria of the analysis.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace overbend {
 
-/// Every criterion once, those that decide first; then the rule on findings with those that the project accepts. Empty
-/// without checks.
+/// Returns every criterion once, governing ones first; then the rule on findings with those that the project accepts.
+/// Empty without checks.
 Blocks criteria_section(const CheckTable& checks, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Words in both columns: each row has a unit of its own, in its name.
+/// Text in both columns: each row has its own unit, in its name.
 Table route_table(const RouteResults& route) {
   Table table{"", {TableColumn("Pipe on its route"), TableColumn("")}, ""};
   const auto row = [&](const std::string& name, double value, std::string_view si, int digits,
@@ -17,16 +17,16 @@ Table route_table(const RouteResults& route) {
   const auto side_row = [&](const std::string& name, double value, std::string_view si) {
     row(name, std::abs(value), si, 2, value < 0.0 ? " to starboard" : " to port");
   };
-  side_row("Touchdown beside the route", route.laid_offset, "m");
+  side_row("Touchdown offset from the route", route.laid_offset, "m");
   side_row("Side load on rollers and tensioner", route.side_load_supports, "N");
   side_row("Side load on the seabed", route.side_load_bed, "N");
-  if (route.least_radius > 0.0) row("Least radius that friction holds, H / (mu w)", route.least_radius, "m", 0);
+  if (route.min_stable_radius > 0.0) row("Minimum stable radius, H / (mu w)", route.min_stable_radius, "m", 0);
   if (route.radius > 0.0) {
-    row("Smallest radius of the route behind touchdown", route.radius, "m", 0,
-        route.holds ? ", holds" : ", does not hold");
+    row("Minimum radius of the route behind touchdown", route.radius, "m", 0,
+        route.holds ? ", stable" : ", not stable");
     row("Length of pipe that has slid sideways", route.slid_length, "m", 1);
-    side_row("Largest offset from the route", route.largest_offset, "m");
-    row("Where, astern of the stern shoe", route.offset_x, "m", 1);
+    side_row("Largest offset from the route", route.max_offset, "m");
+    row("Position of that offset, astern of the stern shoe", route.offset_x, "m", 1);
   }
   return table;
 }
@@ -46,13 +46,13 @@ Blocks limits(const std::vector<RollerFrictionCase>& cases) {
               "dense"};
   for (const RollerFrictionCase& limit : cases) {
     table.row({limit.name, limit.top_tension, limit.bottom_tension, limit.lay_back, limit.tip_side, limit.off_roller,
-               limit.overbend_stress, limit.sagbend_stress, limit.largest_reaction});
+               limit.overbend_stress, limit.sagbend_stress, limit.max_reaction});
   }
   return table + block::remark(
-                     "frictionless: rollers turn freely. lay, haul: full friction along the pipe, as it is paid out "
-                     "and as it is hauled in. port, starboard: full friction across, pushing the pipe to that side. "
-                     "pulled across: the pipe lay straight on its route before the side load came. Side at the tip: "
-                     "to port of the barge's axis. Stresses are von Mises.");
+                     "frictionless: rollers turn freely. lay, haul: full friction along the pipe, as it is paid "
+                     "out and as it is hauled in. port, starboard: full friction across, pushing the pipe to that "
+                     "side. pulled across: the pipe lay straight on its route before the side load was applied. "
+                     "Side at the tip: to port of the vessel's axis. Stresses are von Mises.");
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Blocks limits(const std::vector<RollerFrictionCase>& cases) {
 Blocks friction_section(const StaticResults& results) {
   Blocks body;
   if (results.route) body += route_table(*results.route);
-  return block::section("friction", "What friction decides", body + limits(results.roller_friction));
+  return block::section("friction", "Effect of roller friction", body + limits(results.roller_friction));
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What friction decides: the pipe on its route, and the limits between which the state lies.
+/// Effect of friction: the pipe on its route, and the limit cases that bound the state.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Empty where the pipe lies straight behind the barge and no limits were solved.
+/// Returns the section; empty if the pipe is straight behind the vessel and no limit cases were solved.
 Blocks friction_section(const StaticResults& results);
 
 }  // namespace overbend

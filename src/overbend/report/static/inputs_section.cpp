@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "base/shown_unit.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 #include "report/page/listing.h"
 #include "report/page/quantity.h"
-#include "report/page/sea_words.h"
+#include "report/page/sea_labels.h"
 #include "report/page/sections.h"
 #include "report/static/mooring_inputs.h"
 
@@ -41,7 +41,7 @@ Table section_table(const SectionDescription& pipe, const std::string& name) {
   return list.table();
 }
 
-/// The line's own section, then the segments'.
+/// The section of the line itself, then those of the segments.
 Blocks pipe_tables(const Description& model) {
   if (!model.has_pipe) return {};
   Blocks tables = section_table(model.pipe.section, "the line");
@@ -65,20 +65,20 @@ Table environment_table(const EnvironmentDescription& sea) {
                  shown_number(sea.seabed.slope_towards, "rad", 1),
              shown_name("rad"));
   }
-  for (const ProfilePoint& at : sea.seabed.profile) {
-    list.add("Depth of the seabed " + general(at.x, "m") + " " + shown_name("m") + " astern of the stern shoe",
-             at.depth, "m");
+  for (const ProfilePoint& point : sea.seabed.profile) {
+    list.add("Depth of the seabed " + general(point.x, "m") + " " + shown_name("m") + " astern of the stern shoe",
+             point.depth, "m");
   }
   if (!sea.seabed.bathymetry_file.empty()) list.add("Depths of the seabed", sea.seabed.bathymetry_file);
-  for (const CurrentPoint& at : sea.current) {
-    list.add("Current at " + general(at.depth, "m") + " " + shown_name("m") + ", towards " +
-                 general(at.towards, "rad") + " deg",
-             at.speed, "m/s");
+  for (const CurrentPoint& point : sea.current) {
+    list.add("Current at " + general(point.depth, "m") + " " + shown_name("m") + ", towards " +
+                 general(point.towards, "rad") + " deg",
+             point.speed, "m/s");
   }
   return list.table();
 }
 
-/// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
+/// Radius of a structure and, for generated boxes, their number and spacing.
 void add_arc(Listing& list, const std::string& name, const std::optional<double>& radius,
              const std::optional<BoxRowDescription>& row) {
   if (radius) {
@@ -90,7 +90,7 @@ void add_arc(Listing& list, const std::string& name, const std::optional<double>
   }
 }
 
-/// What lays the pipe.
+/// The lay vessel and its equipment.
 void add_spread(Listing& list, const Description& model) {
   list.add("Stern shoe, x from midship and z", {model.vessel.stern_shoe_x, model.vessel.stern_shoe_z}, "m")
       .add("Tensioner X, Z from the stern shoe", {model.tensioner.x, model.tensioner.z}, "m")
@@ -135,7 +135,7 @@ Table roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
   return list.table();
 }
 
-/// Numbers of the sea; its type is in the report's header.
+/// Parameters of the sea; its type is in the report's header.
 void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
   if (waves.type == WaveType::none) {
     list.add("Waves", "none");
@@ -155,7 +155,7 @@ Table dynamics_table(const Description& model, const DynamicResults& results) {
   const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
   Listing list("Sea, motion and time");
   add_waves(list, model.environment.waves, results.seed);
-  if (has_vessel(model)) list.add("Vessel motion", motion_words(model.vessel));
+  if (has_vessel(model)) list.add("Vessel motion", motion_label(model.vessel));
   list.add("Build-up, duration", {results.build_up, results.duration}, "s");
   if (model.has_pipe) {
     list.add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));

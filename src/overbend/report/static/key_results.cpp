@@ -5,8 +5,8 @@
 #include "report/page/listing.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
-#include "results/fields/places.h"
-#include "results/fields/static_values.h"
+#include "results/fields/location_names.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
@@ -16,7 +16,7 @@ double utilisation(const StaticResults& results, const Extreme& extreme) {
 }
 
 std::string stress_note(const StaticResults& results, const Extreme& extreme) {
-  const std::string place = place_name(results, extreme.s);
+  const std::string place = location_name(results, extreme.s);
   const std::string where = place == "sagbend" ? "X = " + shown(ship_point(results, extreme.p_W).x(), "m", 1) : place;
   return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), where);
 }
@@ -37,13 +37,13 @@ Blocks tiles(const StaticResults& r) {
   add("Lay-back", r.lay_back, shown_unit("m"), 1, "stern shoe to touchdown");
   add("Departure angle", r.departure_angle, shown_unit("rad"), 2,
       "at " + (r.last_support.empty() ? "the tensioner" : r.last_support));
-  if (r.supports.empty()) {  // in J-lay the sagbend is all there is
+  if (r.supports.empty()) {  // in J-lay the sagbend is the only region
     add("Suspended length", r.suspended_length, shown_unit("m"), 1, "along the pipe, to touchdown");
     add("Sagbend moment", r.sagbend.bending_moment.value, shown_unit("N m"), 1,
         shown(from_tensioner(r, r.sagbend.bending_moment.s), "m", 1) + " along the pipe");
     add("Sagbend strain", r.sagbend.strain.value, shown_unit("strain", "1"), 4, "longitudinal, maximum");
   } else {
-    add("Largest roller reaction", r.largest_reaction, shown_unit("N"), 1, "at " + r.largest_reaction_support);
+    add("Largest roller reaction", r.max_reaction, shown_unit("N"), 1, "at " + r.max_reaction_support);
   }
   if (r.stinger_tip_clearance) {
     add("Stinger tip clearance", *r.stinger_tip_clearance, section_length(), 1, "pipe to the last bottom roller");
@@ -58,7 +58,7 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
     rows.push_back({name, shown_number(value, si, digits), shown_name(si)});
   };
   row("Tension at the tensioner (effective)", r.top_tension, "N", 2);
-  row("Largest effective tension", r.largest_tension, "N", 2);
+  row("Largest effective tension", r.max_tension, "N", 2);
   row("Horizontal tension at touchdown", r.bottom_tension, "N", 2);
   if (r.residual_curvature > 0.0) row("Residual curvature at touchdown", r.residual_curvature, "1/m", 5);
   row("Lay-back, stern shoe to touchdown", r.lay_back, "m", 2);
@@ -77,13 +77,13 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
     row("Stinger, radius of the circle fitted to its boxes", *r.stinger_fitted_radius, "m", 1);
   }
   if (!r.supports.empty()) {
-    row("Largest reaction of one roller, at " + r.largest_reaction_support, r.largest_reaction, "N", 2);
-    row("Smallest separation of a bottom roller", r.smallest_separation, "m", 4);
+    row("Largest reaction of one roller, at " + r.max_reaction_support, r.max_reaction, "N", 2);
+    row("Smallest separation of a bottom roller", r.min_bottom_separation, "m", 4);
   }
   return rows;
 }
 
-/// In two halves beside each other where there is room.
+/// Two halves side by side if the width permits.
 Blocks lay_tables(const StaticResults& r) {
   Listing first(""), second("");
   const auto rows = lay_quantities(r);
@@ -93,7 +93,7 @@ Blocks lay_tables(const StaticResults& r) {
   return block::subheading("Lay configuration") + block::group("columns lay", first.table() + second.table());
 }
 
-/// Largest values of a region with their places.
+/// Maxima of a region with their positions.
 Table region_table(const StaticResults& results, const std::string& title, const RegionResult& region) {
   Table table{title,
               {TableColumn("Largest"),
@@ -109,7 +109,7 @@ Table region_table(const StaticResults& results, const std::string& title, const
     const Vec3 p = ship_point(results, extreme.p_W);
     table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(extreme.value),
                stress ? TableCell(utilisation(results, extreme)) : TableCell(), from_tensioner(results, extreme.s),
-               p.x(), p.z(), place_name(results, extreme.s)});
+               p.x(), p.z(), location_name(results, extreme.s)});
   });
   return table;
 }
@@ -131,7 +131,7 @@ std::vector<std::pair<std::string, std::string>> subject_entries(const StaticRes
       {"Method", results.supports.empty() ? "J-lay" : "S-lay"}};
 }
 
-std::string status_words(const std::string& state, std::size_t findings) {
+std::string status_label(const std::string& state, std::size_t findings) {
   return findings == 0 ? state : fmt::format("{}, {} finding{}", state, findings, findings == 1 ? "" : "s");
 }
 
@@ -143,7 +143,8 @@ Blocks key_results(const StaticResults& results, const std::string& id, const st
                             *results.overbend);
   }
   regions += region_table(
-      results, results.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
+      results,
+      results.overbend ? "Sagbend: from the inflection to touchdown" : "Suspended pipe: tensioner to touchdown",
       results.sagbend);
   return block::section(
       id, heading,

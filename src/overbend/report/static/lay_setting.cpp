@@ -1,23 +1,24 @@
 #include <algorithm>
 
 #include "report/page/sections.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 
 namespace overbend {
 namespace {
 
-const BoxDescription* setting_of(const std::optional<Description>& description, const std::string& name) {
+const BoxDescription* find_box(const std::optional<Description>& description, const std::string& name) {
   if (!description) return nullptr;
   const std::vector<BoxDescription>& boxes = description->supports.boxes;
-  const auto at = std::find_if(boxes.begin(), boxes.end(), [&](const BoxDescription& box) { return box.name == name; });
-  return at == boxes.end() ? nullptr : &*at;
+  const auto found =
+      std::find_if(boxes.begin(), boxes.end(), [&](const BoxDescription& box) { return box.name == name; });
+  return found == boxes.end() ? nullptr : &*found;
 }
 
 const SupportDynamics* over_time(const DynamicResults* dynamic, const std::string& name) {
   if (dynamic == nullptr) return nullptr;
-  const auto at = std::find_if(dynamic->supports.begin(), dynamic->supports.end(),
-                               [&](const SupportDynamics& box) { return box.name == name; });
-  return at == dynamic->supports.end() ? nullptr : &*at;
+  const auto found = std::find_if(dynamic->supports.begin(), dynamic->supports.end(),
+                                  [&](const SupportDynamics& box) { return box.name == name; });
+  return found == dynamic->supports.end() ? nullptr : &*found;
 }
 
 Table setting_table(bool dynamic) {
@@ -58,7 +59,7 @@ Blocks lay_setting_section(const StaticResults& results, const std::optional<Des
                            const DynamicResults* dynamic) {
   Table table = setting_table(dynamic != nullptr);
   for (const SupportResult& box : results.supports) {
-    table.row(cells(results, box, setting_of(description, box.name), over_time(dynamic, box.name)),
+    table.row(cells(results, box, find_box(description, box.name), over_time(dynamic, box.name)),
               box.reaction > 0.0 ? RowMark::none : RowMark::soft);
   }
   if (table.empty()) return {};

@@ -1,4 +1,4 @@
-/// Data of the figures of lines that stand by themselves.
+/// Data for the figures of stand-alone lines.
 #pragma once
 
 #include "base/json.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Nodes of every line, SI. `in_time`: of a run, in whose place the values at rest stand without one.
+/// Returns the nodes of every line, SI. `in_time`: results of a run; without them the static values are used.
 Json line_figure_data(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time);
 
 }  // namespace overbend

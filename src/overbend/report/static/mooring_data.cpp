@@ -32,7 +32,7 @@ Json line_data(const MooringLineResult& line) {
           {"shape", points(line.shape_W)}};
 }
 
-Json shift_data(const MotionSpread& shift) {
+Json shift_data(const MotionStatistics& shift) {
   return {{"min", json_number(shift.whole.min)},
           {"max", json_number(shift.whole.max)},
           {"mean", json_number(shift.whole.mean)},
@@ -69,8 +69,8 @@ Json step_data(const MoveStep& step) {
           {"pipe", step.pipe ? pipe_data(*step.pipe) : Json(nullptr)}};
 }
 
-/// The places of a pull-ahead; the stages where only these are known.
-Json steps_of(const MooringResults& results) {
+/// The positions of a pull-ahead; the stages if only these are known.
+Json make_steps(const MooringResults& results) {
   Json out = Json::array();
   for (const MoveStep& step : results.steps) out.push_back(step_data(step));
   if (!out.empty() || results.operation != "pull_ahead") return out;
@@ -105,7 +105,7 @@ Json mooring_figure_data(const MooringResults& results, const MooringScene& scen
           {"touchdown", scene.pipe_W.empty() ? Json(nullptr) : point(scene.touchdown_W)},
           {"objects", std::move(objects)},
           {"operation", results.operation},
-          {"steps", steps_of(results)},
+          {"steps", make_steps(results)},
           {"states", std::move(states)}};
 }
 

@@ -1,4 +1,4 @@
-/// Data of the figures of moorings.
+/// Data for the figures of moorings.
 #pragma once
 
 #include "base/json.h"
@@ -7,11 +7,11 @@
 
 namespace overbend {
 
-/// The states (rest first, then the stages), each with the hull's offset and its lines as points in plan and profile;
-/// what stands around them. SI, frame W.
+/// Returns the states (equilibrium first, then the stages), each with the hull's offset and its lines as points in plan
+/// and profile; and the surroundings. SI, frame W.
 Json mooring_figure_data(const MooringResults& results, const MooringScene& scene);
 
-/// Where midship was in a dynamic run, for the ellipses of its offset. SI.
+/// Returns the positions of midship in a dynamic run, for the ellipses of its offset. SI.
 Json vessel_figure_data(const VesselDynamics& vessel);
 
 }  // namespace overbend

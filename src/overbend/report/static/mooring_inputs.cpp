@@ -20,35 +20,35 @@ std::string triple(const Vec3& v) {
   return general(v.x(), "m") + ", " + general(v.y(), "m") + ", " + general(v.z(), "m");
 }
 
-std::string damping_words(const ModeDampingDescription& damping) {
-  std::string words;
-  const auto add = [&](const std::string& text) { words += (words.empty() ? "" : ", ") + text; };
+std::string damping_text(const ModeDampingDescription& damping) {
+  std::string label;
+  const auto add = [&](const std::string& text) { label += (label.empty() ? "" : ", ") + text; };
   if (damping.ratio) add(general(100.0 * *damping.ratio) + " % of critical");
   const bool turns = damping.mode == "roll" || damping.mode == "pitch" || damping.mode == "yaw";
   const double force = shown_unit("N").factor,
-               length = shown_unit("m").factor;  // of a moment by an angle, else by a length
+               length = shown_unit("m").factor;  // per angle for a moment, else per length
   if (damping.linear) add("linear " + general(*damping.linear * force * (turns ? length : 1.0 / length)));
   if (damping.quadratic) {
     add("quadratic " + general(*damping.quadratic * force * (turns ? length : std::pow(length, -2))));
   }
-  return words;
+  return label;
 }
 
-std::string current_words(const HullCurrentDescription& current) {
+std::string current_text(const HullCurrentDescription& current) {
   switch (current.form) {
-    case HullCurrentForm::none:
+    case HullCurrentModel::none:
       return "none";
-    case HullCurrentForm::table:
+    case HullCurrentModel::table:
       return "table " + std::filesystem::path(current.table_file).filename().string();
-    case HullCurrentForm::ufc:
+    case HullCurrentModel::ufc:
       return "coefficients of UFC 4-159-03";
-    case HullCurrentForm::strips:
+    case HullCurrentModel::strips:
       break;
   }
   return "strips, " + general(current.transverse) + " across, " + general(current.longitudinal) + " along";
 }
 
-const char* drift_words(WaveDrift drift) {
+const char* drift_text(WaveDrift drift) {
   return drift == WaveDrift::none ? "none" : drift == WaveDrift::mean ? "mean only" : "mean and slow, by Newman";
 }
 
@@ -99,16 +99,16 @@ Table winch_table(const std::vector<WinchDescription>& winches) {
   return table;
 }
 
-std::string anchor_words(const MooringLineDescription& line) {
-  std::string words;
+std::string anchor_text(const MooringLineDescription& line) {
+  std::string text;
   if (line.anchor) {
-    words =
+    text =
         fmt::format("x {}, y {} {}", general((*line.anchor)[0], "m"), general((*line.anchor)[1], "m"), shown_name("m"));
   }
-  if (line.bearing) words = "bearing " + shown_number(*line.bearing, "rad", 1) + " deg";
-  if (line.azimuth) words = "azimuth " + shown_number(*line.azimuth, "rad", 1) + " deg";
-  if (line.anchor_distance) words += ", " + general(*line.anchor_distance, "m") + " " + shown_name("m");
-  return words;
+  if (line.bearing) text = "bearing " + shown_number(*line.bearing, "rad", 1) + " deg";
+  if (line.azimuth) text = "azimuth " + shown_number(*line.azimuth, "rad", 1) + " deg";
+  if (line.anchor_distance) text += ", " + general(*line.anchor_distance, "m") + " " + shown_name("m");
+  return text;
 }
 
 Blocks fairleads(const MooringsDescription& moorings) {
@@ -116,20 +116,21 @@ Blocks fairleads(const MooringsDescription& moorings) {
               {TableColumn("Line"),
                TableColumn::texts("Fairlead x, y, z", shown_name("m")),
                TableColumn("Anchor"),
-               TableColumn::texts("Wished tension", shown_name("N")),
+               TableColumn::texts("Target tension", shown_name("N")),
                {"Length", "m", 2},
                TableColumn("Winch"),
                TableColumn::texts("Holding power", shown_name("N"))},
               "dense summary"};
   for (const MooringLineDescription& line : moorings.lines) {
-    double given = 0.0;
-    for (const LineSegmentDescription& segment : line.segments) given += segment.length.value_or(0.0);
-    table.row({line.name, triple(line.fairlead), anchor_words(line), force(line.tension),
-               given > 0.0 ? TableCell(given) : TableCell("-"), line.winch, force(line.anchor_holding.holding)});
+    double prescribed = 0.0;
+    for (const LineSegmentDescription& segment : line.segments) prescribed += segment.length.value_or(0.0);
+    table.row({line.name, triple(line.fairlead), anchor_text(line), force(line.tension),
+               prescribed > 0.0 ? TableCell(prescribed) : TableCell("-"), line.winch,
+               force(line.anchor_holding.holding)});
   }
   return table + block::remark(
-                     "Fairleads in the vessel's frame. Bearings from the bow and azimuths from north, both clockwise. "
-                     "A length of - follows from the tension.");
+                     "Fairleads in the vessel's frame. Bearings from the bow and azimuths from north, both "
+                     "clockwise. A length of - is calculated from the tension.");
 }
 
 }  // namespace
@@ -152,12 +153,12 @@ Table hull_inputs(const Description& model) {
       .add("Gyration in roll, pitch, yaw", {hull.gyration.x(), hull.gyration.y(), hull.gyration.z()}, "m")
       .add("Ballast", hull.ballast == Ballast::trim ? "keeps the trim" : "as given")
       .add("Radiation", hull.radiation == Radiation::state_space ? "state space" : "convolution")
-      .add("Wave drift", drift_words(hull.wave_drift))
+      .add("Wave drift", drift_text(hull.wave_drift))
       .add("Wave drift damping", hull.wave_drift_damping == WaveDriftDamping::none ? "none" : "Aranha")
-      .add("Current on the hull", current_words(hull.current))
-      .add("Low-pass of place and heading", hull.slow_period, "s");
+      .add("Current on the hull", current_text(hull.current))
+      .add("Low-pass filter of position and heading", hull.low_frequency_period, "s");
   for (const ModeDampingDescription& damping : hull.damping) {
-    list.add("Damping in " + damping.mode, damping_words(damping),
+    list.add("Damping in " + damping.mode, damping_text(damping),
              damping.ratio ? "" : shown_name("N") + ", " + shown_name("m") + ", s");
   }
   if (!hull.wind.areas.empty()) {

@@ -1,4 +1,4 @@
-/// Inputs of a floating hull, of moorings and of lines by themselves, as the program reads them.
+/// Inputs of a floating hull, of moorings and of stand-alone lines, as read by the program.
 #pragma once
 
 #include "model/description/description.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Tables for the section on inputs; empty where the model has none of them.
+/// Returns tables for the section on inputs; empty if the model has none of these inputs.
 Table hull_inputs(const Description& model);
 Blocks mooring_inputs(const Description& model);
 Table line_inputs(const Description& model);

@@ -6,7 +6,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kBeyondTouchdown = 60.0;  ///< Of the laid pipe, so that it is seen to lie [m].
+constexpr double kBeyondTouchdown = 60.0;  ///< length of laid pipe shown behind touchdown [m]
 constexpr std::size_t kPipePoints = 200;
 
 /// Azimuth of a horizontal direction, clockwise from north [rad].
@@ -14,11 +14,11 @@ double azimuth(const Vec3& direction_W) {
   return std::atan2(direction_W.x(), direction_W.y());
 }
 
-std::vector<Vec3> pipe_of(const StaticResults& lay) {
+std::vector<Vec3> pipe_points(const StaticResults& lay) {
   std::vector<Vec3> all;
-  for (auto at = lay.stations.rbegin(); at != lay.stations.rend(); ++at) {
-    if (at->s < lay.touchdown.s - kBeyondTouchdown) break;
-    all.push_back(at->p_W);
+  for (auto station = lay.stations.rbegin(); station != lay.stations.rend(); ++station) {
+    if (station->s < lay.touchdown.s - kBeyondTouchdown) break;
+    all.push_back(station->p_W);
   }
   const std::size_t stride = all.size() / kPipePoints + 1;
   std::vector<Vec3> some;
@@ -27,7 +27,7 @@ std::vector<Vec3> pipe_of(const StaticResults& lay) {
   return some;
 }
 
-/// The vessel as drawn and what is on the bed and in the water around it.
+/// The vessel in its nominal pose, and the objects on the seabed and in the water around it.
 MooringScene surroundings(const Description& description) {
   MooringScene scene;
   scene.length = description.vessel.length;
@@ -46,7 +46,7 @@ MooringScene surroundings(const Description& description) {
 MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& results) {
   MooringScene scene = description ? surroundings(*description) : MooringScene{};
   if (!results.has_pipe()) return scene;
-  scene.pipe_W = pipe_of(results);
+  scene.pipe_W = pipe_points(results);
   scene.touchdown_W = results.touchdown.p_W;
   scene.length = results.vessel_length;
   scene.beam = results.vessel_beam;

@@ -23,8 +23,7 @@ std::vector<std::string> findings(const PassageResults& passage) {
   }
   if (!passage.strain.stage.empty()) {
     list.push_back(fmt::format(
-        "The largest strain of the pipe beside the structure is {} %, {}; its von Mises stress is at "
-        "most {}.",
+        "The largest strain of the pipe next to the structure is {} %, {}; its von Mises stress is at most {}.",
         strains().text(passage.strain.value, 4), at(passage.strain), shown(passage.von_mises.value, "Pa", 1)));
   }
   return list;
@@ -49,8 +48,8 @@ Blocks passage_section(const PassageResults& passage) {
   }
   return block::section("passage", fmt::format("Passage of {}", passage.structure),
                         block::list(findings(passage)) + table +
-                            block::remark("Largest over all stages; distances are along the line from the tensioner to "
-                                          "the middle of the structure."));
+                            block::remark("Maxima over all stages; distances are along the line from the tensioner "
+                                          "to the middle of the structure."));
 }
 
 }  // namespace overbend

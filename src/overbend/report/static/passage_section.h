@@ -1,4 +1,4 @@
-/// What is told of a structure that passes over the supports.
+/// Results of a structure that passes over the supports.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// The largest of every box over the passage, and of the pipe beside the structure.
+/// Returns the maxima of every box during the passage, and of the pipe next to the structure.
 Blocks passage_section(const PassageResults& passage);
 
 }  // namespace overbend

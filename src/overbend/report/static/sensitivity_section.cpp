@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/page/json_number.h"
-#include "results/fields/sensitivity_words.h"
+#include "results/fields/sensitivity_texts.h"
 
 namespace overbend {
 namespace {
@@ -46,11 +46,11 @@ Table derivative_table(const SensitivityResults& s, std::size_t result) {
                TableColumn::texts("Derivative", "SI"), TableColumn::texts("Effect upwards"),
                TableColumn::texts("Effect downwards"), TableColumn("Changes contact")},
               ""};
-  for (const std::size_t i : s.foremost(result, s.inputs.size())) {
+  for (const std::size_t i : s.most_influential_inputs(result, s.inputs.size())) {
     const SensitivityInput& input = s.inputs[i];
     const Derivative& slope = s.at(result, i);
     table.row({input.name, value_text(input, input.value),
-               tolerance_text(input) + (input.own_tolerance ? "" : " (usual)"), format_number(slope.value, 6),
+               tolerance_text(input) + (input.own_tolerance ? "" : " (default)"), format_number(slope.value, 6),
                result_text(output, s.effect(result, i, 1.0), true),
                result_text(output, s.effect(result, i, -1.0), true), contact_text(input, slope)});
   }
@@ -63,7 +63,7 @@ Blocks sensitivity_section(const SensitivityResults& s) {
   Blocks figures, tables;
   for (std::size_t r = 0; r < s.results.size(); ++r) {
     if (!s.results[r].key) continue;
-    const std::vector<std::size_t> inputs = s.foremost(r, kBars);
+    const std::vector<std::size_t> inputs = s.most_influential_inputs(r, kBars);
     if (inputs.empty()) continue;
     const std::string caption = s.results[r].text +
                                 ": effect of the tolerance of each input, the others unchanged; dark: input "
@@ -72,9 +72,9 @@ Blocks sensitivity_section(const SensitivityResults& s) {
     tables += derivative_table(s, r);
   }
   if (figures.empty()) return {};
-  return block::section(
-      "sensitivities", "What this result hangs on",
-      block::list(texts(s.assumptions)) + figures + block::folded("Derivatives by all inputs", tables, false));
+  return block::section("sensitivities", "Sensitivity analysis",
+                        block::list(texts(s.assumptions)) + figures +
+                            block::folded("Derivatives with respect to all inputs", tables, false));
 }
 
 }  // namespace overbend

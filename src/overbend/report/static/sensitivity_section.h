@@ -1,4 +1,4 @@
-/// The section "What this result hangs on".
+/// The section on sensitivities.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// A tornado for each key result: how far the tolerance of each of the ten foremost inputs moves it; behind them a
-/// table of derivatives.
+/// Returns a tornado chart for each key result: its change for the tolerance of each of the ten most influential
+/// inputs; followed by a table of derivatives.
 Blocks sensitivity_section(const SensitivityResults& sensitivities);
 
 }  // namespace overbend

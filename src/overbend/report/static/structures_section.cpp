@@ -28,9 +28,9 @@ Blocks structures_section(const StaticResults& results) {
   }
   if (table.empty()) return {};
   return block::section("structures", "Structures in the line",
-                        table + block::remark("Pipe above and below: the largest within two pipe diameters of the end "
+                        table + block::remark("Pipe above and below: maxima within two pipe diameters of the end "
                                               "towards the tensioner and of that towards the seabed, where the "
-                                              "stiffness steps. The structure itself is not checked."));
+                                              "stiffness changes abruptly. The structure itself is not checked."));
 }
 
 }  // namespace overbend

@@ -7,7 +7,7 @@ namespace overbend {
 
 Blocks static_summary_table(const StaticResults& results) {
   Table table = station_summary(results);
-  table.title.clear();  // that of its section
+  table.title.clear();  // the title of its section is used
   return Blocks(table) +
          block::remark(
              "X: horizontal, astern of the stern shoe; Y: to port of the vessel's axis; Z: above the mean "

@@ -16,10 +16,10 @@ Json numbers(const std::vector<double>& values, double factor = 1.0) {
   return out;
 }
 
-Json trace_of(const DynamicResults& results, const std::string& name) {
-  const auto at = std::find_if(results.histories.begin(), results.histories.end(),
-                               [&](const HistorySummary& history) { return history.name == name; });
-  return at == results.histories.end() ? Json(nullptr) : history_trace(*at, quantity(at->name, at->units));
+Json make_trace(const DynamicResults& results, const std::string& name) {
+  const auto found = std::find_if(results.histories.begin(), results.histories.end(),
+                                  [&](const HistorySummary& history) { return history.name == name; });
+  return found == results.histories.end() ? Json(nullptr) : history_trace(*found, quantity(found->name, found->units));
 }
 
 Json tensioner_run(const ComparedRun& run) {
@@ -28,8 +28,8 @@ Json tensioner_run(const ComparedRun& run) {
     states.push_back(Json::array({json_number(span.from), json_number(span.to), span.state}));
   }
   return {{"name", run.name},
-          {"tension", trace_of(run.results, "tensioner/tension")},
-          {"travel", trace_of(run.results, "tensioner/travel")},
+          {"tension", make_trace(run.results, "tensioner/tension")},
+          {"travel", make_trace(run.results, "tensioner/travel")},
           {"states", states},
           {"close",
            {{"time", numbers(run.close.time)},
@@ -55,10 +55,10 @@ Json tensioner_data(const Comparison& comparison) {
 
 Json contact_data(const Comparison& comparison) {
   Json runs = Json::array(), boxes = Json::array();
-  for (const ComparedRun& run : comparison.runs) runs.push_back({{"name", run.name}, {"words", run.words}});
+  for (const ComparedRun& run : comparison.runs) runs.push_back({{"name", run.name}, {"words", run.label}});
   for (const ComparedBoxes& box : comparison.boxes) {
     Json seen = Json::array();
-    for (const ComparedBox& one : box.runs) seen.push_back(box_run(one));
+    for (const ComparedBox& compared : box.runs) seen.push_back(box_run(compared));
     boxes.push_back({{"name", box.name}, {"runs", seen}});
   }
   Json shown = Json::object();
@@ -72,12 +72,12 @@ Json contact_data(const Comparison& comparison) {
 }  // namespace
 
 Json comparison_data(const Comparison& comparison) {
-  const bool tensioner = comparison.of == ComparisonOf::tensioner;
+  const bool tensioner = comparison.of == ComparisonType::tensioner;
   Json data = tensioner ? tensioner_data(comparison) : contact_data(comparison);
-  data["of"] = word_of(comparison.of);
+  data["of"] = enum_name(comparison.of);
   data["duration"] = json_number(comparison.duration);
   data["build_up"] = json_number(comparison.build_up);
-  data["close_from"] = json_number(comparison.close_from);
+  data["close_from"] = json_number(comparison.detail_start);
   return data;
 }
 

@@ -1,4 +1,4 @@
-/// Data of the figures of a comparison.
+/// Data for the figures of a comparison.
 #pragma once
 
 #include "base/json.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Of the tensioner: histories in kN and m over the whole run (history_trace()) and close up, its states as [from, to,
-/// state], range and limit, null where there is none. Of contact: boxes with what each variant gave, SI.
+/// Returns for the tensioner: histories in kN and m over the whole run (history_trace()) and in detail, its states as
+/// [from, to, state], range and limit, null without one. For contact: boxes with the results of each variant, SI.
 Json comparison_data(const Comparison& comparison);
 
 }  // namespace overbend

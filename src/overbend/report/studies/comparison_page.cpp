@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "report/page/figure_list.h"
-#include "report/page/front_of.h"
+#include "report/page/make_front_page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/studies/comparison_sections.h"
@@ -16,7 +16,7 @@
 namespace overbend {
 namespace {
 
-/// Four digits; what is next to nothing by its order.
+/// Formats with four digits; negligible values by their order of magnitude.
 std::string short_number(double value) {
   const double size = std::abs(value);
   if (size >= 1e4) return fmt::format("{:.0f}", value);
@@ -41,19 +41,19 @@ Blocks quantities_section(const Comparison& comparison) {
                         table + block::remark("From the end of the build-up to the end of the run."));
 }
 
-const char* title_of(ComparisonOf of) {
+const char* comparison_title(ComparisonType of) {
   switch (of) {
-    case ComparisonOf::tensioner:
+    case ComparisonType::tensioner:
       return "Tensioner off, controlled and constant";
-    case ComparisonOf::contact:
+    case ComparisonType::contact:
       return "Rollers and gap springs";
-    case ComparisonOf::impacts:
+    case ComparisonType::impacts:
       return "Impacts resolved and captured";
   }
   broken_promise("every comparison has a title");
 }
 
-const std::vector<Figure>& figures_of(ComparisonOf of) {
+const std::vector<Figure>& make_figures(ComparisonType of) {
   static const std::vector<Figure> kTensioner = {
       {"compared_tensioner",
        "Time history of tension at the tensioner: off, controlled and constant, with the operational range",
@@ -61,27 +61,27 @@ const std::vector<Figure>& figures_of(ComparisonOf of) {
       {"compared_tensioner", "Time history of tensioner travel", {"travel_whole", "travel_close"}}};
   static const std::vector<Figure> kContact = {
       {"compared_contact",
-       "Fraction of time in contact, per box and bottom roller; \u00d7 marks a box that never carries",
+       "Fraction of time in contact, per box and bottom roller; \u00d7 marks a box that is never in contact",
        {"share"}},
       {"compared_contact",
        "Peak reaction of each box; the white line marks the static value, dots are individual bottom rollers",
        {"peak"}},
       {"compared_contact",
-       "Possible damage to steel and coating by the hardest contact of each box",
+       "Possible damage to steel and coating by the largest contact force of each box",
        {"dent", "load"}}};
-  return of == ComparisonOf::tensioner ? kTensioner : kContact;
+  return of == ComparisonType::tensioner ? kTensioner : kContact;
 }
 
-/// Each variant has a folder of its own.
+/// Each variant has its own folder.
 Blocks links_section(const Comparison& comparison) {
   Blocks links;
   for (const ComparedRun& run : comparison.runs) {
-    links += block::paragraph(run.words + ": ", run.name, run.name + "/report.html");
+    links += block::paragraph(run.label + ": ", run.name, run.name + "/report.html");
   }
   return block::section("reports", "Reports of the variants", links);
 }
 
-/// Of the variants by name, then of the static state that all begin from.
+/// Findings of the variants by name, then of their common static state.
 Findings variant_findings(const StaticResults& statics, const Comparison& comparison) {
   Findings all;
   for (const ComparedRun& run : comparison.runs) {
@@ -97,16 +97,16 @@ Findings variant_findings(const StaticResults& statics, const Comparison& compar
 
 Document comparison_document(const StaticResults& statics, const Comparison& comparison,
                              const std::string& model_text) {
-  FrontPage front = front_of(std::string("Comparison: ") + title_of(comparison.of), statics.title, std::nullopt,
-                             variant_findings(statics, comparison));
+  FrontPage front = make_front_page(std::string("Comparison: ") + comparison_title(comparison.of), statics.title,
+                                    std::nullopt, variant_findings(statics, comparison));
   front.entries = subject_entries(statics);
-  front.entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
-  front.entries.emplace_back("Status", status_words("completed", front.findings.size()));
+  front.entries.emplace_back("Simulated", readable_duration(comparison.duration) + " each");
+  front.entries.emplace_back("Status", status_label("completed", front.findings.size()));
   front.entries.emplace_back("Program", "Overbend " + statics.version);
   front.entries.emplace_back("Written", written_now());
   return {statics.title + " - comparison", front_page(front),
           comparison_section(comparison) +
-              block::section("figures", "Figures", figure_list(figures_of(comparison.of))) +
+              block::section("figures", "Figures", figure_list(make_figures(comparison.of))) +
               quantities_section(comparison) + boxes_section(comparison) + links_section(comparison) +
               model_text_section(model_text),
           report_data(statics, comparison)};

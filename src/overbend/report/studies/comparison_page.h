@@ -1,4 +1,4 @@
-/// The page of a comparison: variants of one model beside each other.
+/// The page of a comparison of variants of one model.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace overbend {
 
-/// The whole page. `statics` are those of the first variant, `model_text` is the model as the user wrote it.
+/// Returns the whole page. `statics` are those of the first variant, `model_text` is the model as the user wrote it.
 Document comparison_document(const StaticResults& statics, const Comparison& comparison, const std::string& model_text);
 
-/// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the page to a temporary file and renames it. Throws std::runtime_error on failure.
 void write_comparison_page(const StaticResults& statics, const Comparison& comparison, const std::string& model_text,
                            const std::filesystem::path& file);
 

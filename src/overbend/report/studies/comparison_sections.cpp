@@ -12,13 +12,13 @@ namespace {
 
 // The tensioner -----------------------------------------------------------------------------------------------------
 
-std::string tension_words(const ComparedRun& run) {
-  const Spread& tension = run.results.tensioner.tension;
-  return fmt::format("{}: {} to {}, standard deviation {}", run.words, shown_number(tension.min, "N", 1),
+std::string tension_statistics_text(const ComparedRun& run) {
+  const SummaryStatistics& tension = run.results.tensioner.tension;
+  return fmt::format("{}: {} to {}, standard deviation {}", run.label, shown_number(tension.min, "N", 1),
                      shown(tension.max, "N", 1), shown(tension.std, "N", 2));
 }
 
-std::string counts_words(const TensionerDynamics& t) {
+std::string counts_text(const TensionerDynamics& t) {
   const std::string at_limit =
       t.limit_count > 0 ? fmt::format(", and is at its travel limit for {} s", fixed(t.time_at_limit, 1)) : "";
   return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
@@ -29,20 +29,21 @@ std::vector<std::string> tensioner_sentences(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) {
     const TensionerDynamics& t = run.results.tensioner;
     const double out = 100.0 * t.time_out_of_range / comparison.duration;
-    std::string words = fmt::format("{}. It is out of the range {} % of the time", tension_words(run), fixed(out, 1));
+    std::string text =
+        fmt::format("{}. It is out of the range {} % of the time", tension_statistics_text(run), fixed(out, 1));
     if (t.mode != "locked") {
-      words +=
+      text +=
           fmt::format(", travels up to {}", shown(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), "m", 3));
     }
-    if (t.mode == "controlled") words += counts_words(t);
-    list.push_back(words + ".");
+    if (t.mode == "controlled") text += counts_text(t);
+    list.push_back(text + ".");
   }
   return list;
 }
 
 // Contact -----------------------------------------------------------------------------------------------------------
 
-/// Of a run: the box that is pressed hardest at one roller.
+/// The box with the maximum force of one roller in a run.
 const ComparedBoxes& hardest(const Comparison& comparison, std::size_t run) {
   return *std::max_element(
       comparison.boxes.begin(), comparison.boxes.end(),
@@ -55,24 +56,25 @@ double average_carrying(const Comparison& comparison, std::size_t run) {
   return sum;
 }
 
-std::string run_words(const Comparison& comparison, std::size_t run) {
+std::string run_text(const Comparison& comparison, std::size_t run) {
   const ComparedBoxes& box = hardest(comparison, run);
-  const ComparedBox& most = box.runs[run];
+  const ComparedBox& compared = box.runs[run];
   return fmt::format(
-      "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} ({}): a dent of {} in "
-      "bare steel, {} on the coating.",
-      comparison.runs[run].words, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
-      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", shown(most.peak_force, "N", 1), box.name,
-      shown(most.dent_depth, section_length(), 2), shown(most.line_load, "N/m", 1));
+      "{}: {} of {} boxes are in contact on average. The largest force of one {} on the pipe is {} ({}): a dent of "
+      "{} in bare steel, {} on the coating.",
+      comparison.runs[run].label, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
+      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", shown(compared.peak_force, "N", 1), box.name,
+      shown(compared.dent_depth, section_length(), 2), shown(compared.line_load, "N/m", 1));
 }
 
-/// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
-/// is.
+/// The box at which the springs' force is below the rollers' by the largest margin (`sign` 1) or above it (-1); null if
+/// there is none.
 const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
   const auto gap = [&](const ComparedBoxes& box) { return sign * (box.runs[0].peak_force - box.runs[1].peak_force); };
-  const auto most = std::max_element(comparison.boxes.begin(), comparison.boxes.end(),
-                                     [&](const ComparedBoxes& a, const ComparedBoxes& b) { return gap(a) < gap(b); });
-  return gap(*most) > 0.0 ? &*most : nullptr;
+  const auto hardest =
+      std::max_element(comparison.boxes.begin(), comparison.boxes.end(),
+                       [&](const ComparedBoxes& a, const ComparedBoxes& b) { return gap(a) < gap(b); });
+  return gap(*hardest) > 0.0 ? &*hardest : nullptr;
 }
 
 std::string against(const ComparedBoxes& box) {
@@ -85,7 +87,7 @@ std::string against(const ComparedBoxes& box) {
       line_loads().text(springs.line_load, 1), shown(rollers.line_load, "N/m", 1));
 }
 
-/// Where a check of dents and coating with gap springs is non-conservative, and where conservative.
+/// States where a check of dents and coating with gap springs is non-conservative, and where conservative.
 std::vector<std::string> meaning(const Comparison& comparison) {
   const auto boxes = static_cast<std::ptrdiff_t>(comparison.boxes.size());
   const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
@@ -99,8 +101,8 @@ std::vector<std::string> meaning(const Comparison& comparison) {
   }
   if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
     list.push_back(
-        fmt::format("They are conservative at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
-                    "rollers where the pipe touches them.",
+        fmt::format("They are conservative at {} of {} boxes, most at {}. A spring acts at the middle of its box, "
+                    "rollers at their points of contact.",
                     boxes - below, boxes, against(*strict)));
   }
   return list;
@@ -108,7 +110,7 @@ std::vector<std::string> meaning(const Comparison& comparison) {
 
 std::vector<std::string> contact_sentences(const Comparison& comparison) {
   std::vector<std::string> list;
-  for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_words(comparison, run));
+  for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_text(comparison, run));
   const std::vector<std::string> more = meaning(comparison);
   list.insert(list.end(), more.begin(), more.end());
   return list;
@@ -120,22 +122,22 @@ double hardest_impact(const DynamicResults& results) {
   return results.hardest_impacts.empty() ? 0.0 : results.hardest_impacts.front().peak_force;
 }
 
-std::string impacts_words(const Comparison& comparison, std::size_t run) {
+std::string impacts_text(const Comparison& comparison, std::size_t run) {
   const DynamicResults& results = comparison.runs[run].results;
-  std::string words = fmt::format("{}: {} impacts", comparison.runs[run].words, results.impact_count);
+  std::string text = fmt::format("{}: {} impacts", comparison.runs[run].label, results.impact_count);
   if (results.impact_count > 0) {
-    const Impact& most = results.hardest_impacts.front();
-    words += fmt::format(", the hardest {} at {} and t = {} s", shown(most.peak_force, "N", 1),
-                         shown(most.approach_velocity, "m/s", 3), fixed(most.time, 1));
+    const Impact& hardest = results.hardest_impacts.front();
+    text += fmt::format(", the hardest {} at {} and t = {} s", shown(hardest.peak_force, "N", 1),
+                        shown(hardest.approach_velocity, "m/s", 3), fixed(hardest.time, 1));
   }
   const ComparedBox& box = hardest(comparison, run).runs[run];
-  return words + fmt::format(". The largest force of one roller on the pipe is {} ({}), {} steps were made in {} s.",
-                             shown(box.peak_force, "N", 1), hardest(comparison, run).name, results.run.steps,
-                             fixed(results.run.wall_time, 1));
+  return text + fmt::format(". The largest force of one roller on the pipe is {} ({}), {} steps were made in {} s.",
+                            shown(box.peak_force, "N", 1), hardest(comparison, run).name, results.run.steps,
+                            fixed(results.run.wall_time, 1));
 }
 
-/// How far what `value` tells of the second run is from that of the first, in words.
-std::string change_words(const Comparison& comparison, double (*value)(const DynamicResults&)) {
+/// Formats the change of `value` from the first run to the second.
+std::string change_text(const Comparison& comparison, double (*value)(const DynamicResults&)) {
   const double first = value(comparison.runs[0].results), second = value(comparison.runs[1].results);
   if (first == 0.0) return second == 0.0 ? "the same" : "not zero";
   const double change = 100.0 * (second / first - 1.0);
@@ -143,7 +145,7 @@ std::string change_words(const Comparison& comparison, double (*value)(const Dyn
 }
 
 std::vector<std::string> impact_sentences(const Comparison& comparison) {
-  std::vector<std::string> list = {impacts_words(comparison, 0), impacts_words(comparison, 1)};
+  std::vector<std::string> list = {impacts_text(comparison, 0), impacts_text(comparison, 1)};
   const auto count = [](const DynamicResults& r) { return static_cast<double>(r.impact_count); };
   const auto stress = [](const DynamicResults& r) { return r.overbend.von_mises.over_time.max; };
   const auto sagbend = [](const DynamicResults& r) { return r.sagbend.von_mises.over_time.max; };
@@ -151,21 +153,20 @@ std::vector<std::string> impact_sentences(const Comparison& comparison) {
   list.push_back(fmt::format(
       "Captured against resolved: number of impacts {}, hardest impact {}, maximum von Mises stress in the overbend {} "
       "and in the sagbend {}, maximum tension {}.",
-      change_words(comparison, count), change_words(comparison, hardest_impact), change_words(comparison, stress),
-      change_words(comparison, sagbend), change_words(comparison, tension)));
+      change_text(comparison, count), change_text(comparison, hardest_impact), change_text(comparison, stress),
+      change_text(comparison, sagbend), change_text(comparison, tension)));
   list.push_back(
-      "Captured peaks are estimates on the safe side for a single impact; where the pipe bounces, runs part from each "
-      "other by chance as well.");
+      "Captured peaks are conservative for a single impact; if the pipe bounces, runs also diverge by chance.");
   return list;
 }
 
 std::vector<std::string> summary_sentences(const Comparison& comparison) {
   switch (comparison.of) {
-    case ComparisonOf::tensioner:
+    case ComparisonType::tensioner:
       return tensioner_sentences(comparison);
-    case ComparisonOf::contact:
+    case ComparisonType::contact:
       return contact_sentences(comparison);
-    case ComparisonOf::impacts:
+    case ComparisonType::impacts:
       return impact_sentences(comparison);
   }
   broken_promise("every comparison has findings");
@@ -188,7 +189,7 @@ Blocks boxes_section(const Comparison& comparison) {
         .column({"one roller", "N", 1})
         .column({"dent", section_length(), 2})
         .column({"line load", "N/m", 1});
-    groups.emplace_back(run.words, 7);
+    groups.emplace_back(run.label, 7);
   }
   table.groups(groups);
   for (const ComparedBoxes& box : comparison.boxes) {

@@ -1,4 +1,4 @@
-/// Text and tables of a comparison; empty where there is nothing to say.
+/// Texts and tables of a comparison; empty without content.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// Interpretation of the differences, in sentences.
+/// Returns the interpretation of the differences, in sentences.
 Blocks comparison_section(const Comparison& comparison);
 
-/// A row per support box.
+/// Returns a table with a row per roller box.
 Blocks boxes_section(const Comparison& comparison);
 
 }  // namespace overbend

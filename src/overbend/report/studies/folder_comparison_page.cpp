@@ -7,14 +7,14 @@
 
 #include "base/finding.h"
 #include "base/shown_unit.h"
-#include "report/page/front_of.h"
 #include "report/page/json_number.h"
+#include "report/page/make_front_page.h"
 #include "resultfiles/studies/folder_comparison_writer.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostRows = 400;
+constexpr std::size_t kMaxRows = 400;
 
 const char* word(ResultsKind kind) {
   switch (kind) {
@@ -35,10 +35,10 @@ std::string number(double value) {
   return size > 0.0 && size < 1e-3 ? fmt::format("{:.2e}", value) : fmt::format("{:.5g}", value);
 }
 
-/// With a column for each folder; `words`: of words, not of numbers.
-Table with_folders(Table table, const FolderComparison& comparison, bool words) {
+/// Adds a column for each folder; `is_text`: for columns of text instead of numbers.
+Table with_folders(Table table, const FolderComparison& comparison, bool is_text) {
   for (const ComparedFolder& folder : comparison.folders) {
-    table.column(words ? TableColumn(folder.name) : TableColumn::texts(folder.name));
+    table.column(is_text ? TableColumn(folder.name) : TableColumn::texts(folder.name));
   }
   return table;
 }
@@ -57,28 +57,28 @@ Blocks folders_section(const FolderComparison& comparison) {
   }
   Blocks body = table;
   for (const std::string& note : comparison.notes) body += block::paragraph(note);
-  return block::section("folders", "What is compared", body);
+  return block::section("folders", "Compared results", body);
 }
 
 Blocks keys_section(const FolderComparison& comparison) {
   constexpr const char *kId = "inputs", *kHeading = "Differences of the inputs";
   if (comparison.keys.empty()) {
-    return block::section(kId, kHeading, block::paragraph("The model files say the same in every key."));
+    return block::section(kId, kHeading, block::paragraph("The model files have the same value for every key."));
   }
   Table table = with_folders({"", {TableColumn("Key")}}, comparison, true);
-  for (std::size_t i = 0; i < std::min(comparison.keys.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(comparison.keys.size(), kMaxRows); ++i) {
     std::vector<TableCell> cells = {comparison.keys[i].key};
     for (const std::string& value : comparison.keys[i].values) cells.emplace_back(value.empty() ? "not given" : value);
     table.row(cells);
   }
-  std::string note = "Equal quantities in other units are no difference.";
-  if (comparison.keys.size() > kMostRows) {
-    note += fmt::format(" The first {} of {} keys; comparison.csv has all.", kMostRows, comparison.keys.size());
+  std::string note = "Equal quantities in different units do not count as a difference.";
+  if (comparison.keys.size() > kMaxRows) {
+    note += fmt::format(" The first {} of {} keys; comparison.csv has all.", kMaxRows, comparison.keys.size());
   }
   return block::section(kId, kHeading, table + block::remark(note));
 }
 
-std::string change_words(const ComparedResult& result, std::size_t folder) {
+std::string change_text(const ComparedResult& result, std::size_t folder) {
   const auto change = result.change(folder);
   if (!change) return "-";
   if (*change == 0.0) return "0";
@@ -91,12 +91,12 @@ Table results_table(const FolderComparison& comparison, bool key) {
     table.column(TableColumn::texts(comparison.folders.size() > 2 ? comparison.folders[i].name : "Change", "%"));
   }
   for (const ComparedResult& result : comparison.results) {
-    if (result.key != key || table.rows.size() == kMostRows) continue;
+    if (result.key != key || table.rows.size() == kMaxRows) continue;
     const ShownUnit unit = shown_unit(result.name, result.unit);
-    std::vector<TableCell> cells = {result.text, text_of(unit)};
+    std::vector<TableCell> cells = {result.text, unit_label(unit)};
     for (const auto& value : result.values) cells.emplace_back(value ? number(*value * unit.factor) : "-");
-    for (std::size_t i = 1; i < result.values.size(); ++i) cells.emplace_back(change_words(result, i));
-    table.row(cells, result.largest_change() == 0.0 ? RowMark::soft : RowMark::none);
+    for (std::size_t i = 1; i < result.values.size(); ++i) cells.emplace_back(change_text(result, i));
+    table.row(cells, result.max_relative_change() == 0.0 ? RowMark::soft : RowMark::none);
   }
   return table;
 }
@@ -122,7 +122,7 @@ Blocks findings_part(const FolderComparison& comparison) {
 Blocks figures(const FolderComparison& comparison) {
   if (comparison.figures.empty()) return {};
   return block::section("figures", "Figures",
-                        block::figure({"overlay", "Results of all folders laid over each other", {"all"}, true}));
+                        block::figure({"overlay", "Results of all folders, overlaid", {"all"}, true}));
 }
 
 Json figures_json(const FolderComparison& comparison) {
@@ -152,7 +152,7 @@ std::string subject(const FolderComparison& comparison) {
 }  // namespace
 
 Document folder_comparison_document(const FolderComparison& comparison) {
-  FrontPage front = front_of("Comparison of results", subject(comparison), std::nullopt, {});
+  FrontPage front = make_front_page("Comparison of results", subject(comparison), std::nullopt, {});
   front.entries = {{"Folders", std::to_string(comparison.folders.size())},
                    {"Differing keys", std::to_string(comparison.keys.size())},
                    {"Compared with", comparison.folders.front().name},

@@ -1,4 +1,4 @@
-/// The page on which results of several folders are compared.
+/// The page of the comparison of several result folders.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// The whole page.
+/// Returns the whole page.
 Document folder_comparison_document(const FolderComparison& comparison);
 
-/// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the page to a temporary file and renames it. Throws std::runtime_error on failure.
 void write_folder_comparison_page(const FolderComparison& comparison, const std::filesystem::path& file);
 
 }  // namespace overbend

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// A curve: its name, what it is of by name and unit, and its value.
+/// A curve: its name, its quantity by name and unit, and its value.
 struct Curve {
   const char *name, *quantity, *si;
   std::optional<double> (*value)(const LayTableValues&);
@@ -18,7 +18,7 @@ struct Curve {
 struct Panel {
   const char* title;
   std::vector<Curve> curves;
-  std::optional<double> limit;  ///< Shown as a line.
+  std::optional<double> limit;  ///< Drawn as a line.
 };
 
 template <double LayTableValues::*kMember>
@@ -40,7 +40,7 @@ const std::vector<Panel>& panels() {
       {"Strain",
        {{"overbend", "strain", "1", take<&V::overbend_strain>}, {"sagbend", "strain", "1", take<&V::sagbend_strain>}},
        {}},
-      {"Largest reaction of a roller", {{"reaction", "force", "N", take<&V::largest_reaction>}}, {}},
+      {"Largest reaction of a roller", {{"reaction", "force", "N", take<&V::max_reaction>}}, {}},
       {"Separation at the stinger tip",
        {{"separation", "separation", "m", [](const V& lay) { return lay.tip_separation; }}},
        {}},
@@ -56,16 +56,16 @@ ShownUnit axis_unit(const LayTable& table) {
   return shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
 }
 
-double x_of(const LayTable& table, const LayTableRow& row) {
+double row_abscissa(const LayTable& table, const LayTableRow& row) {
   return axis_unit(table).factor * (table.route ? row.distance.value_or(0.0) : row.varied);
 }
 
-Json points_of(const LayTable& table, const Curve& curve, double factor) {
+Json curve_points(const LayTable& table, const Curve& curve, double factor) {
   Json points = Json::array();
   for (const LayTableRow& row : table.rows) {
     if (!row.lay) continue;
     if (const std::optional<double> value = curve.value(*row.lay)) {
-      points.push_back(Json::array({json_number(x_of(table, row)), json_number(factor * *value)}));
+      points.push_back(Json::array({json_number(row_abscissa(table, row)), json_number(factor * *value)}));
     }
   }
   return points;
@@ -75,7 +75,7 @@ Json panel_json(const LayTable& table, const Panel& panel) {
   Json series = Json::array();
   const ShownUnit unit = shown_unit(panel.curves.front().quantity, panel.curves.front().si);
   for (const Curve& curve : panel.curves) {
-    Json points = points_of(table, curve, unit.factor);
+    Json points = curve_points(table, curve, unit.factor);
     if (!points.empty()) series.push_back({{"name", curve.name}, {"points", points}});
   }
   const std::string title =
@@ -85,7 +85,7 @@ Json panel_json(const LayTable& table, const Panel& panel) {
 
 Json limit_json(const LayTable& table, LayRowKind kind) {
   for (const LayTableRow& row : table.rows) {
-    if (row.kind == kind) return json_number(x_of(table, row));
+    if (row.kind == kind) return json_number(row_abscissa(table, row));
   }
   return nullptr;
 }
@@ -108,13 +108,13 @@ std::string lay_table_axis(const LayTable& table) {
 Json lay_table_curves(const LayTable& table) {
   Json all = Json::array();
   for (const Panel& panel : panels()) {
-    Json one = panel_json(table, panel);
-    if (!one["series"].empty()) all.push_back(std::move(one));
+    Json json = panel_json(table, panel);
+    if (!json["series"].empty()) all.push_back(std::move(json));
   }
   return {{"axis", lay_table_axis(table)},
           {"panels", all},
-          {"least", limit_json(table, LayRowKind::least)},
-          {"largest", limit_json(table, LayRowKind::largest)}};
+          {"least", limit_json(table, LayRowKind::minimum)},
+          {"largest", limit_json(table, LayRowKind::maximum)}};
 }
 
 }  // namespace overbend

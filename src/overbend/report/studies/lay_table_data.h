@@ -8,11 +8,11 @@
 
 namespace overbend {
 
-/// What the rows are over, in words with the unit: "Tension at the tensioner [kN]".
+/// Returns the label of the varied quantity with its unit: "Tension at the tensioner [kN]".
 std::string lay_table_axis(const LayTable& table);
 
-/// {axis, panels: [{title, series: [{name, points: [[x, y], ...]}], limit}], least, largest} in shown units; points of
-/// rows without a lay are left out, least and largest are null where there are none.
+/// Returns {axis, panels: [{title, series: [{name, points: [[x, y], ...]}], limit}], least, largest} in display units;
+/// rows without a lay have no points; least and largest are null if there are none.
 Json lay_table_curves(const LayTable& table);
 
 }  // namespace overbend

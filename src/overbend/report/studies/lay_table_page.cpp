@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/page/front_of.h"
+#include "report/page/make_front_page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/studies/lay_table_data.h"
@@ -11,12 +11,12 @@
 namespace overbend {
 namespace {
 
-/// Serious findings are too long for a cell: they stand below the table.
+/// Serious findings are too long for a cell: they are listed below the table.
 std::string short_remark(const LayTableRow& row) {
   return row.serious.empty() ? row.reason : row.reason + (row.reason.empty() ? "*" : " *");
 }
 
-std::string varied_words(const LayTable& table, const LayTableRow& row) {
+std::string varied_quantity_text(const LayTable& table, const LayTableRow& row) {
   return shown(row.varied, table.vary == LayTableVary::tension ? "N" : "m", 1);
 }
 
@@ -24,7 +24,7 @@ Blocks serious_remarks(const LayTable& table) {
   std::vector<std::string> list;
   for (const LayTableRow& row : table.rows) {
     if (row.serious.empty()) continue;
-    std::string text = varied_words(table, row) + ": ";
+    std::string text = varied_quantity_text(table, row) + ": ";
     for (const Finding& finding : row.serious) text += finding.message + (&finding == &row.serious.back() ? "." : "; ");
     list.push_back(std::move(text));
   }
@@ -32,7 +32,7 @@ Blocks serious_remarks(const LayTable& table) {
   return block::subheading("Remarks on rows marked *") + block::list(list);
 }
 
-/// The lays with their short remarks and without verdicts in colours.
+/// The lays with their short remarks and without coloured verdicts.
 Table report_rows(const LayTable& table) {
   Table rows = lay_table_data(table);
   rows.look = "dense summary";
@@ -59,7 +59,7 @@ Table with_columns(const Table& table, const std::string& title, const std::vect
   return part;
 }
 
-/// Two tables below each other: all columns in one would be wider than the page.
+/// Two tables below each other: all columns in one would exceed the page width.
 Blocks rows_section(const LayTable& table) {
   const Table rows = report_rows(table);
   std::vector<std::size_t> shape, carried;
@@ -73,30 +73,30 @@ Blocks rows_section(const LayTable& table) {
   return block::section(
       "rows", "Lays",
       with_columns(rows, "Shape, stress and strain", shape) + with_columns(rows, "Reactions and checks", carried) +
-          block::remark("Rows named least and largest are the limits within which every governing check is passed, "
+          block::remark("Rows named least and largest are the limits within which every governing check passes, "
                         "found by bisection to 0.1 %. The same rows are in lay-table.csv and lay-table.xlsx.") +
           serious_remarks(table));
 }
 
-const LayTableRow* row_of(const LayTable& table, LayRowKind kind) {
+const LayTableRow* find_limit_row(const LayTable& table, LayRowKind kind) {
   for (const LayTableRow& row : table.rows) {
     if (row.kind == kind) return &row;
   }
   return nullptr;
 }
 
-/// What the table says, in sentences.
+/// Summary of the table in sentences.
 Blocks summary_section(const LayTable& table) {
   std::vector<std::string> list;
   const char* what = table.vary == LayTableVary::tension    ? "tension"
                      : table.vary == LayTableVary::lay_back ? "lay-back"
                                                             : "water depth";
-  for (const LayRowKind kind : {LayRowKind::least, LayRowKind::largest}) {
-    const LayTableRow* row = row_of(table, kind);
+  for (const LayRowKind kind : {LayRowKind::minimum, LayRowKind::maximum}) {
+    const LayTableRow* row = find_limit_row(table, kind);
     if (row == nullptr) continue;
     list.push_back(fmt::format("The {} {} with every governing check passed is {}; {}.",
-                               kind == LayRowKind::least ? "least" : "largest", what, varied_words(table, *row),
-                               row->reason));
+                               kind == LayRowKind::minimum ? "least" : "largest", what,
+                               varied_quantity_text(table, *row), row->reason));
   }
   std::size_t passed = 0, asked = 0;
   for (const LayTableRow& row : table.rows) {
@@ -111,15 +111,15 @@ Blocks summary_section(const LayTable& table) {
 Blocks figures() {
   return block::section("figures", "Curves",
                         block::figure({"lay_table",
-                                       "The lays of the table; the range within which every governing check is passed "
+                                       "The lays of the table; the range within which every governing check passes "
                                        "is shaded",
                                        {"curves"},
                                        true}));
 }
 
-/// Vessel, pipe and depth of the model; nothing where the program can no longer read it.
+/// Vessel, pipe and depth of the model; nothing if the model can no longer be read.
 std::vector<std::pair<std::string, std::string>> model_entries(const std::string& model_text) {
-  const std::optional<Description> model = description_of(model_text);
+  const std::optional<Description> model = read_description(model_text);
   if (!model) return {};
   const SteelDescription& steel = model->pipe.section.steel;
   return {{"Vessel", model->vessel.name},
@@ -131,10 +131,10 @@ std::vector<std::pair<std::string, std::string>> model_entries(const std::string
 }  // namespace
 
 Document lay_table_document(const LayTable& table, const std::string& model_text) {
-  FrontPage front = front_of("Lay table", table.title, std::nullopt, table.findings);
+  FrontPage front = make_front_page("Lay table", table.title, std::nullopt, table.findings);
   front.entries = model_entries(model_text);
   front.entries.insert(front.entries.end(), {{"Rows", std::to_string(table.rows.size())},
-                                             {"Status", status_words("completed", table.findings.size())},
+                                             {"Status", status_label("completed", table.findings.size())},
                                              {"Program", "Overbend " + table.version},
                                              {"Written", written_now()}});
   return {table.title + " - lay table",

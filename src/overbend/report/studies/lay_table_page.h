@@ -9,10 +9,10 @@
 
 namespace overbend {
 
-/// The whole page. `model_text` is the model as the user wrote it.
+/// Returns the whole page. `model_text` is the model as the user wrote it.
 Document lay_table_document(const LayTable& table, const std::string& model_text);
 
-/// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the page to a temporary file and renames it. Throws std::runtime_error on failure.
 void write_lay_table_page(const LayTable& table, const std::string& model_text, const std::filesystem::path& file);
 
 }  // namespace overbend

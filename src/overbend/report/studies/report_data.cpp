@@ -14,14 +14,14 @@
 #include "report/studies/comparison_data.h"
 #include "report/studies/seek_section.h"
 #include "results/fields/ground_fields.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
 
-/// Their peaks are never thinned away.
+/// Their peaks are never removed by thinning.
 constexpr std::array<double Station::*, 3> kExtremes = {&Station::bending_moment, &Station::von_mises,
                                                         &Station::effective_tension};
 
@@ -32,7 +32,7 @@ bool is_extreme(const std::vector<Station>& all, std::size_t i) {
          });
 }
 
-/// Columns run from the tensioner to the anchor; `s` is the distance along the pipe from the tensioner.
+/// Columns from the tensioner to the anchor; `s` is the distance along the pipe from the tensioner.
 Json stations(const ReportStyle& style, const StaticResults& results) {
   JsonLists<ReportStyle> columns(style);
   const std::set<std::size_t> shown =
@@ -44,7 +44,7 @@ Json stations(const ReportStyle& style, const StaticResults& results) {
   return columns.take();
 }
 
-/// In which unit the columns are shown.
+/// Display units of the columns.
 struct ShownColumns {
   Json columns = Json::object();
 
@@ -57,7 +57,7 @@ struct ShownColumns {
   void operator()(const ResultField&, const Other&) {}
 };
 
-/// Whether the pipe has gone over the end of the roller and lies behind it: where it crosses the row it is on the wrong
+/// True if the pipe has passed over the end of the roller and is behind it: at the plane of the row it is on the wrong
 /// side of the face.
 bool passed(const StaticResults& results, const RowResult& row, const RollerResult& r) {
   if (r.off_end <= 0.0 || r.reaction > 0.0 || row.s < 0.0) return false;
@@ -65,47 +65,47 @@ bool passed(const StaticResults& results, const RowResult& row, const RollerResu
 }
 
 Json roller(const ReportStyle& style, const StaticResults& results, const RowResult& row, const RollerResult& r) {
-  JsonWriter<ReportStyle> one(style);
-  visit_roller(r, one);
-  one["passed"] = passed(results, row, r);
-  return one.take();
+  JsonWriter<ReportStyle> item(style);
+  visit_roller(r, item);
+  item["passed"] = passed(results, row, r);
+  return item.take();
 }
 
 Json support(const ReportStyle& style, const StaticResults& results, const SupportResult& box) {
-  JsonWriter<ReportStyle> one(style);
-  visit_support(box, one);
-  one["rows"] = style.rows(box.rows, [&](const RowResult& row) {
+  JsonWriter<ReportStyle> item(style);
+  visit_support(box, item);
+  item["rows"] = style.rows(box.rows, [&](const RowResult& row) {
     JsonWriter<ReportStyle> line(style);
     visit_row(row, line);
     line["rollers"] = style.rows(row.rollers, [&](const RollerResult& r) { return roller(style, results, row, r); });
     return line.take();
   });
-  return one.take();
+  return item.take();
 }
 
 Json region(const ReportStyle& style, const StaticResults& results, const RegionResult& r) {
   Json all = Json::object();
   visit_region(r, [&](const ResultField& field, const Extreme& extreme) {
-    JsonWriter<ReportStyle> one(style);
-    visit_extreme_fields(field, extreme, one);
-    one["place"] = place_name(results, extreme.s);
-    all[field.name] = one.take();
+    JsonWriter<ReportStyle> item(style);
+    visit_extreme_fields(field, extreme, item);
+    item["place"] = location_name(results, extreme.s);
+    all[field.name] = item.take();
   });
   return all;
 }
 
-/// The bed under the line, and where the laid pipe spans.
+/// The seabed under the line, and the free spans of the laid pipe.
 Json bed(const ReportStyle& style, const BedResults& bed) {
   return {{"heights", style.rows(bed.heights,
                                  [&](const BedHeight& height) {
-                                   JsonWriter<ReportStyle> one(style);
-                                   visit_bed_height(height, one);
-                                   return one.take();
+                                   JsonWriter<ReportStyle> item(style);
+                                   visit_bed_height(height, item);
+                                   return item.take();
                                  })},
           {"spans", style.rows(bed.spans, [&](const FreeSpanResult& span) {
-             JsonWriter<ReportStyle> one(style);
-             visit_free_span(span, one);
-             return one.take();
+             JsonWriter<ReportStyle> item(style);
+             visit_free_span(span, item);
+             return item.take();
            })}};
 }
 

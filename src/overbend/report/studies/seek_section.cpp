@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/units.h"
-#include "report/studies/seek_words.h"
+#include "report/studies/seek_texts.h"
 
 namespace overbend {
 namespace {
@@ -16,58 +16,58 @@ Table unknown_table(const SeekResults& seek) {
       {TableColumn("Key"), TableColumn::texts("Model"), TableColumn::texts("Answer"), TableColumn::texts("Bounds")},
       "summary"};
   for (const SeekUnknown& u : seek.unknowns) {
-    table.row({u.name, quantity_words(u.before, u), quantity_words(u.answer, u),
-               quantity_words(u.from, u) + " to " + quantity_words(u.to, u)},
+    table.row({u.name, quantity_text(u.before, u), quantity_text(u.answer, u),
+               quantity_text(u.from, u) + " to " + quantity_text(u.to, u)},
               u.at_bound ? RowMark::over : RowMark::none);
   }
   return table;
 }
 
-/// A change of the result for a change of the key, in the units that both are shown in.
-std::string slope_words(const SeekResults& seek, const SeekGoal& goal) {
+/// Change of the result per change of the key, in the display units of both.
+std::string slope_text(const SeekResults& seek, const SeekGoal& goal) {
   if (goal.slope.size() != 1) return "-";
   const SeekUnknown& u = seek.unknowns.front();
   const std::string unit = key_unit(u);
   const double per = unit.empty() ? 1.0 : unit_factor(unit, u.unit).value_or(1.0);
-  return result_words(goal.slope.front() * per, goal, 4) + (unit.empty() ? "" : " per " + unit);
+  return goal_value_text(goal.slope.front() * per, goal, 4) + (unit.empty() ? "" : " per " + unit);
 }
 
 Table goal_table(const SeekResults& seek) {
-  Table table{"Results asked for",
+  Table table{"Goals",
               {TableColumn("Result"), TableColumn::texts("Wanted"), TableColumn::texts("Model"),
                TableColumn::texts("With the answer"), TableColumn::texts("Slope")},
               "summary"};
   for (const SeekGoal& goal : seek.goals) {
-    table.row({goal.result, wanted_words(goal), goal.before ? result_words(*goal.before, goal) : "-",
-               goal.reached ? result_words(*goal.reached, goal) : "-", slope_words(seek, goal)});
+    table.row({goal.result, goal_text(goal), goal.before ? goal_value_text(*goal.before, goal) : "-",
+               goal.reached ? goal_value_text(*goal.reached, goal) : "-", slope_text(seek, goal)});
   }
   return table;
 }
 
 Table jump_table(const SeekResults& seek) {
-  Table table{"Jumps over the value wanted",
+  Table table{"Jumps across the target",
               {TableColumn::texts(seek.unknowns.front().name), TableColumn::texts("Below"), TableColumn::texts("Above"),
                TableColumn("What changes")}};
   for (const SeekJump& jump : seek.jumps) {
-    table.row({quantity_words(jump.at, seek.unknowns.front()), result_words(jump.below, seek.goals.front()),
-               result_words(jump.above, seek.goals.front()), jump.why});
+    table.row({quantity_text(jump.key_value, seek.unknowns.front()), goal_value_text(jump.below, seek.goals.front()),
+               goal_value_text(jump.above, seek.goals.front()), jump.why});
   }
   return table;
 }
 
 Blocks remarks(const SeekResults& seek) {
   std::vector<std::string> sentences = seek.remarks;
-  for (const double other : seek.others) {
-    sentences.push_back("Another answer: " + quantity_words(other, seek.unknowns.front()));
+  for (const double value : seek.others) {
+    sentences.push_back("Another answer: " + quantity_text(value, seek.unknowns.front()));
   }
   return block::list(sentences) +
          block::remark(fmt::format(
-             "{} models were solved in {:.2f} s; the largest distance from a condition is {:.1e} of the value wanted. "
-             "The report below is that of the model with the answer put in.",
+             "{} models were solved in {:.2f} s; the largest error of a condition is {:.1e} of the target. The "
+             "report below is for the model with the answer applied.",
              seek.evaluations, seek.wall_time, seek.residual));
 }
 
-/// The stages that the answer changes, to be copied into a model.
+/// The stages changed by the answer, to be copied into a model.
 Blocks stage_texts(const SeekResults& seek) {
   Blocks texts;
   for (const std::string& stage : seek.stages) texts += block::verbatim(stage);
@@ -76,13 +76,13 @@ Blocks stage_texts(const SeekResults& seek) {
 
 /// A panel for each of the first goals.
 Blocks path_figure(const SeekResults& seek) {
-  constexpr std::size_t kMostPanels = 6;
+  constexpr std::size_t kMaxPanels = 6;
   Figure figure{"seek_path",
                 seek.unknowns.size() == 1
-                    ? "Models solved in the search: the result over the key. The horizontal line is the value wanted."
-                    : "The results asked for at each step of the search. The horizontal line is the value wanted.",
+                    ? "Models solved in the search: the result over the key. The horizontal line is the target."
+                    : "The goals at each step of the search. The horizontal line is the target.",
                 {}};
-  for (std::size_t i = 0; i < std::min(seek.goals.size(), kMostPanels); ++i) figure.parts.push_back(std::to_string(i));
+  for (std::size_t i = 0; i < std::min(seek.goals.size(), kMaxPanels); ++i) figure.parts.push_back(std::to_string(i));
   return block::figure(figure);
 }
 

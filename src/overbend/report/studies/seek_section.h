@@ -1,4 +1,4 @@
-/// A goal seek in the report: what was asked, the answer, the way there.
+/// A goal seek in the report: its goals, the answer, the search path.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -6,9 +6,10 @@
 
 namespace overbend {
 
+/// Returns goals, answer and search path as tables and a figure.
 Blocks seek_section(const SeekResults& seek);
 
-/// Data of its figures, in the units that keys and results are shown in.
+/// Returns the data of its figures, in the display units of keys and results.
 Json seek_figure_data(const SeekResults& seek);
 
 }  // namespace overbend

@@ -10,7 +10,7 @@
 #include "report/page/quantity.h"
 #include "resultfiles/studies/study_writer.h"
 
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 namespace overbend {
 namespace {
 
@@ -19,23 +19,25 @@ Json number(const std::optional<double>& value, double factor) {
 }
 
 Json input_json(const StudyInput& input) {
-  const StudyShown unit = shown_unit_of(input);
+  const StudyUnit unit = find_study_unit(input);
   Json values = Json::array();
   for (const double value : input.values) values.push_back(number(value, unit.factor));
-  return {
-      {"name", heading_of(input.key, unit)}, {"words", input.words}, {"values", values}, {"sampled", input.sampled}};
+  return {{"name", make_heading(input.key, unit)},
+          {"words", input.value_texts},
+          {"values", values},
+          {"sampled", input.sampled}};
 }
 
 Json outputs_json(const StudyResults& results) {
   Json outputs = Json::array();
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
-    if (!output.text) outputs.push_back({{"name", heading_of(output.name, shown_unit_of(output))}, {"at", i}});
+    if (!output.text) outputs.push_back({{"name", make_heading(output.name, find_study_unit(output))}, {"at", i}});
   }
   return outputs;
 }
 
-const char* state_of(const StudyGroup& group) {
+const char* group_state(const StudyGroup& group) {
   if (group.done == 0) return group.failed > 0 ? "failed" : "open";
   return word(group.verdict);
 }
@@ -45,27 +47,27 @@ Json group_json(const StudyResults& results, const StudyGroup& group) {
   for (std::size_t i = 0; i < results.inputs.size(); ++i) {
     const std::vector<double>& inputs = group.first->inputs;
     x.push_back(
-        number(i < inputs.size() ? std::optional(inputs[i]) : std::nullopt, shown_unit_of(results.inputs[i]).factor));
+        number(i < inputs.size() ? std::optional(inputs[i]) : std::nullopt, find_study_unit(results.inputs[i]).factor));
   }
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
-    const double factor = shown_unit_of(results.outputs[i]).factor;
+    const double factor = find_study_unit(results.outputs[i]).factor;
     mean.push_back(number(group.mean[i], factor));
     low.push_back(number(group.low[i], factor));
     high.push_back(number(group.high[i], factor));
   }
-  return {{"at", group.first->at},
+  return {{"at", group.first->value_indices},
           {"x", x},
-          {"words", group.first->words},
+          {"words", group.first->value_texts},
           {"mean", mean},
           {"low", low},
           {"high", high},
-          {"state", state_of(group)},
+          {"state", group_state(group)},
           {"governing", group.governing},
           {"utilisation", number(group.utilisation, 1.0)},
           {"case", group.first->number}};
 }
 
-/// Rank correlation of every output with every input that has numbers, of the finished groups.
+/// Rank correlation of every output with every numerical input, over the finished groups.
 Json correlations(const StudyResults& results, const std::vector<StudyGroup>& groups) {
   Json all = Json::array();
   for (std::size_t o = 0; o < results.outputs.size(); ++o) {
@@ -79,42 +81,44 @@ Json correlations(const StudyResults& results, const std::vector<StudyGroup>& gr
         y.push_back(*group.mean[o]);
       }
       if (const auto rho = rank_correlation(x, y)) {
-        bars.push_back({{"name", heading_of(results.inputs[i].key, {})}, {"value", json_number(*rho)}});
+        bars.push_back({{"name", make_heading(results.inputs[i].key, {})}, {"value", json_number(*rho)}});
       }
     }
-    all.push_back({{"output", heading_of(results.outputs[o].name, {})}, {"bars", bars}});
+    all.push_back({{"output", make_heading(results.outputs[o].name, {})}, {"bars", bars}});
   }
   return all;
 }
 
-/// Of every output: for every key the values at its ends, the others as in the base.
+/// For every output and every key: the values at the ends of the key's range, with the other keys as in the base case.
 Json swings(const StudyResults& results, const std::vector<StudyGroup>& groups, std::size_t base) {
   Json all = Json::array();
   for (std::size_t o = 0; o < results.outputs.size(); ++o) {
     if (results.outputs[o].text || !groups[base].mean[o]) continue;
-    const StudyShown unit = shown_unit_of(results.outputs[o]);
+    const StudyUnit unit = find_study_unit(results.outputs[o]);
     Json bars = Json::array();
     for (const std::size_t axis : free_axes(results)) {
       double low = *groups[base].mean[o], high = low;
-      std::string low_word = groups[base].first->words.at(axis), high_word = low_word;
+      std::string low_word = groups[base].first->value_texts.at(axis), high_word = low_word;
       for (const StudyGroup& group : groups) {
-        if (!group.mean[o] || group.first->at.at(axis) == groups[base].first->at.at(axis)) continue;
+        if (!group.mean[o] || group.first->value_indices.at(axis) == groups[base].first->value_indices.at(axis)) {
+          continue;
+        }
         if (*group.mean[o] < low) {
           low = *group.mean[o];
-          low_word = group.first->words.at(axis);
+          low_word = group.first->value_texts.at(axis);
         }
         if (*group.mean[o] > high) {
           high = *group.mean[o];
-          high_word = group.first->words.at(axis);
+          high_word = group.first->value_texts.at(axis);
         }
       }
-      bars.push_back({{"name", heading_of(results.inputs[axis].key, {})},
+      bars.push_back({{"name", make_heading(results.inputs[axis].key, {})},
                       {"low", json_number(unit.factor * low)},
                       {"high", json_number(unit.factor * high)},
                       {"low_word", low_word},
                       {"high_word", high_word}});
     }
-    all.push_back({{"output", heading_of(results.outputs[o].name, unit)},
+    all.push_back({{"output", make_heading(results.outputs[o].name, unit)},
                    {"base", json_number(unit.factor * *groups[base].mean[o])},
                    {"bars", bars}});
   }
@@ -122,19 +126,19 @@ Json swings(const StudyResults& results, const std::vector<StudyGroup>& groups, 
 }
 
 Json operability_json(const OperabilityResults& operability) {
-  const StudyShown unit = shown_unit_of(operability.unit, operability.show);
+  const StudyUnit unit = find_study_unit(operability.unit, operability.show);
   Json axes = Json::array(), cells = Json::array();
   for (const StudyInput& axis : operability.axes) axes.push_back(input_json(axis));
   for (const OperabilityCell& cell : operability.cells) {
-    cells.push_back({{"at", cell.at},
+    cells.push_back({{"at", cell.value_indices},
                      {"limit", number(cell.limit, unit.factor)},
                      {"beyond", cell.beyond},
                      {"decided", cell.decided},
                      {"governing", cell.governing}});
   }
-  Json out = {{"over", heading_of(operability.over, unit)},
-              {"least", number(operability.least, unit.factor)},
-              {"largest", number(operability.largest, unit.factor)},
+  Json out = {{"over", make_heading(operability.over, unit)},
+              {"least", number(operability.min_value, unit.factor)},
+              {"largest", number(operability.max_value, unit.factor)},
               {"alpha", number(operability.alpha, 1.0)},
               {"axes", axes},
               {"cells", cells}};
@@ -148,7 +152,7 @@ Json operability_json(const OperabilityResults& operability) {
 
 }  // namespace
 
-StudyShown shown_unit_of(const std::string& unit, const std::string& show) {
+StudyUnit find_study_unit(const std::string& unit, const std::string& show) {
   if (show.empty()) return {};
   const std::string name = unit_of_key(unit, show);
   if (const auto factor = unit_factor(name, unit)) return {name, 1.0 / *factor};
@@ -156,52 +160,53 @@ StudyShown shown_unit_of(const std::string& unit, const std::string& show) {
   return {std::string(usual.name), usual.factor};
 }
 
-StudyShown shown_unit_of(const StudyInput& input) {
-  return shown_unit_of(input.unit, input.show);
+StudyUnit find_study_unit(const StudyInput& input) {
+  return find_study_unit(input.unit, input.show);
 }
 
-StudyShown shown_unit_of(const StudyOutput& output) {
+StudyUnit find_study_unit(const StudyOutput& output) {
   const ShownUnit unit = shown_output(output);
   return {std::string(unit.name), unit.factor};
 }
 
 namespace {
 
-/// Values of keys as the model file has them stay so in the units that it has them in.
-void put_words(const StudyInput& input, double value, std::string& words) {
-  const StudyShown unit = shown_unit_of(input);
-  if (unit.name != input.show && std::isfinite(value)) words = fmt::format("{:.6g} {}", value * unit.factor, unit.name);
+/// Values are rewritten in the display unit unless this is the unit of the model file.
+void convert_value_texts(const StudyInput& input, double value, std::string& text) {
+  const StudyUnit unit = find_study_unit(input);
+  if (unit.name != input.show && std::isfinite(value)) text = fmt::format("{:.6g} {}", value * unit.factor, unit.name);
 }
 
-void put_words(StudyInput& input) {
-  for (std::size_t i = 0; i < std::min(input.words.size(), input.values.size()); ++i) {
-    put_words(input, input.values[i], input.words[i]);
+void convert_value_texts(StudyInput& input) {
+  for (std::size_t i = 0; i < std::min(input.value_texts.size(), input.values.size()); ++i) {
+    convert_value_texts(input, input.values[i], input.value_texts[i]);
   }
 }
 
 }  // namespace
 
-StudyResults in_shown_units(StudyResults results) {
-  for (StudyCase& one : results.cases) {
-    for (std::size_t i = 0; i < std::min({one.words.size(), one.inputs.size(), results.inputs.size()}); ++i) {
-      put_words(results.inputs[i], one.inputs[i], one.words[i]);
+StudyResults convert_to_shown_units(StudyResults results) {
+  for (StudyCase& study_case : results.cases) {
+    for (std::size_t i = 0;
+         i < std::min({study_case.value_texts.size(), study_case.inputs.size(), results.inputs.size()}); ++i) {
+      convert_value_texts(results.inputs[i], study_case.inputs[i], study_case.value_texts[i]);
     }
   }
-  for (StudyInput& input : results.inputs) put_words(input);
+  for (StudyInput& input : results.inputs) convert_value_texts(input);
   if (results.operability) {
-    for (StudyInput& axis : results.operability->axes) put_words(axis);
+    for (StudyInput& axis : results.operability->axes) convert_value_texts(axis);
   }
   return results;
 }
 
-std::string heading_of(const std::string& name, const StudyShown& unit) {
+std::string make_heading(const std::string& name, const StudyUnit& unit) {
   std::string text = name;
   for (const char* front : {"static.", "dynamic.", "environment."}) {
     if (text.starts_with(front)) text.erase(0, std::string(front).size());
   }
   std::ranges::replace(text, '_', ' ');
   std::size_t bracket = 0;
-  for (char& c : text) {  // points within brackets belong to a name
+  for (char& c : text) {  // dots within brackets belong to a name
     if (c == '[') ++bracket;
     if (c == ']' && bracket > 0) --bracket;
     if (c == '.' && bracket == 0) c = ' ';

@@ -10,25 +10,26 @@
 
 namespace overbend {
 
-/// What an input's or an output's numbers are shown in.
-struct StudyShown {
-  std::string name;  ///< Of the unit; empty for plain numbers.
+/// Display unit of an input or an output.
+struct StudyUnit {
+  std::string name;  ///< Name of the unit; empty for plain numbers.
   double factor = 1.0;
 };
-StudyShown shown_unit_of(const StudyInput& input);
-StudyShown shown_unit_of(const StudyOutput& output);
-/// Unit `show` of a key whose numbers are in SI `unit`; the usual one of that where the text is no unit.
-StudyShown shown_unit_of(const std::string& unit, const std::string& show);
+StudyUnit find_study_unit(const StudyInput& input);
+StudyUnit find_study_unit(const StudyOutput& output);
+/// Returns the unit `show` of a key whose numbers are in SI `unit`; the usual display unit if `show` is not a unit.
+StudyUnit find_study_unit(const std::string& unit, const std::string& show);
 
-/// With the values of the keys in words in the units in use.
-StudyResults in_shown_units(StudyResults results);
+/// Returns the results with the texts of the key values converted to display units.
+StudyResults convert_to_shown_units(StudyResults results);
 
-/// Name of a result or key for people: the last parts of its path, with its unit in brackets where it has one.
-std::string heading_of(const std::string& name, const StudyShown& unit);
+/// Returns the name of a result or key for readers: the last parts of its path, with its unit in brackets if it has
+/// one.
+std::string make_heading(const std::string& name, const StudyUnit& unit);
 
-/// {shape, inputs: [{name, values, words}], outputs: [{name, at}], groups: [{at, x, words, mean, low, high, state,
-/// governing, utilisation, seeds}], axes, base, tornado}; values in shown units, null for what is not there.
-/// `operability` where the study has one.
+/// Returns {shape, inputs: [{name, values, words}], outputs: [{name, at}], groups: [{at, x, words, mean, low, high,
+/// state, governing, utilisation, seeds}], axes, base, tornado}; values in display units, null for missing values.
+/// `operability` if the study has one.
 Json study_data(const StudyResults& results);
 
 }  // namespace overbend

@@ -1,7 +1,7 @@
 #include "report/studies/study_page.h"
 
 #include "report/page/figure_list.h"
-#include "report/page/front_of.h"
+#include "report/page/make_front_page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/studies/study_data.h"
@@ -10,13 +10,12 @@
 namespace overbend {
 namespace {
 
-const std::vector<Figure>& figures_of(StudyShape shape) {
+const std::vector<Figure>& make_figures(StudyShape shape) {
   static const std::vector<Figure> kCurves = {
-      {"study_curves", "Results over the key that changes; bands show the range over the seeds", {"all"}, true}};
+      {"study_curves", "Results over the varied key; bands show the range over the seeds", {"all"}, true}};
   static const std::vector<Figure> kMaps = {{"study_maps",
-                                             "Results over the keys that change. The heavy line encloses the cases "
-                                             "with every governing check passed; hatched "
-                                             "cells have no result",
+                                             "Results over the varied keys. The heavy line encloses the cases in "
+                                             "which every governing check passes; hatched cells have no result",
                                              {"all"},
                                              true}};
   static const std::vector<Figure> kSwings = {
@@ -26,7 +25,7 @@ const std::vector<Figure>& figures_of(StudyShape shape) {
        true}};
   static const std::vector<Figure> kSample = {
       {"study_correlations", "Rank correlation of the results with the keys (Spearman)", {"all"}, true},
-      {"study_scatter", "Results over the keys that are drawn; open circles exceed a governing check", {"all"}, true}};
+      {"study_scatter", "Results over the sampled keys; open circles exceed a governing check", {"all"}, true}};
   static const std::vector<Figure> kNone;
   switch (shape) {
     case StudyShape::curves:
@@ -42,10 +41,10 @@ const std::vector<Figure>& figures_of(StudyShape shape) {
   }
 }
 
-/// Whether an axis of directions is among those of the chart.
+/// True if the chart has an axis of directions.
 bool has_headings(const OperabilityResults& operability) {
   for (const StudyInput& axis : operability.axes) {
-    if (axis.unit == "rad" && axis.words.size() > 2) return true;
+    if (axis.unit == "rad" && axis.value_texts.size() > 2) return true;
   }
   return false;
 }
@@ -65,17 +64,17 @@ Blocks operability_figures(const OperabilityResults& operability) {
 Blocks figures(const StudyResults& results) {
   Blocks all;
   if (results.operability) all += operability_figures(*results.operability);
-  if (!results.cases.empty()) all += figure_list(figures_of(study_shape(results)));
+  if (!results.cases.empty()) all += figure_list(make_figures(study_shape(results)));
   return block::section("figures", "Charts", all);
 }
 
 Json study_front(const StudyResults& results) {
   const std::string kind = results.analysis.empty() ? "Study" : "Study, " + results.analysis + " analyses";
-  FrontPage page = front_of(kind, results.title, std::nullopt, results.findings);
+  FrontPage page = make_front_page(kind, results.title, std::nullopt, results.findings);
   auto& entries = page.entries;
   if (!results.cases.empty()) entries.emplace_back("Cases", std::to_string(results.cases.size()));
   if (results.operability) entries.emplace_back("Analyses of the chart", std::to_string(results.operability->runs));
-  if (results.wall_time > 0.0) entries.emplace_back("Computed in", duration_words(results.wall_time));
+  if (results.wall_time > 0.0) entries.emplace_back("Computed in", readable_duration(results.wall_time));
   if (results.threads > 0) entries.emplace_back("Threads", std::to_string(results.threads));
   entries.emplace_back("Program", "Overbend " + results.version);
   entries.emplace_back("Written", written_now());
@@ -87,7 +86,7 @@ Json study_front(const StudyResults& results) {
 }  // namespace
 
 Document study_document(const StudyResults& stored) {
-  const StudyResults results = in_shown_units(stored);
+  const StudyResults results = convert_to_shown_units(stored);
   return {results.title + " - study",
           study_front(results),
           study_inputs_section(results) + figures(results) + operability_section(results) +

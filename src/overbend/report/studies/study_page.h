@@ -1,4 +1,4 @@
-/// The page of a study: what its cases say, its charts and its cases.
+/// The page of a study: summary, charts and cases.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// The whole page.
+/// Returns the whole page.
 Document study_document(const StudyResults& results);
 
-/// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the page to a temporary file and renames it. Throws std::runtime_error on failure.
 void write_study_report(const StudyResults& results, const std::filesystem::path& file);
 
 }  // namespace overbend

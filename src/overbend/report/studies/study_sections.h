@@ -1,4 +1,4 @@
-/// Tables and sentences of the page of a study; empty where there is nothing to say.
+/// Tables and sentences of the page of a study; empty without content.
 #pragma once
 
 #include "report/page/blocks.h"
@@ -7,17 +7,17 @@
 
 namespace overbend {
 
-/// How many cases pass, exceed a check, could not be solved.
+/// Returns the verdict with the numbers of cases that pass, exceed a check, or have no solution.
 Verdict study_verdict(const StudyResults& results);
-/// What changes from case to case.
+/// Returns the inputs that vary between cases.
 Blocks study_inputs_section(const StudyResults& results);
-/// Over the seeds, with confidence.
+/// Returns the extremes over the seeds, with confidence intervals.
 Blocks study_extremes_section(const StudyResults& results);
-/// Limit and governing check of every cell, and workability.
+/// Returns limit and governing check of every cell, and workability.
 Blocks operability_section(const StudyResults& results);
-/// Reason and command of each.
+/// Returns the reason and the command of each failed case.
 Blocks failed_cases_section(const StudyResults& results);
-/// At most three hundred of them.
+/// Returns at most three hundred cases.
 Blocks study_cases_section(const StudyResults& results);
 
 }  // namespace overbend

@@ -10,16 +10,16 @@ namespace overbend {
 namespace {
 
 /// A group while its cases are added: `mean` holds sums.
-struct Growing {
+struct GroupAccumulator {
   StudyGroup group;
-  std::vector<int> counts;  ///< Of the values of every output.
+  std::vector<int> counts;  ///< Number of values of every output.
 };
 
-void add_values(Growing& growing, const StudyCase& one) {
+void add_values(GroupAccumulator& growing, const StudyCase& study_case) {
   StudyGroup& group = growing.group;
-  for (std::size_t i = 0; i < group.mean.size() && i < one.values.size(); ++i) {
-    if (!one.values[i]) continue;
-    const double value = *one.values[i];
+  for (std::size_t i = 0; i < group.mean.size() && i < study_case.values.size(); ++i) {
+    if (!study_case.values[i]) continue;
+    const double value = *study_case.values[i];
     group.mean[i] = group.mean[i].value_or(0.0) + value;  // their sum so far
     ++growing.counts[i];
     group.low[i] = std::min(group.low[i].value_or(value), value);
@@ -27,18 +27,18 @@ void add_values(Growing& growing, const StudyCase& one) {
   }
 }
 
-void add_case(Growing& growing, const StudyCase& one) {
+void add_case(GroupAccumulator& growing, const StudyCase& study_case) {
   StudyGroup& group = growing.group;
-  if (one.state == StudyCaseState::open) ++group.open;
-  if (one.state == StudyCaseState::failed) ++group.failed;
-  if (one.state != StudyCaseState::done) return;
+  if (study_case.state == StudyCaseState::open) ++group.open;
+  if (study_case.state == StudyCaseState::failed) ++group.failed;
+  if (study_case.state != StudyCaseState::done) return;
   ++group.done;
-  group.verdict = std::max(group.verdict, one.verdict, less_severe);
-  if (one.utilisation && (!group.utilisation || *one.utilisation > *group.utilisation)) {
-    group.utilisation = one.utilisation;
-    group.governing = one.governing;
+  group.verdict = std::max(group.verdict, study_case.verdict, less_severe);
+  if (study_case.utilisation && (!group.utilisation || *study_case.utilisation > *group.utilisation)) {
+    group.utilisation = study_case.utilisation;
+    group.governing = study_case.governing;
   }
-  add_values(growing, one);
+  add_values(growing, study_case);
 }
 
 int differing(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b,
@@ -64,19 +64,19 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<StudyGroup> study_groups(const StudyResults& results) {
-  std::map<std::size_t, Growing> by_number;
-  for (const StudyCase& one : results.cases) {
-    Growing& growing = by_number[one.group];
+  std::map<std::size_t, GroupAccumulator> by_number;
+  for (const StudyCase& study_case : results.cases) {
+    GroupAccumulator& growing = by_number[study_case.group];
     StudyGroup& group = growing.group;
     if (group.first == nullptr) {
-      group.group = one.group;
-      group.first = &one;
+      group.group = study_case.group;
+      group.first = &study_case;
       group.verdict = VerdictKind::passed;
       group.mean.resize(results.outputs.size());
       group.low = group.high = group.mean;
       growing.counts.resize(results.outputs.size());
     }
-    add_case(growing, one);
+    add_case(growing, study_case);
   }
   std::vector<StudyGroup> groups;
   for (auto& [number, growing] : by_number) {
@@ -94,7 +94,7 @@ std::vector<std::size_t> free_axes(const StudyResults& results) {
   std::vector<std::size_t> axes;
   for (std::size_t i = 0; i < results.inputs.size(); ++i) {
     const StudyInput& input = results.inputs[i];
-    if (!input.sampled && input.with.empty() && input.words.size() > 1) axes.push_back(i);
+    if (!input.sampled && input.with.empty() && input.value_texts.size() > 1) axes.push_back(i);
   }
   return axes;
 }
@@ -103,11 +103,12 @@ std::optional<std::size_t> base_group(const StudyResults& results, const std::ve
   const std::vector<std::size_t> axes = free_axes(results);
   if (axes.size() < 2) return std::nullopt;
   std::size_t all = 1;
-  for (const std::size_t axis : axes) all *= results.inputs[axis].words.size();
+  for (const std::size_t axis : axes) all *= results.inputs[axis].value_texts.size();
   if (groups.size() < 3 || groups.size() >= all) return std::nullopt;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const bool base = std::ranges::all_of(
-        groups, [&](const StudyGroup& other) { return differing(groups[i].first->at, other.first->at, axes) <= 1; });
+    const bool base = std::ranges::all_of(groups, [&](const StudyGroup& group) {
+      return differing(groups[i].first->value_indices, group.first->value_indices, axes) <= 1;
+    });
     if (base) return i;
   }
   return std::nullopt;

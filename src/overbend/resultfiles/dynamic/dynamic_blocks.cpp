@@ -12,9 +12,10 @@ namespace {
 
 constexpr hsize_t kHistoryChunk = 16384;
 constexpr std::int64_t kImpactBlock = 16384;
-constexpr std::int64_t kFewestSnapshots = 16, kSnapshotNumbers = 65536;  // together: each piece is compressed by itself
+constexpr std::int64_t kMinSnapshots = 16, kSnapshotNumbers = 65536;  // in one chunk: each chunk is compressed by
+                                                                      // itself
 // A scale keeps a list of its datasets in an attribute, which HDF5 limits to 64 kB.
-constexpr std::size_t kMostScaled = 2000;
+constexpr std::size_t kMaxScaledDatasets = 2000;
 
 void require_finite(const std::string& place, const std::string& name, const std::vector<double>& values) {
   const FiniteVisitor visit{place};
@@ -39,7 +40,7 @@ void write_histories(Hdf5Writer& file, const RunStore& store) {
   for (std::size_t i = 0; i < store.columns().size(); ++i) {
     write_history(file, store, i);
     if (i == 0) file.make_scale(time, "time");
-    if (i > 0 && i < kMostScaled) {
+    if (i > 0 && i < kMaxScaledDatasets) {
       file.attach_scale("/dynamic/histories/" + dataset_path(store.columns()[i].name), time);
     }
   }
@@ -54,7 +55,7 @@ class BlockTable {
   void operator()(const ResultField& field, int value) { column(field).integers.push_back(value); }
   void end_row() { next_ = 0; }
 
-  /// Writes the rows gathered since the last time.
+  /// Writes the rows collected since the last call.
   void write() {
     std::size_t count = 0;
     for (Column& c : columns_) {
@@ -119,14 +120,14 @@ const std::array<ResultField, 5>& station_fields() {
 
 const std::array<ResultField, 4>& line_fields() {
   static const std::array<ResultField, 4> fields = {
-      ResultField{"line_x", "m", "Place on a mooring line", kWorldFrame},
-      ResultField{"line_y", "m", "Place on a mooring line", kWorldFrame},
-      ResultField{"line_z", "m", "Place on a mooring line", kWorldFrame},
+      ResultField{"line_x", "m", "Position on a mooring line", kWorldFrame},
+      ResultField{"line_y", "m", "Position on a mooring line", kWorldFrame},
+      ResultField{"line_z", "m", "Position on a mooring line", kWorldFrame},
       ResultField{"line_tension", "N", "Effective tension of a mooring line"}};
   return fields;
 }
 
-/// A dataset of the snapshots: of each, `width` numbers from `offset` on, `stride` apart.
+/// A dataset of the snapshots: `width` numbers of each from `offset` on, with the given stride.
 struct SnapshotPart {
   ResultField field;
   std::vector<hsize_t> shape;
@@ -140,7 +141,7 @@ std::vector<SnapshotPart> snapshot_parts(const RunStore& store) {
   const auto count = static_cast<hsize_t>(store.snapshots());
   const auto stations = static_cast<std::size_t>(store.stations());
   std::vector<SnapshotPart> parts = {{ResultField{"time", "s", "Time; 0 is the end of the build-up"}, {count}}};
-  const std::size_t stride = station_fields().size();  // the values of a station lie together
+  const std::size_t stride = station_fields().size();  // the values of a station are contiguous
   for (std::size_t i = 0; i < stride && stations > 0; ++i) {
     parts.push_back({station_fields()[i], {count, stations}, 1 + i, stations, stride, "/dynamic/stations/s"});
   }
@@ -158,7 +159,7 @@ std::vector<SnapshotPart> snapshot_parts(const RunStore& store) {
   return parts;
 }
 
-std::vector<double> numbers_of(const SnapshotPart& part, const std::vector<double>& block, std::size_t size) {
+std::vector<double> extract_numbers(const SnapshotPart& part, const std::vector<double>& block, std::size_t size) {
   std::vector<double> values;
   values.reserve(block.size() / size * part.width);
   for (std::size_t start = 0; start < block.size(); start += size) {
@@ -169,10 +170,10 @@ std::vector<double> numbers_of(const SnapshotPart& part, const std::vector<doubl
 
 void write_snapshots(Hdf5Writer& file, const RunStore& store) {
   if (store.snapshots() == 0) return;
-  file.group("/dynamic/snapshots", "The line and the vessel at instants");
+  file.group("/dynamic/snapshots", "Snapshots of the line and the vessel");
   const std::vector<SnapshotPart> parts = snapshot_parts(store);
   const auto size = static_cast<std::size_t>(store.snapshot_size());
-  const std::int64_t rows = std::max(kFewestSnapshots, kSnapshotNumbers / static_cast<std::int64_t>(size));
+  const std::int64_t rows = std::max(kMinSnapshots, kSnapshotNumbers / static_cast<std::int64_t>(size));
   for (const SnapshotPart& part : parts) {
     file.create<double>(part.path(), part.field, part.shape, static_cast<hsize_t>(rows));
   }
@@ -180,7 +181,7 @@ void write_snapshots(Hdf5Writer& file, const RunStore& store) {
     const std::vector<double> block = store.snapshot_block(first, std::min(rows, store.snapshots() - first));
     require_finite("dynamic.snapshots", "", block);
     for (const SnapshotPart& part : parts) {
-      file.write_rows(part.path(), static_cast<hsize_t>(first), numbers_of(part, block, size));
+      file.write_rows(part.path(), static_cast<hsize_t>(first), extract_numbers(part, block, size));
     }
   }
   file.make_scale(parts.front().path(), "time");

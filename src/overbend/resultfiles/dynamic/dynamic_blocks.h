@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// /dynamic/histories, /dynamic/impacts and /dynamic/snapshots, from the store in blocks; /dynamic/stations must
-/// stand. Throws std::runtime_error when a number is none.
+/// Writes /dynamic/histories, /dynamic/impacts and /dynamic/snapshots from the store in blocks; /dynamic/stations must
+/// exist. Throws std::runtime_error if a number is not finite.
 void write_long_data(Hdf5Writer& file, const RunStore& store);
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "results/fields/fatigue_fields.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/stinger_dynamics_fields.h"
@@ -22,7 +22,7 @@ bool is_absent(const Other&) {
 /// Lists, each value by its index.
 struct FiniteLists {
   std::string place;
-  bool gaps = false;  ///< Values may be absent.
+  bool gaps = false;  ///< True if values may be missing.
   template <class Value>
   void operator()(const ResultField& field, const std::vector<Value>& values) const {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -61,7 +61,7 @@ void check_fatigue(const DynamicResults& results) {
 
 void check_histories(const DynamicResults& results) {
   for (const HistorySummary& history : results.histories) {
-    const bool gaps = may_be_absent(history.name);
+    const bool gaps = may_be_missing(history.name);
     FiniteVisitor visit{"dynamic.histories." + history.name + "."};
     if (!gaps || !std::isnan(history.over_time.mean)) visit_spread(ResultField{}, history.over_time, visit);
     const FiniteLists lists{"dynamic.histories." + history.name, gaps};
@@ -87,7 +87,7 @@ void require_finite(const DynamicResults& results) {
   visit.place = "dynamic.run.";
   visit_dynamic_run(results.run, visit);
   visit.place = "dynamic.smallest_tension.";
-  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, visit);
+  visit_dynamic_extreme(min_effective_tension_field(), results.min_effective_tension, visit);
   check_region("overbend", results.overbend);
   check_region("tower", results.tower);
   check_region("sagbend", results.sagbend);

@@ -8,8 +8,8 @@
 #include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
-#include "results/fields/dynamic_values.h"
-#include "results/fields/static_values.h"
+#include "results/fields/dynamic_scalars.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/stinger_dynamics_fields.h"
 
 namespace overbend {
@@ -33,7 +33,7 @@ void write_part(Hdf5Writer& file, const std::string& group, const std::string& d
   visit_part(part, visit);
 }
 
-/// Whole columns of the table of stations.
+/// Writes whole columns of the table of stations.
 struct ColumnWriter {
   Hdf5Writer& file;
 
@@ -59,7 +59,7 @@ void write_supports(Hdf5Writer& file, const std::vector<SupportDynamics>& suppor
   TableWriter boxes, rollers;
   for (const SupportDynamics& support : supports) {
     for (const RollerDynamics& roller : support.rollers) {
-      rollers(index_field("Number of the line of this table, from 0"), rollers.rows());
+      rollers(index_field("Number of the row of this table, from 0"), rollers.rows());
       rollers(ResultField{"support", "1", "Index of its box in the table of supports"}, boxes.rows());
       visit_dynamic_roller(roller, rollers);
       rollers.end_row();
@@ -77,31 +77,31 @@ void write_rows(Hdf5Writer& file, const std::string& group, const char* descript
                 Function visit_row) {
   TableWriter table;
   for (const Row& row : rows) {
-    table(index_field("Number of the line of this table, from 0"), table.rows());
+    table(index_field("Number of the row of this table, from 0"), table.rows());
     visit_row(row, table);
     table.end_row();
   }
   table.write(file, group, description);
 }
 
-/// A line per history; their thinned values stand one history after the other in `low` and `high`.
+/// Writes a row for each history; the thinned values are concatenated in `low` and `high`.
 void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histories) {
   const std::string group = "/dynamic/thinned";
   std::vector<double> low, high;
-  write_rows(file, group, "Histories thinned for drawing: a line each", histories,
-             [&](const HistorySummary& h, auto& t) {
-               t(ResultField{"name", "1", "Name of the history; /dynamic/histories holds it whole"}, h.name);
-               t(ResultField{"units", "1", "Units of its values"}, h.units);
-               t(ResultField{"meaning", "1", "Meaning"}, h.description);
-               t(ResultField{"first", "1", "Index in low and high of its first time interval"},
-                 static_cast<std::int64_t>(low.size()));
-               t(ResultField{"count", "1",
-                             "Number of its stretches, of equal length, from the start of the build-up to the end"},
-                 static_cast<std::int64_t>(h.low.size()));
-               visit_spread(ResultField{"", kVaries, "Of the history from t = 0 on"}, h.over_time, t);
-               low.insert(low.end(), h.low.begin(), h.low.end());
-               high.insert(high.end(), h.high.begin(), h.high.end());
-             });
+  write_rows(
+      file, group, "Histories thinned for plotting, a row each", histories, [&](const HistorySummary& h, auto& t) {
+        t(ResultField{"name", "1", "Name of the history; /dynamic/histories contains all its values"}, h.name);
+        t(ResultField{"units", "1", "Units of its values"}, h.units);
+        t(ResultField{"meaning", "1", "Meaning"}, h.description);
+        t(ResultField{"first", "1", "Index in low and high of its first time interval"},
+          static_cast<std::int64_t>(low.size()));
+        t(ResultField{"count", "1",
+                      "Number of its time intervals, of equal length, from the start of the build-up to the end"},
+          static_cast<std::int64_t>(h.low.size()));
+        visit_spread(ResultField{"", kVaries, "Statistics of the history from t = 0"}, h.over_time, t);
+        low.insert(low.end(), h.low.begin(), h.low.end());
+        high.insert(high.end(), h.high.begin(), h.high.end());
+      });
   if (histories.empty()) return;
   file.write(group + "/low", ResultField{"", kVaries, "Minimum of each time interval"}, low, {low.size()});
   file.write(group + "/high", ResultField{"", kVaries, "Maximum of each time interval"}, high, {high.size()});
@@ -125,7 +125,7 @@ void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
   }
 }
 
-/// Of a laid pipe.
+/// Parts that exist only with a laid pipe.
 void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const DynamicResults& dynamics) {
   const auto tensioner = [](const auto& part, auto& visit) { visit_tensioner(part, visit); };
   const auto impacts = [](const auto& part, auto& visit) { visit_impact(part, visit); };
@@ -134,18 +134,21 @@ void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const Dy
     write_region(file, "/dynamic/overbend", "Extremes from the tensioner to the inflection below the last support",
                  dynamics.overbend);
   }
-  const ResultField least = smallest_tension_field();
-  const auto smallest = [&](const auto& part, auto& visit) { visit_dynamic_extreme(least, part, visit); };
-  write_part(file, "/dynamic/" + least.name, std::string(least.description), smallest, dynamics.smallest_tension);
+  const ResultField min_tension = min_effective_tension_field();
+  const auto visit_min_tension = [&](const auto& part, auto& visit) {
+    visit_dynamic_extreme(min_tension, part, visit);
+  };
+  write_part(file, "/dynamic/" + min_tension.name, std::string(min_tension.description), visit_min_tension,
+             dynamics.min_effective_tension);
   if (statics.tower) {
     write_region(file, "/dynamic/tower", "Extremes where the clamped guide bends the pipe", dynamics.tower);
   }
-  write_region(file, "/dynamic/sagbend", "Extremes from there to touchdown", dynamics.sagbend);
+  write_region(file, "/dynamic/sagbend", "Extremes from the inflection to touchdown", dynamics.sagbend);
   file.group("/dynamic/stations", "Stations of the line: static state and envelopes over time");
   ColumnWriter stations{file};
   visit_dynamic_stations(dynamics, stations);
   write_supports(file, dynamics.supports);
-  write_rows(file, "/dynamic/hardest_impacts", "The impacts with the largest peak force, hardest first",
+  write_rows(file, "/dynamic/hardest_impacts", "Impacts with the largest peak forces, in descending order",
              dynamics.hardest_impacts, impacts);
   if (!dynamics.stinger.empty()) {
     write_rows(file, "/dynamic/stinger", "Sections of the stinger on their hinges over time", dynamics.stinger,
@@ -173,8 +176,7 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_part(file, "/dynamic/energy", "Energy balance of the run", energy, dynamics.energy);
   write_part(file, "/dynamic/run", "Solver statistics", run, dynamics.run);
   if (statics.has_pipe()) write_pipe_in_time(file, statics, dynamics);
-  write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
-             extremes);
+  write_rows(file, "/dynamic/extremes", "Most probable maxima or minima in three hours", dynamics.extremes, extremes);
   write_checks(file, "/dynamic/checks", dynamics.checks);
   write_moored_dynamics(file, dynamics);
   write_lines_in_time(file, dynamics.lines);

@@ -8,7 +8,7 @@
 #include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "results/fields/stinger_dynamics_fields.h"
 
 namespace overbend {
@@ -21,7 +21,7 @@ void read_region(const Hdf5Reader& file, const std::string& group, DynamicRegion
   });
 }
 
-/// Whole columns of the table of stations.
+/// Reads whole columns of the table of stations.
 struct ColumnReader {
   const Hdf5Reader& file;
 
@@ -90,7 +90,7 @@ void read_spectra(const Hdf5Reader& file, std::vector<Spectrum>& spectra) {
   });
 }
 
-/// Of a laid pipe.
+/// Parts that exist only with a laid pipe.
 void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
   ValueReader visit{file, "/dynamic"};
   visit_pipe_over_time(results, visit, file.has("/dynamic/stinger_tip_clearance_min"));
@@ -98,7 +98,7 @@ void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
   visit_tensioner(results.tensioner, visit);
   if (file.has("/dynamic/overbend")) read_region(file, "/dynamic/overbend", results.overbend);
   visit.group = "/dynamic/smallest_tension";
-  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, visit);
+  visit_dynamic_extreme(min_effective_tension_field(), results.min_effective_tension, visit);
   if (file.has("/dynamic/tower")) read_region(file, "/dynamic/tower", results.tower);
   read_region(file, "/dynamic/sagbend", results.sagbend);
   const ColumnReader stations{file};

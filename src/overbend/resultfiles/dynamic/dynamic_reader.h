@@ -13,11 +13,11 @@ struct StoredDynamics {
   DynamicResults results;
 };
 
-/// Whether the file holds a dynamic analysis. Throws std::runtime_error when it cannot be read.
+/// Returns true if the file contains a dynamic analysis. Throws std::runtime_error if it cannot be read.
 bool has_dynamic(const std::filesystem::path& h5);
 
-/// Gives back what write_dynamic_hdf5 wrote, bit for bit, but the long data: of the histories it gives the thinned
-/// ones. Throws std::runtime_error that says what is missing where the file is none of ours.
+/// Returns the data of write_dynamic_hdf5, bit for bit, except the long data: histories are the thinned ones. Throws
+/// std::runtime_error that names the missing dataset if the file has another layout.
 StoredDynamics read_dynamic_results(const std::filesystem::path& h5);
 
 }  // namespace overbend

@@ -2,30 +2,30 @@
 #include <stdexcept>
 
 #include "resultfiles/dynamic/dynamic_writer.h"
-#include "resultfiles/static/result_tables.h"
+#include "resultfiles/static/csv_tables.h"
 #include "resultfiles/tables/csv_fields.h"
 #include "results/fields/dynamic_tables.h"
 
 namespace overbend {
 namespace {
 
-/// Two neighbours in an ascending list and where between them.
+/// Two neighbours in an ascending list and the interpolation weight between them.
 struct Between {
   std::size_t left = 0, right = 0;
   double share = 0.0;
 
-  Between(const std::vector<double>& s, double at) {
-    right = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), at) - s.begin());
+  Between(const std::vector<double>& s, double arc_length) {
+    right = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), arc_length) - s.begin());
     right = std::min(right, s.size() - 1);
-    left = (right == 0 || s[right] <= at) ? right : right - 1;
-    share = left == right ? 0.0 : (at - s[left]) / (s[right] - s[left]);
+    left = (right == 0 || s[right] <= arc_length) ? right : right - 1;
+    share = left == right ? 0.0 : (arc_length - s[left]) / (s[right] - s[left]);
   }
   double of(const std::vector<double>& values) const {
     return values.at(left) + share * (values.at(right) - values.at(left));
   }
 };
 
-/// The envelopes where the line has some arc length.
+/// Writes the envelopes at an arc length of the line.
 struct EnvelopeCells {
   CsvCells cells;
   Between between;
@@ -35,7 +35,7 @@ struct EnvelopeCells {
     cells.spread(field, {between.of(e.min), between.of(e.max), between.of(e.mean), between.of(e.std)});
   }
   template <class List>
-  void operator()(const ResultField&, const List&) {}  // the static state is that of the row
+  void operator()(const ResultField&, const List&) {}  // the static state is already in the row
 };
 
 struct EnvelopeHead {
@@ -57,7 +57,7 @@ const RollerDynamics* find_roller(const SupportDynamics& support, std::size_t ro
   return nullptr;
 }
 
-/// The support and the roller that an impact hit; cells stay empty where there is none such.
+/// Writes the support and the roller of an impact; cells stay empty without one.
 void place_cells(CsvTable& table, const DynamicResults& results, int index) {
   for (const SupportDynamics& support : results.supports) {
     for (const RollerDynamics& roller : support.rollers) {

@@ -52,7 +52,7 @@ std::string fatigue_table(const DynamicResults& results) {
 
 void write_fatigue(DatasetSink& file, const DynamicResults& results) {
   if (!results.fatigue) return;
-  file.group(kGroup, "Fatigue of welds while the pipe is laid");
+  file.group(kGroup, "Fatigue of welds during laying");
   ValueWriter values{file, kGroup};
   visit_fatigue(*results.fatigue, values);
   TableWriter spots;
@@ -61,7 +61,7 @@ void write_fatigue(DatasetSink& file, const DynamicResults& results) {
     visit_fatigue_spot(spot, spots);
     spots.end_row();
   }
-  spots.write(file, kSpots, "Places of the weld");
+  spots.write(file, kSpots, "Positions on the weld");
   for (std::size_t i = 0; i < results.fatigue->spots.size(); ++i) write_along(file, i, results.fatigue->spots[i]);
 }
 

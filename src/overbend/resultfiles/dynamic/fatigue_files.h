@@ -1,4 +1,4 @@
-/// Fatigue of welds in the files of a run.
+/// Fatigue of welds in the result files of a run.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// Rates along the line by spot: fatigue.csv.
+/// Returns fatigue.csv: damage rates along the line by spot.
 std::string fatigue_table(const DynamicResults& results);
 
-/// Groups /dynamic/fatigue; nothing where the run has no fatigue.
+/// Writes the groups /dynamic/fatigue; nothing for a run without fatigue.
 void write_fatigue(DatasetSink& file, const DynamicResults& results);
 void read_fatigue(const Hdf5Reader& file, DynamicResults& results);
 

@@ -8,9 +8,9 @@ void add_fatigue(const DynamicResults& results, Json& summary) {
   if (!results.fatigue) return;
   const SummaryStyle style;
   Json& fatigue = summary["dynamic"]["fatigue"];
-  fatigue = object_of(style, [&](auto& one) { visit_fatigue(*results.fatigue, one); });
+  fatigue = make_object(style, [&](auto& visitor) { visit_fatigue(*results.fatigue, visitor); });
   fatigue["spots"] = style.rows(results.fatigue->spots, [&](const FatigueSpot& spot) {
-    return object_of(style, [&](auto& one) { visit_fatigue_spot(spot, one); });
+    return make_object(style, [&](auto& visitor) { visit_fatigue_spot(spot, visitor); });
   });
 }
 

@@ -30,13 +30,13 @@ SnapshotBlock read_snapshots(const std::filesystem::path& h5, std::int64_t first
   if (!file.has("/dynamic/snapshots")) return block;
   block.total = static_cast<std::int64_t>(file.lines("/dynamic/snapshots/time"));
   const auto from = static_cast<hsize_t>(std::clamp<std::int64_t>(first, 0, block.total));
-  const auto most =
+  const auto max_count =
       static_cast<hsize_t>(std::clamp<std::int64_t>(count, 0, block.total - static_cast<std::int64_t>(from)));
   const auto read = [&](const char* name) {
-    return file.doubles(std::string("/dynamic/snapshots/") + name, from, most);
+    return file.doubles(std::string("/dynamic/snapshots/") + name, from, max_count);
   };
   block.time = read("time");
-  if (file.has("/dynamic/stations/s")) {  // else there is no pipe
+  if (file.has("/dynamic/stations/s")) {  // without it there is no pipe
     block.stations = static_cast<std::int64_t>(file.lines("/dynamic/stations/s"));
     block.x = read("x");
     block.y = read("y");

@@ -4,12 +4,12 @@
 
 namespace overbend {
 
-/// One section is the object itself; several are listed besides the first one, as in static.stinger.
+/// A single section is the object itself; several are listed in addition to the first, as in static.stinger.
 void add_stinger_dynamics(const DynamicResults& results, Json& summary) {
   if (results.stinger.empty()) return;
   const SummaryStyle style;
   const auto section_json = [&](const StingerSectionDynamics& section) {
-    return object_of(style, [&](auto& one) { visit_stinger_dynamics(section, one); });
+    return make_object(style, [&](auto& visitor) { visit_stinger_dynamics(section, visitor); });
   };
   Json& stinger = summary["dynamic"]["stinger"];
   stinger = section_json(results.stinger.front());

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Whole columns of one length; the first is the scale of the others where `scale` is not empty.
+/// Writes whole columns of one length; the first is the scale of the others unless `scale` is empty.
 struct ColumnsWriter {
   DatasetSink& file;
   std::string group;
@@ -37,7 +37,7 @@ void write_inputs(DatasetSink& file, const std::string& group, const std::vector
   TableWriter inputs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const CheckInput& input : rows[i].inputs) {
-      inputs(index_field("Number of the line of this table, from 0"), inputs.rows());
+      inputs(index_field("Number of the row of this table, from 0"), inputs.rows());
       inputs(ResultField{"check", "1", "Index of its check in the table of checks"}, static_cast<int>(i));
       visit_check_input(input, inputs);
       inputs.end_row();
@@ -50,7 +50,7 @@ void write_sheets(DatasetSink& file, const std::string& group, const std::vector
   TableWriter lines;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const SheetLine& line : rows[i].sheet) {
-      lines(index_field("Number of the line of this table, from 0"), lines.rows());
+      lines(index_field("Number of the row of this table, from 0"), lines.rows());
       lines(ResultField{"check", "1", "Index of its check in the table of checks"}, static_cast<int>(i));
       visit_sheet_line(line, lines);
       lines.end_row();

@@ -11,10 +11,10 @@ namespace overbend {
 /// Writes /static/checks or /dynamic/checks (`group`): list, inputs, along.
 void write_checks(DatasetSink& file, const std::string& group, const CheckTable& table);
 
-/// Back again, bit for bit; a file without checks gives an empty table.
+/// Reads them back, bit for bit; returns an empty table for a file without checks.
 CheckTable read_checks(const Hdf5Reader& file, const std::string& group);
 
-/// /dynamic/design: design values per station.
+/// Writes /dynamic/design: design values per station.
 void write_design(DatasetSink& file, const StationDesign& design);
 StationDesign read_design(const Hdf5Reader& file);
 

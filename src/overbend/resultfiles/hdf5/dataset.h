@@ -1,4 +1,4 @@
-/// One dataset of results with what is told of it.
+/// One dataset of results with its attributes.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,11 @@ namespace overbend {
 using Extent = unsigned long long;
 
 struct Dataset {
-  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>> values;  ///< Row by row.
+  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>> values;  ///< In row-major
+                                                                                                  ///< order.
   std::vector<Extent> shape;                                                                      ///< Empty: a scalar.
   std::string units, description, frame;
-  std::vector<std::string> scales;  ///< Path of the scale of every dimension; empty where it has none.
+  std::vector<std::string> scales;  ///< Path of the scale of every dimension; empty without one.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Paths in results.h5 that follow from names.
+/// Paths in results.h5 derived from names.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace overbend {
 
-/// Where the history or spectrum `name` stands below its group: its parts between '/' are groups; a part that HDF5
-/// would take for something else (empty, ".") becomes "_".
+/// Returns the path of the history or spectrum `name` below its group: its parts between '/' are groups; a part with a
+/// special meaning in HDF5 (empty, ".") becomes "_".
 std::string dataset_path(const std::string& name);
 
-/// Makes those groups above the dataset or group `path` that are not there yet.
+/// Creates the missing groups above the dataset or group `path`.
 void make_groups_above(Hdf5Writer& file, const std::string& path, const std::string& description);
 
 }  // namespace overbend

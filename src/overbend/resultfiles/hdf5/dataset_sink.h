@@ -1,4 +1,4 @@
-/// Where results go as named datasets: into results.h5, or into a tree in memory (resultfiles/hdf5/result_tree.h).
+/// Destination of named datasets: results.h5, or a tree in memory (resultfiles/hdf5/result_tree.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// Takes groups and datasets by their paths; numbers of any shape lie row by row, an empty shape is a scalar.
+/// Receives groups and datasets by their paths; numbers of any shape in row-major order, an empty shape is a scalar.
 class DatasetSink {
  public:
   DatasetSink() = default;
@@ -20,9 +20,11 @@ class DatasetSink {
   DatasetSink& operator=(DatasetSink&&) = default;
   virtual ~DatasetSink() = default;
 
+  /// Creates a group.
   virtual void group(const std::string& path, const std::string& description) = 0;
   virtual void attribute(const std::string& object, const std::string& name, const std::string& text) = 0;
 
+  /// Writes numbers in row-major order with the units, frame and description of the field.
   virtual void write(const std::string& path, const ResultField& field, const std::vector<double>& values,
                      const std::vector<Extent>& shape) = 0;
   virtual void write(const std::string& path, const ResultField& field, const std::vector<int>& values,
@@ -35,7 +37,7 @@ class DatasetSink {
   virtual void write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
                      const std::vector<Extent>& shape) = 0;
 
-  /// Makes a 1-D dataset the dimension scale `name`, and attaches it to a dimension of others.
+  /// Makes a 1-D dataset the dimension scale `name`, to be attached to a dimension of others.
   virtual void make_scale(const std::string& path, const std::string& name) = 0;
   virtual void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0) = 0;
 };

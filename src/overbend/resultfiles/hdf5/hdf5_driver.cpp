@@ -13,10 +13,10 @@
 namespace overbend {
 namespace {
 
-/// The library sees the base and hands it back; the rest is ours.
+/// The library uses the base and passes it back; the other members are those of this driver.
 struct DiskFile : H5FD_t {
   int id = -1;
-  int* fault = nullptr;
+  int* error = nullptr;
   haddr_t end_allocated = 0, end_written = 0;
 };
 
@@ -27,13 +27,13 @@ const DiskFile* of(const H5FD_t* file) {
   return static_cast<const DiskFile*>(file);
 }
 
-/// The access list carries this to where files are opened.
+/// Passes the address of the error code through the access list to open_file().
 struct Access {
-  int* fault;
+  int* error;
 };
 
 void note(const DiskFile& file) {
-  if (*file.fault == 0) *file.fault = errno;
+  if (*file.error == 0) *file.error = errno;
 }
 
 int system_flags(unsigned flags) {
@@ -52,27 +52,27 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t access_list, haddr_t /
   const off_t length = ::lseek(id, 0, SEEK_END);
   auto file = std::make_unique<DiskFile>();
   file->id = id;
-  file->fault = access->fault;
+  file->error = access->error;
   file->end_written = static_cast<haddr_t>(std::max<off_t>(length, 0));
   return file.release();
 }
 
-herr_t close_file(H5FD_t* given) {
-  const std::unique_ptr<DiskFile> file(of(given));
+herr_t close_file(H5FD_t* handle) {
+  const std::unique_ptr<DiskFile> file(of(handle));
   if (::close(file->id) != 0) note(*file);
   return 0;
 }
 
-/// Tells files apart: the library asks whether it has one open already.
-int compare_files(const H5FD_t* one, const H5FD_t* other) {
+/// Order of files: the library checks whether a file is already open.
+int compare_files(const H5FD_t* first, const H5FD_t* second) {
   struct stat a {
   }, b{};
-  if (::fstat(of(one)->id, &a) != 0 || ::fstat(of(other)->id, &b) != 0) return -1;
+  if (::fstat(of(first)->id, &a) != 0 || ::fstat(of(second)->id, &b) != 0) return -1;
   if (a.st_dev != b.st_dev) return a.st_dev < b.st_dev ? -1 : 1;
   return a.st_ino == b.st_ino ? 0 : a.st_ino < b.st_ino ? -1 : 1;
 }
 
-/// As the library's own driver for plain files.
+/// Same flags as the library's own driver for plain files.
 herr_t query(const H5FD_t* /*file*/, unsigned long* flags) {
   *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
            H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
@@ -90,9 +90,9 @@ haddr_t end_written(const H5FD_t* file, H5FD_mem_t /*type*/) {
   return of(file)->end_written;
 }
 
-/// What lies beyond the end of the file reads as zeros.
-herr_t read_file(H5FD_t* given, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t address, std::size_t size, void* to) {
-  const DiskFile& file = *of(given);
+/// Data beyond the end of the file read as zeros.
+herr_t read_file(H5FD_t* handle, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t address, std::size_t size, void* to) {
+  const DiskFile& file = *of(handle);
   auto* bytes = static_cast<char*>(to);
   while (size > 0) {
     const ssize_t count = ::pread(file.id, bytes, size, static_cast<off_t>(address));
@@ -107,12 +107,12 @@ herr_t read_file(H5FD_t* given, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t add
   return 0;
 }
 
-herr_t write_file(H5FD_t* given, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t address, std::size_t size,
+herr_t write_file(H5FD_t* handle, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t address, std::size_t size,
                   const void* from) {
-  DiskFile& file = *of(given);
+  DiskFile& file = *of(handle);
   const auto* bytes = static_cast<const char*>(from);
   const haddr_t end = address + size;
-  while (size > 0 && *file.fault == 0) {
+  while (size > 0 && *file.error == 0) {
     const ssize_t count = ::pwrite(file.id, bytes, size, static_cast<off_t>(address));
     if (count < 0) {
       if (errno != EINTR) note(file);
@@ -126,8 +126,8 @@ herr_t write_file(H5FD_t* given, H5FD_mem_t /*type*/, hid_t /*list*/, haddr_t ad
   return 0;
 }
 
-herr_t truncate_file(H5FD_t* given, hid_t /*list*/, hbool_t /*closing*/) {
-  DiskFile& file = *of(given);
+herr_t truncate_file(H5FD_t* handle, hid_t /*list*/, hbool_t /*closing*/) {
+  DiskFile& file = *of(handle);
   if (file.end_allocated == file.end_written) return 0;
   if (::ftruncate(file.id, static_cast<off_t>(file.end_allocated)) != 0) note(file);
   file.end_written = file.end_allocated;
@@ -138,7 +138,7 @@ H5FD_class_t make_driver() {
   H5FD_class_t driver{};
 #if H5_VERSION_GE(1, 13, 0)
   driver.version = H5FD_CLASS_VERSION;
-  driver.value = static_cast<H5FD_class_value_t>(300);  // 256 to 511 are for drivers that are not registered
+  driver.value = static_cast<H5FD_class_value_t>(300);  // 256 to 511 are reserved for unregistered drivers
 #endif
   driver.name = "forgiving";
   driver.maxaddr = static_cast<haddr_t>(std::numeric_limits<off_t>::max());
@@ -154,18 +154,18 @@ H5FD_class_t make_driver() {
   driver.read = read_file;
   driver.write = write_file;
   driver.truncate = truncate_file;
-  constexpr H5FD_mem_t kDichotomy[H5FD_MEM_NTYPES] = H5FD_FLMAP_DICHOTOMY;  // metadata and numbers apart
+  constexpr H5FD_mem_t kDichotomy[H5FD_MEM_NTYPES] = H5FD_FLMAP_DICHOTOMY;  // metadata and raw data separately
   std::copy(std::begin(kDichotomy), std::end(kDichotomy), std::begin(driver.fl_map));
   return driver;
 }
 
 }  // namespace
 
-hid_t forgiving_access(int* fault) {
+hid_t make_tolerant_access(int* error) {
   static const H5FD_class_t kClass = make_driver();
   static const hid_t kDriver = H5FDregister(&kClass);
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-  const Access access{fault};
+  const Access access{error};
   if (list >= 0 && H5Pset_driver(list, kDriver, &access) < 0) {
     H5Pclose(list);
     return -1;

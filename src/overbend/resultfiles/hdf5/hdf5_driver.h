@@ -1,14 +1,14 @@
-/// How HDF5 reaches the disk when it writes for us.
+/// HDF5 file driver for writing.
 #pragma once
 
 #include <hdf5.h>
 
 namespace overbend {
 
-/// A file access list (to be closed with H5Pclose) under which writes never fail for the library. HDF5 does not survive
-/// a file that it cannot flush: it stays half closed, and the end of the program crashes over it. So the first fault
-/// is noted in `*fault` (as errno has it), what cannot be written is dropped, and whoever writes looks there; the file
-/// is worthless then. `fault` must outlive the file. Negative where the library refuses.
-hid_t forgiving_access(int* fault);
+/// Returns a file access list (to be closed with H5Pclose) under which writes never fail for the library; negative on
+/// failure. HDF5 does not recover from a file that it cannot flush: it remains half closed and crashes at the end of
+/// the program. Therefore the first error is stored in `*error` (an errno value) and later writes are dropped; the
+/// caller must check `*error`, and discard the file if it is set. `error` must outlive the file.
+hid_t make_tolerant_access(int* error);
 
 }  // namespace overbend

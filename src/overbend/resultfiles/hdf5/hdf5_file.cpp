@@ -11,17 +11,17 @@
 #include <type_traits>
 
 #include "base/interruption.h"
-#include "resultfiles/hdf5/absent.h"
 #include "resultfiles/hdf5/hdf5_driver.h"
+#include "resultfiles/hdf5/missing_values.h"
 #include "runstore/append_file.h"
 #include "runstore/file_seal.h"
 
 namespace overbend {
 namespace {
 
-constexpr unsigned kCompression = 4;  // of deflate: more takes longer and gains little
+constexpr unsigned kCompression = 4;  // deflate level: a higher one is slower with little gain
 
-// The library's types are looked up when first used, so they are no constants.
+// The library's types are looked up at first use and cannot be constants.
 template <class Number>
 hid_t memory_type() {
   return std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
@@ -35,21 +35,23 @@ void require(herr_t code, const std::string& what) {
   if (code < 0) throw std::runtime_error(what);
 }
 
-/// The library prints its own stack of errors unless told otherwise.
+/// The library prints its own error stack by default.
 void silence_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// How values are converted from one type to another: in pieces of no more than they need. HDF5 otherwise clears a
-/// megabyte for each dataset of text, a good part of the time that small files take.
+/// Buffer for type conversion, no larger than needed. HDF5 otherwise clears a megabyte for each dataset of text, a
+/// considerable part of the time for small files.
 hid_t small_buffer(std::size_t count) {
-  constexpr std::size_t kLargestValue = 64, kLeast = 4096, kUsual = 1U << 20U;  // [bytes]
+  constexpr std::size_t kMaxValueSize = 64, kMinBufferSize = 4096, kDefaultBufferSize = 1U << 20U;  // [bytes]
   const hid_t list = H5Pcreate(H5P_DATASET_XFER);
-  if (list >= 0) H5Pset_buffer(list, std::clamp(count * kLargestValue, kLeast, kUsual), nullptr, nullptr);
+  if (list >= 0) {
+    H5Pset_buffer(list, std::clamp(count * kMaxValueSize, kMinBufferSize, kDefaultBufferSize), nullptr, nullptr);
+  }
   return list;
 }
 
-/// UTF-8 of any length, which h5py gives as str.
+/// UTF-8 of variable length, which h5py reads as str.
 Hdf5Handle text_type() {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 has no text type");
   require(H5Tset_size(type, H5T_VARIABLE), "HDF5 text size");
@@ -57,15 +59,15 @@ Hdf5Handle text_type() {
   return type;
 }
 
-std::size_t count_of(hid_t dataset) {
+std::size_t value_count(hid_t dataset) {
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "HDF5 dataspace");
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   require(count < 0 ? -1 : 0, "HDF5 dataspace without a size");
   return static_cast<std::size_t>(count);
 }
 
-/// Says what stands where there is no value.
-void mark_absent(hid_t file, const std::string& path) {
+/// Declares the fill value of missing values.
+void write_fill_value(hid_t file, const std::string& path) {
   const std::string what = "attribute _FillValue of " + path + " cannot be written to results.h5";
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
   const Hdf5Handle attribute(
@@ -81,11 +83,11 @@ Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what
   if (id < 0) throw std::runtime_error(what);
 }
 
-Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
-  if (this != &other) {
+Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& source) noexcept {
+  if (this != &source) {
     reset();
-    id_ = std::exchange(other.id_, -1);
-    close_ = other.close_;
+    id_ = std::exchange(source.id_, -1);
+    close_ = source.close_;
   }
   return *this;
 }
@@ -98,7 +100,7 @@ bool Hdf5Handle::reset() noexcept {
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : path_(file) {
   silence_library();
   const std::string what = "the file " + file.filename().string() + " cannot be created";
-  const Hdf5Handle access(forgiving_access(fault_.get()), H5Pclose, what);
+  const Hdf5Handle access(make_tolerant_access(error_.get()), H5Pclose, what);
   file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, what);
 }
 
@@ -108,7 +110,7 @@ Hdf5Writer Hdf5Writer::reopen(const std::filesystem::path& file) {
   const std::string what = "the file " + file.filename().string() + " cannot be changed";
   Hdf5Writer writer;
   writer.path_ = file;
-  const Hdf5Handle access(forgiving_access(writer.fault_.get()), H5Pclose, what);
+  const Hdf5Handle access(make_tolerant_access(writer.error_.get()), H5Pclose, what);
   writer.file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access), H5Fclose, what);
   return writer;
 }
@@ -119,20 +121,20 @@ void Hdf5Writer::link(const std::string& path, const std::string& target) {
 }
 
 void Hdf5Writer::remove(const std::string& path) {
-  require(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path + " cannot be taken out of results.h5");
+  require(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path + " cannot be removed from results.h5");
 }
 
 void Hdf5Writer::overwrite(const std::string& path, const std::vector<double>& values) {
   const Hdf5Handle set = dataset(path);
   const std::string what = "dataset " + path + " cannot be written to results.h5";
-  require(count_of(set) == values.size() ? 0 : -1, what);
+  require(value_count(set) == values.size() ? 0 : -1, what);
   require(H5Dwrite(set, memory_type<double>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
   require_disk();
 }
 
 void Hdf5Writer::require_disk() const {
-  if (*fault_ == 0) return;
-  throw FileFault("the file results.h5 cannot be written: " + std::generic_category().message(*fault_));
+  if (*error_ == 0) return;
+  throw FileError("the file results.h5 cannot be written: " + std::generic_category().message(*error_));
 }
 
 Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
@@ -140,7 +142,7 @@ Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
 }
 
 void Hdf5Writer::group(const std::string& path, const std::string& description) {
-  const std::string what = "group " + path + " cannot be made in results.h5";
+  const std::string what = "group " + path + " cannot be created in results.h5";
   const Hdf5Handle ordered(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, what);
   require(H5Pset_link_creation_order(ordered, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), what);
   Hdf5Handle group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, ordered, H5P_DEFAULT), H5Gclose, what);
@@ -180,20 +182,21 @@ void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
   attribute(path, "frame", field.frame);
   attribute(path, "description", std::string(field.description).append(field.aspect));
   require_disk();
-  if (may_be_absent_in_file(path)) mark_absent(file_, path);
+  if (may_be_missing_in_file(path)) write_fill_value(file_, path);
 }
 
 template <class Number>
 void Hdf5Writer::create(const std::string& path, const ResultField& field, const std::vector<hsize_t>& shape,
                         hsize_t chunk_rows) {
-  const std::string what = "dataset " + path + " cannot be made in results.h5";
+  const std::string what = "dataset " + path + " cannot be created in results.h5";
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
   const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
   std::vector<hsize_t> chunk = shape;
   chunk[0] = std::clamp<hsize_t>(chunk_rows, 1, shape[0]);
   require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), what);
   if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) {
-    require(H5Pset_shuffle(properties), what);  // like bytes together: smooth histories take half the space
+    require(H5Pset_shuffle(properties), what);  // groups bytes of equal significance: smooth histories take half the
+                                                // space
     require(H5Pset_deflate(properties, kCompression), what);
   }
   Hdf5Handle set(H5Dcreate2(file_, path.c_str(), file_type<Number>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
@@ -269,13 +272,13 @@ void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale,
 void Hdf5Writer::close() {
   const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, closed = file_.reset();
   require_disk();
-  if (!closed || !flushed) throw std::runtime_error("results.h5 cannot be written to the end");
+  if (!closed || !flushed) throw std::runtime_error("results.h5 cannot be written completely");
   seal_file(path_);
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {
   silence_library();
-  require_sealed(file);  // the library itself falls over damaged metadata
+  require_sealed(file);  // the library itself crashes on damaged metadata
   file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                      "the file '" + name_ + "' cannot be read as HDF5");
 }
@@ -291,8 +294,9 @@ bool Hdf5Reader::has(const std::string& path) const {
 
 std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
-  std::vector<double> values(count_of(set));
-  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no numbers");
+  std::vector<double> values(value_count(set));
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          path + " does not contain numbers");
   return values;
 }
 
@@ -309,8 +313,8 @@ std::vector<double> Hdf5Reader::doubles(const std::string& path, hsize_t first, 
   const Hdf5Handle set = dataset(path);
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
   std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
-  require(shape.empty() ? -1 : H5Sget_simple_extent_dims(space, shape.data(), nullptr), path + " has no lines");
-  require(first + count <= shape[0] ? 0 : -1, path + " has fewer lines");
+  require(shape.empty() ? -1 : H5Sget_simple_extent_dims(space, shape.data(), nullptr), path + " has no rows");
+  require(first + count <= shape[0] ? 0 : -1, path + " has too few rows");
   std::vector<hsize_t> start(shape.size(), 0);
   start[0] = first;
   shape[0] = count;
@@ -320,29 +324,33 @@ std::vector<double> Hdf5Reader::doubles(const std::string& path, hsize_t first, 
   if (values.empty()) return values;
   require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr), path);
   const Hdf5Handle memory(H5Screate_simple(1, &total, nullptr), H5Sclose, "HDF5 dataspace");
-  require(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), path + " holds no numbers");
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()),
+          path + " does not contain numbers");
   return values;
 }
 
 std::vector<int> Hdf5Reader::ints(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
-  std::vector<int> values(count_of(set));
-  require(H5Dread(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no integers");
+  std::vector<int> values(value_count(set));
+  require(H5Dread(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          path + " does not contain integers");
   return values;
 }
 
 std::vector<std::int64_t> Hdf5Reader::counts(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
-  std::vector<std::int64_t> values(count_of(set));
-  require(H5Dread(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no integers");
+  std::vector<std::int64_t> values(value_count(set));
+  require(H5Dread(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          path + " does not contain integers");
   return values;
 }
 
 std::uint64_t Hdf5Reader::seed(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
   std::uint64_t value = 0;
-  if (count_of(set) != 1) throw std::runtime_error(path + " is no single number");
-  require(H5Dread(set, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), path + " holds no integer");
+  if (value_count(set) != 1) throw std::runtime_error(path + " is not a single number");
+  require(H5Dread(set, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
+          path + " does not contain an integer");
   return value;
 }
 
@@ -350,10 +358,10 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
   const Hdf5Handle type = text_type();
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
-  std::vector<char*> pointers(count_of(set), nullptr);
+  std::vector<char*> pointers(value_count(set), nullptr);
   if (pointers.empty()) return {};
   require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())),
-          path + " holds no texts");
+          path + " does not contain texts");
   std::vector<std::string> values;
   for (const char* text : pointers) values.emplace_back(text == nullptr ? "" : text);
   H5Dvlen_reclaim(type, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
@@ -367,13 +375,13 @@ std::string text_attribute(hid_t object, const char* name) {
   const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "HDF5 attribute");
   const Hdf5Handle type = text_type();
   char* text = nullptr;
-  require(H5Aread(attribute, type, static_cast<void*>(&text)), std::string("the attribute ") + name + " is no text");
+  require(H5Aread(attribute, type, static_cast<void*>(&text)), std::string("the attribute ") + name + " is not a text");
   std::string value = text == nullptr ? "" : text;
   H5free_memory(text);
   return value;
 }
 
-std::string path_of(hid_t object) {
+std::string object_file_path(hid_t object) {
   const ssize_t length = H5Iget_name(object, nullptr, 0);
   if (length <= 0) return {};
   std::string path(static_cast<std::size_t>(length) + 1, '\0');
@@ -382,10 +390,10 @@ std::string path_of(hid_t object) {
   return path;
 }
 
-/// Path of the scale of a dimension; empty where it has none.
-std::string scale_of(hid_t set, unsigned dimension) {
+/// Returns the path of the scale of a dimension; empty without one.
+std::string dimension_scale_path(hid_t set, unsigned dimension) {
   const auto first = [](hid_t, unsigned, hid_t scale, void* path) {
-    *static_cast<std::string*>(path) = path_of(scale);
+    *static_cast<std::string*>(path) = object_file_path(scale);
     return herr_t{1};
   };
   std::string path;
@@ -395,8 +403,8 @@ std::string scale_of(hid_t set, unsigned dimension) {
 
 }  // namespace
 
-/// Links in the order in which they were made, where the group keeps it: files of older programs do not.
-H5_index_t index_of(const Hdf5Handle& file, const std::string& group) {
+/// Links in creation order if the group stores it: files of older versions do not.
+H5_index_t link_order(const Hdf5Handle& file, const std::string& group) {
   unsigned order = 0;
   const hid_t found = H5Gopen2(file, group.c_str(), H5P_DEFAULT);
   if (found < 0) return H5_INDEX_NAME;
@@ -407,16 +415,16 @@ H5_index_t index_of(const Hdf5Handle& file, const std::string& group) {
 }
 
 std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
-  const auto add = [](hid_t at, const char* name, const H5L_info_t*, void* list) {
+  const auto add = [](hid_t parent, const char* name, const H5L_info_t*, void* list) {
     H5O_info_t info{};
-    if (H5Oget_info_by_name(at, name, &info, H5P_DEFAULT) < 0) return herr_t{-1};
+    if (H5Oget_info_by_name(parent, name, &info, H5P_DEFAULT) < 0) return herr_t{-1};
     static_cast<std::vector<std::string>*>(list)->emplace_back(std::string(name) +
                                                                (info.type == H5O_TYPE_GROUP ? "/" : ""));
     return herr_t{0};
   };
   std::vector<std::string> list;
   require(
-      H5Literate_by_name(file_, group.c_str(), index_of(file_, group), H5_ITER_INC, nullptr, add, &list, H5P_DEFAULT),
+      H5Literate_by_name(file_, group.c_str(), link_order(file_, group), H5_ITER_INC, nullptr, add, &list, H5P_DEFAULT),
       "the file '" + name_ + "' has no group " + group);
   return list;
 }
@@ -440,7 +448,7 @@ Dataset Hdf5Reader::whole(const std::string& path) const {
   found.description = text_attribute(set, "description");
   found.frame = text_attribute(set, "frame");
   for (unsigned i = 0; i < found.shape.size(); ++i) {
-    found.scales.push_back(H5DSis_scale(set) > 0 ? path : scale_of(set, i));
+    found.scales.push_back(H5DSis_scale(set) > 0 ? path : dimension_scale_path(set, i));
   }
   return found;
 }

@@ -1,4 +1,4 @@
-/// The little of HDF5 that results need, with handles that close themselves and faults as std::runtime_error.
+/// Subset of HDF5 needed for results, with handles that close themselves and errors as std::runtime_error.
 #pragma once
 
 #include <hdf5.h>
@@ -21,16 +21,16 @@ static_assert(std::is_same_v<Extent, hsize_t>);
 class Hdf5Handle {
  public:
   Hdf5Handle() = default;
-  /// Takes the identifier; throws with `what` when it is none.
+  /// Takes ownership of the identifier; throws with `what` if it is invalid.
   Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what);
   ~Hdf5Handle() { reset(); }
-  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  Hdf5Handle(Hdf5Handle&& source) noexcept : id_(std::exchange(source.id_, -1)), close_(source.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& source) noexcept;
   Hdf5Handle(const Hdf5Handle&) = delete;
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
 
   operator hid_t() const { return id_; }
-  /// Closes; false when that failed.
+  /// Closes the identifier; returns false on failure.
   bool reset() noexcept;
 
  private:
@@ -38,12 +38,12 @@ class Hdf5Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// A file being written. Datasets carry the attributes units, frame and description. All functions throw FileFault when
-/// the disk refuses.
+/// A file open for writing. Datasets have the attributes units, frame and description. All functions throw FileError if
+/// the file cannot be written.
 class Hdf5Writer final : public DatasetSink {
  public:
   explicit Hdf5Writer(const std::filesystem::path& file);
-  /// To change a file that was closed by one of these.
+  /// Opens a file that was closed by this class, for changes.
   static Hdf5Writer reopen(const std::filesystem::path& file);
 
   void group(const std::string& path, const std::string& description) override;
@@ -60,25 +60,25 @@ class Hdf5Writer final : public DatasetSink {
   void write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
              const std::vector<Extent>& shape) override;
 
-  /// Makes a compressed dataset in chunks of `chunk_rows` along its first dimension, to be filled by write_rows().
+  /// Creates a compressed dataset in chunks of `chunk_rows` along its first dimension, to be filled by write_rows().
   template <class Number>
   void create(const std::string& path, const ResultField& field, const std::vector<hsize_t>& shape, hsize_t chunk_rows);
-  /// Fills the rows from `first` on with as many as there are values for.
+  /// Writes rows from `first` on, as many as `values` holds.
   template <class Number>
   void write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values);
 
-  /// Another name for what stands, or will stand, at `target`.
+  /// Adds another name for the object that exists, or will exist, at `target`.
   void link(const std::string& path, const std::string& target);
   bool has(const std::string& path) const;
-  /// Takes a group or a dataset that is no scale out of the file.
+  /// Removes a group, or a dataset that is not a scale, from the file.
   void remove(const std::string& path);
-  /// Gives a dataset of numbers other values, as many as it has.
+  /// Overwrites the values of a dataset of numbers; the count must match.
   void overwrite(const std::string& path, const std::vector<double>& values);
 
   void make_scale(const std::string& path, const std::string& name) override;
   void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0) override;
 
-  /// Closes and seals the file (runstore/file_seal.h); throws FileFault when it could not be written to the end (disk
+  /// Closes and seals the file (runstore/file_seal.h); throws FileError if it could not be written completely (disk
   /// full).
   void close();
 
@@ -90,32 +90,32 @@ class Hdf5Writer final : public DatasetSink {
   void describe(const std::string& path, const ResultField& field);
   void require_disk() const;
 
-  std::unique_ptr<int> fault_ = std::make_unique<int>(0);  ///< See forgiving_access().
+  std::unique_ptr<int> error_ = std::make_unique<int>(0);  ///< See make_tolerant_access().
   std::filesystem::path path_;
   Hdf5Handle file_;
 };
 
-/// A file being read: one that is as Hdf5Writer closed it, others are refused with std::runtime_error.
+/// A file open for reading. Accepts only files closed by Hdf5Writer; throws std::runtime_error otherwise.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);
 
   bool has(const std::string& path) const;
-  /// All values of a dataset, row by row.
+  /// Returns all values of a dataset in row-major order.
   std::vector<double> doubles(const std::string& path) const;
-  /// Of the first dimension `count` lines from `first` on, all that lies in them.
+  /// Returns `count` rows of the first dimension from `first` on, with all their values.
   std::vector<double> doubles(const std::string& path, hsize_t first, hsize_t count) const;
   /// Extent of the first dimension; 1 for a single value.
   hsize_t lines(const std::string& path) const;
   std::vector<int> ints(const std::string& path) const;
   std::vector<std::int64_t> counts(const std::string& path) const;
-  /// A single integer without sign.
+  /// Returns a single unsigned integer.
   std::uint64_t seed(const std::string& path) const;
   std::vector<std::string> texts(const std::string& path) const;
 
-  /// What stands directly in a group, "/" for the whole, in the order of names; groups end with '/'.
+  /// Returns the direct members of a group, "/" for the root, in the order of names; groups end with '/'.
   std::vector<std::string> names(const std::string& group) const;
-  /// A dataset with all that is told of it.
+  /// Returns a dataset with its attributes.
   Dataset whole(const std::string& path) const;
 
  private:

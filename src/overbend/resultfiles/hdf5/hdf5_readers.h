@@ -1,5 +1,5 @@
-/// Reads results from HDF5 as their fields are visited; see results/fields/result_field.h. A value that is missing
-/// throws std::runtime_error with its path.
+/// Reads results from HDF5 as their fields are visited; see results/fields/result_field.h. A missing value throws
+/// std::runtime_error with its path.
 #pragma once
 
 #include <cmath>
@@ -44,7 +44,7 @@ struct ValueReader {
     values.clear();
     if (file.has(path(f))) {
       for (const std::string& text : file.texts(path(f))) values.push_back(read_finding(read_json(text)));
-    } else if (file.has(group + "/warnings")) {  // of a version that had messages alone
+    } else if (file.has(group + "/warnings")) {  // files of an older version, with messages only
       for (std::string& text : file.texts(group + "/warnings")) {
         values.push_back({FindingCode::unknown, std::move(text)});
       }
@@ -63,12 +63,12 @@ struct ValueReader {
   }
 };
 
-/// Reads the columns of a table when first asked for them, and gives them out row by row.
+/// Reads the columns of a table at their first use, and returns them row by row.
 class TableReader {
  public:
   TableReader(const Hdf5Reader& file, std::string group) : file_(file), group_(std::move(group)) {}
 
-  /// Number of rows; a table without rows is not in the file.
+  /// Number of rows; a table without rows is not stored.
   std::size_t rows(const std::string& first) { return file_.has(group_) ? file_.doubles(path(first)).size() : 0; }
   void start_row(std::size_t row) { row_ = row; }
 
@@ -92,7 +92,7 @@ class TableReader {
   template <class Word>
   void operator()(const ResultField& f, Word& value) {
     const std::string& found = text(f.name);
-    if (!from_word(found, value)) throw std::runtime_error("dataset " + path(f.name) + ": unknown word " + found);
+    if (!from_enum_name(found, value)) throw std::runtime_error("dataset " + path(f.name) + ": unknown value " + found);
   }
 
  private:
@@ -122,16 +122,16 @@ class TableReader {
   std::map<std::string, std::vector<std::string>> texts_;
 };
 
-/// The element of `owners` that a child names.
+/// Returns the element of `owners` that a child refers to.
 template <class Owner>
 Owner& owner(const std::vector<Owner*>& owners, int index, const char* what) {
   if (index < 0 || index >= static_cast<int>(owners.size())) {
-    throw std::runtime_error(std::string("a ") + what + " belongs to nothing");
+    throw std::runtime_error(std::string("a ") + what + " has no parent row");
   }
   return *owners[static_cast<std::size_t>(index)];
 }
 
-/// The lay that write_lay_group wrote under `group`; moorings and hull are apart.
+/// Reads the lay that write_lay_group wrote under `group`, without moorings and hull.
 StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group);
 
 }  // namespace overbend

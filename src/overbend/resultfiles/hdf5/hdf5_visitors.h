@@ -32,12 +32,12 @@ struct ValueWriter {
   void operator()(const ResultField& field, const std::vector<std::string>& values) {
     file.write(path(field), field, values, {values.size()});
   }
-  /// The sentences, and the names of their ranks as "assumption_ranks".
+  /// Writes the texts, and the names of their ranks as "assumption_ranks".
   void operator()(const ResultField& field, const Assumptions& values) {
     (*this)(field, texts(values));
     (*this)(ResultField{kAssumptionRanks, "1", "Ranks of the assumptions"}, rank_names(values));
   }
-  /// Each as a JSON text; their messages alone as "warnings".
+  /// Writes each finding as a JSON text; the messages also as "warnings".
   void operator()(const ResultField& field, const Findings& values) {
     std::vector<std::string> texts;
     for (const Finding& finding : values) texts.push_back(json_text(finding_json(finding)));
@@ -45,7 +45,7 @@ struct ValueWriter {
     (*this)(ResultField{"warnings", "1", "Messages of the findings"}, messages(values));
   }
   void operator()(const ResultField& field, const std::optional<double>& value) {
-    if (value) (*this)(field, *value);  // absent where it does not apply: no stinger, no clearance
+    if (value) (*this)(field, *value);  // omitted if not applicable: no stinger, no clearance
   }
   void operator()(const ResultField& field, const Vec3& value) {
     file.write(path(field), field, std::vector<double>{value.x(), value.y(), value.z()}, {3});
@@ -57,7 +57,7 @@ struct ValueWriter {
   }
 };
 
-/// Gathers the columns of a table row by row, then writes them with the first one as the dimension scale.
+/// Collects the columns of a table row by row, then writes them with the first one as the dimension scale.
 class TableWriter {
  public:
   void operator()(const ResultField& field, double value) { column(field).numbers.push_back(value); }
@@ -68,7 +68,7 @@ class TableWriter {
   void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
   void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField& field, Enum value) {
     column(field).texts.emplace_back(word(value));
   }
@@ -83,7 +83,7 @@ class TableWriter {
   }
   int rows() const { return static_cast<int>(rows_); }
 
-  /// Writes nothing for a table without rows.
+  /// Writes the table; nothing if it has no rows.
   void write(DatasetSink& file, const std::string& group, const std::string& description) const {
     if (rows_ == 0) return;
     file.group(group, description);
@@ -112,7 +112,7 @@ class TableWriter {
  private:
   struct Column {
     ResultField field;
-    std::string description;  ///< Of the field, whose own may be gone when the table is written.
+    std::string description;  ///< Copy of the field's description, which may no longer exist when the table is written.
     std::vector<double> numbers;
     std::vector<int> integers;
     std::vector<std::int64_t> counts;
@@ -127,25 +127,26 @@ class TableWriter {
   Extent rows_ = 0;
 };
 
+/// Returns the field of a row number, without unit.
 inline ResultField index_field(const char* description) {
   return {"index", "1", description, kNoFrame};
 }
 
-/// The group model: text, file, version, machine.
+/// Writes the group model: text, file, version, machine.
 void write_model_group(DatasetSink& file, const Description& description);
 
-/// The model's text and its hash in the group model.
+/// Writes the model's text and its hash into the group model.
 void write_model_text(DatasetSink& file, const std::string& text);
 
-/// What a file of results says about itself, and the group model.
+/// Writes the attributes of the file of results, and the group model.
 void write_results_heading(DatasetSink& file, const std::string& title, const Description& description);
 
-/// A lay under `group`: key results, regions, tables and checks.
+/// Writes a lay under `group`: key results, regions, tables and checks.
 void write_lay_group(DatasetSink& file, const std::string& group, const StaticResults& results);
 
-/// The groups model and static, and what the file says about itself.
+/// Writes the groups model and static, and the attributes of the file.
 void write_static_groups(DatasetSink& file, const StaticResults& results, const Description& description);
-/// The results alone: the group static, and moorings, hull and lines where there are some.
+/// Writes the results alone: the group static, and moorings, hull and lines if present.
 void write_static_parts(DatasetSink& file, const StaticResults& results);
 
 }  // namespace overbend

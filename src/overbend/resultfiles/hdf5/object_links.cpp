@@ -27,7 +27,7 @@ std::string replaced(std::string text, std::string_view placeholder, const std::
   return place == std::string::npos ? text : text.replace(place, placeholder.size(), value);
 }
 
-/// Nothing where the target is missing or another object has the name.
+/// Adds a link, unless the target is missing or the name is taken by another object.
 void link_group(Hdf5Writer& file, const std::string& link, const std::string& target) {
   if (!file.has(target) || file.has(link)) return;
   make_groups_above(file, link, "Results by object: other names of the groups that hold them");
@@ -48,7 +48,7 @@ void link_objects(Hdf5Writer& file, const StaticResults& results, const std::str
       if (link.find(kind.placeholder) == std::string::npos) continue;
       listed = true;
       for (std::size_t i = 0; i < kind.names.size(); ++i) {
-        if (kind.names[i] == "pipe" && results.has_pipe()) continue;  // the laid pipe has that name
+        if (kind.names[i] == "pipe" && results.has_pipe()) continue;  // the laid pipe uses that name
         const std::string name = dataset_path(kind.names[i]);
         link_group(file, replaced(link, kind.placeholder, name),
                    replaced(replaced(target, kind.placeholder, name), "<number>", std::to_string(i)));

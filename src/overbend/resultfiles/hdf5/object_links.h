@@ -8,8 +8,8 @@
 
 namespace overbend {
 
-/// Links what the table of results/fields/object_names.h names to the groups that the file has. `group`: the group that
-/// holds the statics, as of a stage; `object`: the place in the tree, "/stages/NAME" of a stage.
+/// Links the names of results/fields/object_names.h to the groups that exist in the file. `group`: the group with the
+/// static results, for instance of a stage; `object`: the position in the tree, "/stages/NAME" for a stage.
 void link_objects(Hdf5Writer& file, const StaticResults& results, const std::string& group = "",
                   const std::string& object = "");
 

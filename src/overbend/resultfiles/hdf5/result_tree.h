@@ -1,4 +1,4 @@
-/// Results as the datasets of results.h5, in memory: for who takes them on without a file.
+/// Results as the datasets of results.h5 in memory, for use without a file.
 #pragma once
 
 #include <map>
@@ -27,10 +27,11 @@ class ResultTree final : public DatasetSink {
   void make_scale(const std::string& path, const std::string& name) override;
   void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0) override;
 
-  std::map<std::string, std::string> groups;  ///< With their descriptions.
+  std::map<std::string, std::string> groups;  ///< Paths and descriptions.
   std::map<std::string, Dataset> datasets;
-  std::vector<std::string> order;                 ///< Paths of the datasets as they came: that of the tables of text.
-  std::map<std::string, std::string> attributes;  ///< Of the root.
+  std::vector<std::string> order;                 ///< Paths of the datasets in the order of writing: that of the text
+                                                  ///< tables.
+  std::map<std::string, std::string> attributes;  ///< Attributes of the root.
 
  private:
   void add(const std::string& path, Dataset dataset);

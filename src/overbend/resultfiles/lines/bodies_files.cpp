@@ -51,7 +51,7 @@ const auto kOverTime = [](auto& body, auto& visit) { visit_body_in_time(body, vi
 }  // namespace
 
 void write_bodies(DatasetSink& file, const std::string& group, const std::vector<BodyResult>& bodies) {
-  write(file, group, "Bodies that lines are on, at rest", bodies, kAtRest);
+  write(file, group, "Bodies connected to lines, static results", bodies, kAtRest);
 }
 
 std::vector<BodyResult> read_bodies(const Hdf5Reader& file, const std::string& group) {
@@ -59,7 +59,7 @@ std::vector<BodyResult> read_bodies(const Hdf5Reader& file, const std::string& g
 }
 
 void write_bodies_in_time(DatasetSink& file, const std::vector<BodyDynamics>& bodies) {
-  write(file, kInTime, "Bodies that lines are on, over time", bodies, kOverTime);
+  write(file, kInTime, "Bodies connected to lines, over time", bodies, kOverTime);
 }
 
 std::vector<BodyDynamics> read_bodies_in_time(const Hdf5Reader& file) {
@@ -69,7 +69,7 @@ std::vector<BodyDynamics> read_bodies_in_time(const Hdf5Reader& file) {
 Json bodies_json(const std::vector<BodyResult>& bodies) {
   const SummaryStyle style;
   return style.rows(bodies, [&](const BodyResult& body) {
-    return object_of(style, [&](auto& values) { visit_body(body, values); });
+    return make_object(style, [&](auto& values) { visit_body(body, values); });
   });
 }
 
@@ -81,7 +81,7 @@ void add_bodies_in_time(const DynamicResults& results, Json& summary) {
   if (results.bodies.empty()) return;
   const SummaryStyle style;
   summary["dynamic"]["bodies"] = style.rows(results.bodies, [&](const BodyDynamics& body) {
-    return object_of(style, [&](auto& values) { visit_body_in_time(body, values); });
+    return make_object(style, [&](auto& values) { visit_body_in_time(body, values); });
   });
 }
 

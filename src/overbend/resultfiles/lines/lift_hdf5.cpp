@@ -4,7 +4,7 @@
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/lines/bodies_files.h"
 #include "results/fields/lift_fields.h"
-#include "results/fields/static_values.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
@@ -13,14 +13,14 @@ std::string numbered(const std::string& group, const char* list, std::size_t i) 
   return group + "/" + list + "/" + std::to_string(i);
 }
 
-/// Calls `each` for the parts of a line that have a place, with their names.
+/// Calls `each` for the parts of a line that have a position, with their names.
 template <class Line, class Each>
 void for_places(Line& line, Each each) {
-  each("first_end", line.first.at);
-  each("second_end", line.second.at);
-  each("largest_sagging_moment", line.sagging.at);
-  each("largest_hogging_moment", line.hogging.at);
-  each("largest_bending_moment", line.bending.at);
+  each("first_end", line.first.location);
+  each("second_end", line.second.location);
+  each("largest_sagging_moment", line.sagging.location);
+  each("largest_hogging_moment", line.hogging.location);
+  each("largest_bending_moment", line.bending.location);
 }
 
 template <class Line, class Each>
@@ -31,7 +31,7 @@ void for_moments(Line& line, Each each) {
 }
 
 void write_place(DatasetSink& file, const std::string& group, const LinePlace& place) {
-  file.group(group, "A place along the line");
+  file.group(group, "A position along the line");
   ValueWriter values{file, group};
   visit_line_place(place, values);
 }
@@ -58,8 +58,8 @@ void write_line(DatasetSink& file, const std::string& group, const LiftedLine& l
   if (line.lift_off) write_place(file, group + "/lift_off", *line.lift_off);
   std::vector<double> bounds;
   for (const BedStretch& stretch : line.on_bed) bounds.insert(bounds.end(), {stretch.from, stretch.to});
-  write_numbers(file, group + "/on_bed", "From and to of each stretch that the bed bears", bounds);
-  write_numbers(file, group + "/water_crossings", "Arc lengths at which the axis crosses the surface",
+  write_numbers(file, group + "/on_bed", "Start and end of each stretch in contact with the seabed", bounds);
+  write_numbers(file, group + "/water_crossings", "Arc lengths at which the axis crosses the water surface",
                 line.water_crossings);
   TableWriter nodes;
   for (const LiftedNode& node : line.nodes) {
@@ -102,28 +102,28 @@ LiftedLine read_line(const Hdf5Reader& file, const std::string& group) {
 
 void write_lift_group(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const LiftResults& lift = *results.lift;
-  file.group(group, "Equilibrium of lines that hold each other");
+  file.group(group, "Equilibrium of connected lines");
   ValueWriter heading{file, group};
   visit_heading(results, heading);
   write_checks(file, group + "/checks", results.checks);
-  file.group(group + "/lines", "Lines that are pipe");
+  file.group(group + "/lines", "Pipe lines");
   for (std::size_t i = 0; i < lift.lines.size(); ++i) write_line(file, numbered(group, "lines", i), lift.lines[i]);
-  file.group(group + "/davits", "Lines that hang on others");
+  file.group(group + "/davits", "Lines attached to other lines");
   for (std::size_t i = 0; i < lift.davits.size(); ++i) {
     const std::string below = numbered(group, "davits", i);
     file.group(below, "Line " + lift.davits[i].name);
     ValueWriter values{file, below};
     visit_lifted_wire(lift.davits[i], values);
-    visit_line_place(lift.davits[i].at, values);
+    visit_line_place(lift.davits[i].location, values);
   }
   write_bodies(file, group + "/bodies", results.bodies);
   if (lift.gap) {
-    file.group(group + "/gap", "Ends that are to be welded");
+    file.group(group + "/gap", "Ends to be welded");
     ValueWriter values{file, group + "/gap"};
     visit_weld_gap(*lift.gap, values);
   }
   if (lift.join) {
-    write_place(file, group + "/join", lift.join->at);
+    write_place(file, group + "/join", lift.join->location);
     ValueWriter values{file, group + "/join"};
     visit_weld(*lift.join, values);
   }
@@ -142,7 +142,7 @@ StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group) 
     ValueReader values{file, numbered(group, "davits", i)};
     LiftedWire& wire = lift.davits.emplace_back();
     visit_lifted_wire(wire, values);
-    visit_line_place(wire.at, values);
+    visit_line_place(wire.location, values);
   }
   results.bodies = read_bodies(file, group + "/bodies");
   if (file.has(group + "/gap")) {
@@ -152,7 +152,7 @@ StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group) 
   if (file.has(group + "/join")) {
     ValueReader values{file, group + "/join"};
     Weld& weld = lift.join.emplace();
-    visit_line_place(weld.at, values);
+    visit_line_place(weld.location, values);
     visit_weld(weld, values);
   }
   return results;

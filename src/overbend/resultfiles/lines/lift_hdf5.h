@@ -9,9 +9,9 @@
 
 namespace overbend {
 
-/// Everything of a stage's state below `group`.
+/// Writes the whole state of a stage below `group`.
 void write_lift_group(DatasetSink& file, const std::string& group, const StaticResults& results);
-/// The same back, without `lines`.
+/// Reads the same state back, without `lines`.
 StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group);
 
 }  // namespace overbend

@@ -17,7 +17,7 @@
 namespace overbend {
 namespace {
 
-std::string group_of(const std::string& front, std::size_t line) {
+std::string line_group(const std::string& front, std::size_t line) {
   return front + "/" + std::to_string(line);
 }
 
@@ -28,11 +28,11 @@ void for_ends(Line& line, Each each) {
   each("second", line.second);
 }
 
-/// Calls `each` for what is kept of every node.
+/// Calls `each` for the stored values of every node.
 template <class Line, class Each>
 void for_nodes_in_time(Line& line, Each each) {
-  each(ResultField{"least_at_nodes", "N", "Least tension over time, at the nodes"}, line.least_at_nodes);
-  each(ResultField{"largest_at_nodes", "N", "Largest tension over time, at the nodes"}, line.largest_at_nodes);
+  each(ResultField{"least_at_nodes", "N", "Minimum tension over time, at the nodes"}, line.min_tension_at_nodes);
+  each(ResultField{"largest_at_nodes", "N", "Largest tension over time, at the nodes"}, line.max_tension_at_nodes);
   each(ResultField{"moment_at_nodes", "N m", "Largest bending moment over time, at the nodes"}, line.moment_at_nodes);
 }
 
@@ -49,12 +49,12 @@ std::vector<std::string> lines_head() {
   return head.names;
 }
 
-/// `least`, `largest`: tension there over time [N].
-void add_node(const LineResult& line, std::size_t node, double least, double largest, CsvTable& table) {
+/// `min_tension`, `max_tension`: tension at the node over time [N].
+void add_node(const LineResult& line, std::size_t node, double min_tension, double max_tension, CsvTable& table) {
   CsvCells cells{table};
   cells(name_field(), line.name);
   visit_line_node(line.nodes[node], cells);
-  visit_line_node_in_time(least, largest, cells);
+  visit_line_node_in_time(min_tension, max_tension, cells);
   table.end_row();
 }
 
@@ -65,7 +65,7 @@ void write_lines(DatasetSink& file, const std::vector<LineResult>& lines, const 
   file.group(front, "Lines between two ends, by their number in the model, from 0");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineResult& line = lines[i];
-    const std::string group = group_of(front, i);
+    const std::string group = line_group(front, i);
     file.group(group, "Line " + line.name);
     ValueWriter values{file, group};
     visit_line(line, values);
@@ -86,8 +86,8 @@ void write_lines(DatasetSink& file, const std::vector<LineResult>& lines, const 
 
 std::vector<LineResult> read_lines(const Hdf5Reader& file, const std::string& front) {
   std::vector<LineResult> lines;
-  for (std::size_t i = 0; file.has(group_of(front, i)); ++i) {
-    const std::string group = group_of(front, i);
+  for (std::size_t i = 0; file.has(line_group(front, i)); ++i) {
+    const std::string group = line_group(front, i);
     LineResult& line = lines.emplace_back();
     ValueReader values{file, group};
     visit_line(line, values);
@@ -109,7 +109,7 @@ void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lin
   if (lines.empty()) return;
   file.group("/dynamic/lines", "Lines over time, by their number in the model, from 0");
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string group = group_of("/dynamic/lines", i);
+    const std::string group = line_group("/dynamic/lines", i);
     file.group(group, "Line " + lines[i].name);
     ValueWriter values{file, group};
     visit_line_in_time(lines[i], values);
@@ -121,8 +121,8 @@ void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lin
 
 std::vector<LineDynamics> read_lines_in_time(const Hdf5Reader& file) {
   std::vector<LineDynamics> lines;
-  for (std::size_t i = 0; file.has(group_of("/dynamic/lines", i)); ++i) {
-    const std::string group = group_of("/dynamic/lines", i);
+  for (std::size_t i = 0; file.has(line_group("/dynamic/lines", i)); ++i) {
+    const std::string group = line_group("/dynamic/lines", i);
     ValueReader values{file, group};
     visit_line_in_time(lines.emplace_back(), values);
     for_nodes_in_time(lines.back(), [&](const ResultField& field, std::vector<double>& tensions) {
@@ -138,7 +138,7 @@ void link_line_histories(Hdf5Writer& file, const std::vector<LineDynamics>& line
   file.link("/lines/time", "/dynamic/histories/time");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const char* end : {"first_tension", "second_tension"}) {
-      file.link(group_of("/lines", i) + "/" + end,
+      file.link(line_group("/lines", i) + "/" + end,
                 "/dynamic/histories/" + dataset_path("line/" + lines[i].name + "/" + end));
     }
   }
@@ -151,7 +151,7 @@ void add_lines(const StaticResults& results, Json& summary) {
     JsonWriter json(style);
     visit_line(line, json);
     for_ends(line, [&](const char* name, const LineEndResult& end) {
-      json[name] = object_of(style, [&](auto& one) { visit_line_end(end, one); });
+      json[name] = make_object(style, [&](auto& visitor) { visit_line_end(end, visitor); });
     });
     return json.take();
   });
@@ -161,11 +161,11 @@ void add_lines_in_time(const DynamicResults& results, Json& summary) {
   if (results.lines.empty()) return;
   const SummaryStyle style;
   summary["dynamic"]["lines"] = style.rows(results.lines, [&](const LineDynamics& line) {
-    return object_of(style, [&](auto& one) {
-      visit_line_in_time(line, one);
+    return make_object(style, [&](auto& visitor) {
+      visit_line_in_time(line, visitor);
       if (line.moment_at_nodes.empty()) return;
-      one(ResultField{"largest_bending_moment", "N m", "Largest bending moment along the line over time"}.summary(),
-          *std::ranges::max_element(line.moment_at_nodes));
+      visitor(ResultField{"largest_bending_moment", "N m", "Largest bending moment along the line over time"}.summary(),
+              *std::ranges::max_element(line.moment_at_nodes));
     });
   });
 }
@@ -175,8 +175,8 @@ std::string lines_table(const std::vector<LineResult>& lines, const std::vector<
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t node = 0; node < lines[i].nodes.size(); ++node) {
       const double rest = lines[i].nodes[node].tension;
-      add_node(lines[i], node, in_time.empty() ? rest : in_time[i].least_at_nodes[node],
-               in_time.empty() ? rest : in_time[i].largest_at_nodes[node], table);
+      add_node(lines[i], node, in_time.empty() ? rest : in_time[i].min_tension_at_nodes[node],
+               in_time.empty() ? rest : in_time[i].max_tension_at_nodes[node], table);
     }
   }
   return table.text();

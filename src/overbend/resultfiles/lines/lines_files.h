@@ -1,5 +1,5 @@
-/// Lines that stand by themselves in the files of results: the groups /lines and /dynamic/lines of results.h5,
-/// static.lines and dynamic.lines of summary.json, lines.csv.
+/// Stand-alone lines in the result files: the groups /lines and /dynamic/lines of results.h5, static.lines and
+/// dynamic.lines of summary.json, lines.csv.
 #pragma once
 
 #include <string>
@@ -12,19 +12,20 @@
 
 namespace overbend {
 
-/// The group /lines, or `front`: a group for every line, by its number in the model from 0. Nothing without lines.
+/// Writes the group /lines, or `front`: a group for every line, by its number in the model from 0. Nothing without
+/// lines.
 void write_lines(DatasetSink& file, const std::vector<LineResult>& lines, const std::string& front = "/lines");
-/// Gives back what write_lines wrote, bit for bit.
+/// Returns the data of write_lines, bit for bit.
 std::vector<LineResult> read_lines(const Hdf5Reader& file, const std::string& front = "/lines");
 
-/// The group /dynamic/lines. Nothing without lines.
+/// Writes the group /dynamic/lines. Nothing without lines.
 void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lines);
 std::vector<LineDynamics> read_lines_in_time(const Hdf5Reader& file);
-/// Names under /lines of histories that stand in /dynamic/histories: /lines/time, /lines/0/first_tension.
+/// Adds names under /lines of the histories in /dynamic/histories: /lines/time, /lines/0/first_tension.
 void link_line_histories(Hdf5Writer& file, const std::vector<LineDynamics>& lines);
 
-/// The text of lines.csv: a row per node of every line, engineering units. `in_time`: of a run, in whose place the
-/// values at rest stand without one.
+/// Returns the text of lines.csv: a row per node of every line, engineering units. `in_time`: results of a run; without
+/// them the static values are repeated.
 std::string lines_table(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time = {});
 
 /// The lines of a stage of an operation.
@@ -32,10 +33,10 @@ struct StageLines {
   std::string stage;
   const std::vector<LineResult>& lines;
 };
-/// The same text of all stages, the name of the stage in the first column.
+/// Returns the same text for all stages, with the name of the stage in the first column.
 std::string lines_table(const std::vector<StageLines>& stages);
 
-/// Throw std::runtime_error that names the quantity which is no number.
+/// Throw std::runtime_error that names the first quantity that is not finite.
 void require_finite(const std::vector<LineResult>& lines);
 void require_finite(const std::vector<LineDynamics>& lines);
 

@@ -39,9 +39,10 @@ void write_hull(DatasetSink& file, const HullResults& hull) {
   ValueWriter values{file, "/hull"};
   visit_hull(hull, values);
   visit_steady_loads(hull, values);
-  write_rows(file, "/hull/radiation", "How well each pair of modes is represented", hull.entries, kEntry);
-  write_rows(file, "/hull/fit", "Groups of modes that are fitted together", hull.groups, kGroup);
-  write_rows(file, "/hull/damping", "Damping ratios of the slow motions and their parts", hull.damping, kDamping);
+  write_rows(file, "/hull/radiation", "Accuracy of the fit for each pair of modes", hull.entries, kEntry);
+  write_rows(file, "/hull/fit", "Groups of modes fitted together", hull.groups, kGroup);
+  write_rows(file, "/hull/damping", "Damping ratios of the low-frequency motions and their contributions", hull.damping,
+             kDamping);
 }
 
 std::optional<HullResults> read_hull(const Hdf5Reader& file) {

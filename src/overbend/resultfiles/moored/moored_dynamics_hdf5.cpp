@@ -16,15 +16,15 @@ ResultField line_field() {
   return {"line", "1", "Index of its line in the table of lines"};
 }
 ResultField share_field() {
-  return {"share", "1", "Place on the line: share of its length, from the anchor"};
+  return {"share", "1", "Position on the line: share of its length, from the anchor"};
 }
 
-/// The line that a row of `table` belongs to.
-MooringLineDynamics& line_of(TableReader& table, std::vector<MooringLineDynamics>& lines, const char* what) {
+/// Returns the line that a row of `table` belongs to.
+MooringLineDynamics& find_line(TableReader& table, std::vector<MooringLineDynamics>& lines, const char* what) {
   int line = -1;
   table(line_field(), line);
   if (line < 0 || line >= static_cast<int>(lines.size())) {
-    throw std::runtime_error(std::string("a ") + what + " belongs to nothing");
+    throw std::runtime_error(std::string("a ") + what + " has no parent row");
   }
   return lines[static_cast<std::size_t>(line)];
 }
@@ -33,18 +33,18 @@ MooringLineDynamics& line_of(TableReader& table, std::vector<MooringLineDynamics
 
 void write_moored_dynamics(DatasetSink& file, const DynamicResults& results) {
   if (results.vessel) {
-    file.group("/dynamic/vessel", "Motion of the floating vessel: whole, slow and wave part");
+    file.group("/dynamic/vessel", "Motion of the floating vessel: total, low-frequency and wave-frequency parts");
     ValueWriter values{file, "/dynamic/vessel"};
     visit_vessel_dynamics(*results.vessel, values);
   }
   if (!results.thrust.empty()) {
-    TableWriter thrust;
-    for (const ThrustDynamics& one : results.thrust) {
-      thrust(index_field("Number of the direction, from 0"), thrust.rows());
-      visit_thrust_dynamics(one, thrust);
-      thrust.end_row();
+    TableWriter table;
+    for (const ThrustDynamics& thrust : results.thrust) {
+      table(index_field("Number of the direction, from 0"), table.rows());
+      visit_thrust_dynamics(thrust, table);
+      table.end_row();
     }
-    thrust.write(file, kThrust, "What dynamic positioning gave");
+    table.write(file, kThrust, "Thrust of dynamic positioning");
   }
   if (results.moorings.empty()) return;
   file.group("/dynamic/moorings", "Mooring lines over time");
@@ -67,7 +67,7 @@ void write_moored_dynamics(DatasetSink& file, const DynamicResults& results) {
     lines.end_row();
   }
   lines.write(file, kLines, "Statistics of mooring lines");
-  events.write(file, kEvents, "What happened to mooring lines");
+  events.write(file, kEvents, "Events of mooring lines");
   points.write(file, kPoints, "Points of the lines in /dynamic/snapshots");
 }
 
@@ -90,11 +90,11 @@ void read_moored_dynamics(const Hdf5Reader& file, DynamicResults& results) {
   }
   for (std::size_t i = 0, count = events.rows("index"); i < count; ++i) {
     events.start_row(i);
-    visit_mooring_event(line_of(events, results.moorings, "mooring event").events.emplace_back(), events);
+    visit_mooring_event(find_line(events, results.moorings, "mooring event").events.emplace_back(), events);
   }
   for (std::size_t i = 0, count = points.rows("index"); i < count; ++i) {
     points.start_row(i);
-    points(share_field(), line_of(points, results.moorings, "point").points.emplace_back());
+    points(share_field(), find_line(points, results.moorings, "point").points.emplace_back());
   }
 }
 

@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// Writes nothing where the vessel does not float.
+/// Writes nothing unless the vessel floats.
 void write_moored_dynamics(DatasetSink& file, const DynamicResults& results);
 
-/// Gives back what write_moored_dynamics wrote, bit for bit.
+/// Reads the data of write_moored_dynamics, bit for bit.
 void read_moored_dynamics(const Hdf5Reader& file, DynamicResults& results);
 
 }  // namespace overbend

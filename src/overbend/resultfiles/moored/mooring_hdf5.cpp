@@ -9,7 +9,7 @@
 #include "resultfiles/moored/mooring_tables.h"
 #include "results/fields/mooring_fields.h"
 #include "results/fields/move_fields.h"
-#include "results/fields/static_values.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
@@ -19,7 +19,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 template <class Row, class Visit>
 void visit_operation(Row& r, Visit& visit) {
   visit(ResultField{"operation", "1", "Operation; empty without one"}, r.operation);
-  visit(ResultField{"distance", "m", "Of a pull-ahead"}, r.distance);
+  visit(ResultField{"distance", "m", "Distance of a pull-ahead"}, r.distance);
 }
 
 template <class Row, class Visit>
@@ -32,7 +32,7 @@ void visit_state(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_period(Row& r, Visit& visit) {
-  visit(ResultField{"mode", "1", "Motion that most of the kinetic energy is in"}, r.mode);
+  visit(ResultField{"mode", "1", "Motion with most of the kinetic energy"}, r.mode);
   visit(ResultField{"period", "s", "Undamped natural period"}, r.period);
 }
 
@@ -40,23 +40,23 @@ template <class Row, class Visit>
 void visit_line_of_state(Row& r, Visit& visit) {
   visit_mooring_line(r, visit);
   visit_mooring_use(r, visit);
-  visit(ResultField{"nearest_object", "1", "Object that the clearance is of"}, r.nearest_object);
+  visit(ResultField{"nearest_object", "1", "Object of the clearance"}, r.nearest_object);
 }
 
-/// Lists of a state, absent where the hull is held: name, size, member.
+/// Calls a function for the lists of a state, empty for a fixed hull: name, size, member.
 template <class Function>
 void visit_matrices(Function visit) {
   visit(
-      "stiffness", "Stiffness of lines, thrusters and water about the shifted midship, drawn axes, SI", std::size_t{36},
-      [](auto& state) -> auto& { return state.vessel.stiffness; });
+      "stiffness", "Stiffness of lines, thrusters and water about the shifted midship, nominal axes, SI",
+      std::size_t{36}, [](auto& state) -> auto& { return state.vessel.stiffness; });
   visit(
-      "mooring_stiffness", "The same of the lines alone", std::size_t{36},
+      "mooring_stiffness", "The same for the lines alone", std::size_t{36},
       [](auto& state) -> auto& { return state.mooring_stiffness; });
   visit(
-      "mooring_force", "Force and moment of the lines about the shifted midship, drawn axes, SI", std::size_t{6},
+      "mooring_force", "Force and moment of the lines about the shifted midship, nominal axes, SI", std::size_t{6},
       [](auto& state) -> auto& { return state.mooring_force; });
   visit(
-      "thrust", "Of dynamic positioning: ahead and to port of the hull, bow to port, SI", std::size_t{3},
+      "thrust", "Thrust of dynamic positioning: ahead and to port of the hull, bow to port, SI", std::size_t{3},
       [](auto& state) -> auto& { return state.thrust; });
 }
 
@@ -97,7 +97,7 @@ void write_lines(DatasetSink& file, const std::vector<const MooredState*>& state
     visit_state(*state, vessels);
     vessels.end_row();
   }
-  vessels.write(file, "/moorings/vessel", "Where the hull lies");
+  vessels.write(file, "/moorings/vessel", "Pose of the hull");
   periods.write(file, "/moorings/periods", "Natural periods");
   lines.write(file, "/moorings/lines", "Mooring lines, state by state");
   shapes.write(file, "/moorings/shapes", "Shapes of the lines");
@@ -105,7 +105,8 @@ void write_lines(DatasetSink& file, const std::vector<const MooredState*>& state
 
 void read_lines(const Hdf5Reader& file, const std::vector<MooredState*>& states) {
   TableReader lines(file, "/moorings/lines"), shapes(file, "/moorings/shapes");
-  std::vector<std::pair<MooredState*, std::size_t>> places;  // a pointer to a line would not outlive the next
+  std::vector<std::pair<MooredState*, std::size_t>> places;  // a pointer to a line would be invalidated by the next
+                                                             // line
   for (std::size_t i = 0, count = lines.rows("index"); i < count; ++i) {
     lines.start_row(i);
     int state = -1;
@@ -129,7 +130,7 @@ void read_lines(const Hdf5Reader& file, const std::vector<MooredState*>& states)
 void read_matrices(const Hdf5Reader& file, const std::vector<MooredState*>& states) {
   visit_matrices([&](const char* name, const char*, std::size_t size, auto member) {
     const std::string path = std::string("/moorings/") + name;
-    if (!file.has(path)) return;  // of a version before
+    if (!file.has(path)) return;  // written by an older version
     const std::vector<double> all = file.doubles(path);
     for (std::size_t s = 0; s < states.size(); ++s) {
       if (std::isnan(element(all, s * size, path))) continue;
@@ -160,13 +161,13 @@ void read_states(const Hdf5Reader& file, MooringResults& results) {
   read_matrices(file, states);
 }
 
-/// A place of a pull-ahead; `pipe` is that of the step, or an empty one.
+/// Visits a position of a pull-ahead; `pipe` is that of the step, or an empty one.
 template <class Step, class Pipe, class Visit>
 void visit_step(Step& step, Pipe& pipe, bool& has_pipe, Visit& visit) {
   visit_move_step(step, visit);
   visit_vessel_offset(step.vessel, visit);
   visit(ResultField{"residual", "1", "Largest unbalanced force over the force scale"}, step.residual);
-  visit(ResultField{"has_pipe", "1", "1 where there is a pipe; else the columns of the pipe mean nothing"}, has_pipe);
+  visit(ResultField{"has_pipe", "1", "1 with a pipe; otherwise the columns of the pipe have no meaning"}, has_pipe);
   visit_pipe_at_step(pipe, visit);
   visit(ResultField{"tip_clearance", "m", "Separation at the last row of the stinger"}, pipe.stinger_tip_clearance);
 }
@@ -176,14 +177,14 @@ void write_steps(DatasetSink& file, const MooringResults& results) {
   for (const MoveStep& step : results.steps) {
     for (std::size_t i = 0; i < step.lengths.size(); ++i) {
       lines(index_field("Number of the row, from 0"), lines.rows());
-      lines(ResultField{"step", "1", "Index of the place in the table of steps"}, steps.rows());
+      lines(ResultField{"step", "1", "Index of the position in the table of steps"}, steps.rows());
       lines(ResultField{"length", "m", "Unstressed length of the first segment"}, step.lengths[i]);
       lines(ResultField{"tension", "N", "Tension at the fairlead"}, step.tensions[i]);
       lines.end_row();
     }
     bool has_pipe = step.pipe.has_value();
     const PipeAtStep pipe = step.pipe.value_or(PipeAtStep{});
-    steps(index_field("Number of the place, from 0"), steps.rows());
+    steps(index_field("Number of the position, from 0"), steps.rows());
     visit_step(step, pipe, has_pipe, steps);
     steps.end_row();
   }
@@ -192,9 +193,9 @@ void write_steps(DatasetSink& file, const MooringResults& results) {
     visit_anchor_due(due, anchors);
     anchors.end_row();
   }
-  steps.write(file, "/moorings/steps", "Places of a pull-ahead");
-  lines.write(file, "/moorings/step_lines", "Lines at those places, in the order of the model");
-  anchors.write(file, "/moorings/anchors", "Anchors that are due on a route");
+  steps.write(file, "/moorings/steps", "Positions of a pull-ahead");
+  lines.write(file, "/moorings/step_lines", "Lines at those positions, in the order of the model");
+  anchors.write(file, "/moorings/anchors", "Anchor moves due on a route");
 }
 
 void read_steps(const Hdf5Reader& file, MooringResults& results) {
@@ -228,7 +229,7 @@ void read_steps(const Hdf5Reader& file, MooringResults& results) {
 }  // namespace
 
 void write_moorings(DatasetSink& file, const MooringResults& results) {
-  file.group("/moorings", "Hull and mooring lines at rest");
+  file.group("/moorings", "Static results of hull and mooring lines");
   ValueWriter values{file, "/moorings"};
   visit_operation(results, values);
   const std::vector<const MooredState*> states = moored_states(results);
@@ -241,7 +242,7 @@ void write_moorings(DatasetSink& file, const MooringResults& results) {
     winches.end_row();
   }
   write_steps(file, results);
-  winches.write(file, "/moorings/winches", "What the winches do in a pull-ahead");
+  winches.write(file, "/moorings/winches", "Winch operations of a pull-ahead");
 }
 
 std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {

@@ -6,12 +6,13 @@
 
 namespace overbend {
 
-/// Rest and stages; not the hull.
+/// Writes the equilibrium and the stages, without the hull.
 void write_moorings(DatasetSink& file, const MooringResults& results);
 
-/// Gives back what write_moorings wrote, bit for bit; nullopt where there is none.
+/// Returns the data of write_moorings, bit for bit; nullopt without them.
 std::optional<MooringResults> read_moorings(const Hdf5Reader& file);
 
+/// Writes the group hull: radiation, damping and steady loads.
 void write_hull(DatasetSink& file, const HullResults& hull);
 std::optional<HullResults> read_hull(const Hdf5Reader& file);
 

@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-/// Six rows of six, null where there are none.
+/// A 6 x 6 matrix, null without values.
 Json square(const std::vector<double>& values) {
   if (values.empty()) return nullptr;
   Json rows = Json::array();
@@ -61,18 +61,18 @@ Json stage_json(const SummaryStyle& style, const MooredState& state) {
   return json;
 }
 
-/// A place of a pull-ahead.
+/// A position of a pull-ahead.
 Json step_json(const SummaryStyle& style, const MooringResults& results, const MoveStep& step) {
   JsonWriter json(style);
   visit_move_step(step, json);
-  json["vessel"] = object_of(style, [&](auto& vessel) { visit_vessel_offset(step.vessel, vessel); });
+  json["vessel"] = make_object(style, [&](auto& vessel) { visit_vessel_offset(step.vessel, vessel); });
   for (std::size_t i = 0; i < step.lengths.size(); ++i) {
     const std::string& name = results.rest.moorings[i].name;
     json["winch_lengths"][name] = step.lengths[i];
     json["fairlead_tensions"][name] = step.tensions[i];
   }
   if (step.pipe) {
-    json["pipe"] = object_of(style, [&](auto& pipe) { visit_pipe_at_step(*step.pipe, pipe); });
+    json["pipe"] = make_object(style, [&](auto& pipe) { visit_pipe_at_step(*step.pipe, pipe); });
     const std::optional<double>& clearance = step.pipe->stinger_tip_clearance;
     json["pipe"]["stinger_tip_clearance"] = clearance ? Json(*clearance) : Json(nullptr);
   }
@@ -80,11 +80,11 @@ Json step_json(const SummaryStyle& style, const MooringResults& results, const M
   return json.take();
 }
 
-/// What the winches did, and on the way.
+/// Winch operations, with the positions of the pull-ahead.
 Json winches_json(const SummaryStyle& style, const MooringResults& results) {
   Json json;
   json["lines"] = style.rows(results.winches, [&](const WinchMove& move) {
-    Json line = object_of(style, [&](auto& one) { visit_winch_move(move, one); });
+    Json line = make_object(style, [&](auto& visitor) { visit_winch_move(move, visitor); });
     line["winch"] = move.after - move.before;
     return line;
   });
@@ -102,7 +102,7 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
   }
   if (results.operation == "anchor_plan") {
     json["operation"]["anchors"] = style.rows(results.anchors, [&](const AnchorDue& due) {
-      return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
+      return make_object(style, [&](auto& visitor) { visit_anchor_due(due, visitor); });
     });
   }
   if (!results.winches.empty() || !results.steps.empty()) {
@@ -115,13 +115,13 @@ Json hull_json(const SummaryStyle& style, const HullResults& hull) {
   visit_hull(hull, json);
   visit_steady_loads(hull, json);
   json["radiation"] = style.rows(hull.entries, [&](const RadiationEntryResult& entry) {
-    return object_of(style, [&](auto& one) { visit_radiation_entry(entry, one); });
+    return make_object(style, [&](auto& visitor) { visit_radiation_entry(entry, visitor); });
   });
   json["fit"] = style.rows(hull.groups, [&](const RadiationGroupResult& group) {
-    return object_of(style, [&](auto& one) { visit_radiation_group(group, one); });
+    return make_object(style, [&](auto& visitor) { visit_radiation_group(group, visitor); });
   });
   json["damping"] = style.rows(hull.damping, [&](const ModeDampingResult& mode) {
-    return object_of(style, [&](auto& one) { visit_mode_damping(mode, one); });
+    return make_object(style, [&](auto& visitor) { visit_mode_damping(mode, visitor); });
   });
   return json.take();
 }
@@ -130,7 +130,7 @@ Json line_in_time(const SummaryStyle& style, const MooringLineDynamics& line) {
   JsonWriter json(style);
   visit_mooring_dynamics(line, json);
   json["events"] = style.rows(line.events, [&](const MooringEvent& event) {
-    return object_of(style, [&](auto& one) { visit_mooring_event(event, one); });
+    return make_object(style, [&](auto& visitor) { visit_mooring_event(event, visitor); });
   });
   return json.take();
 }
@@ -145,11 +145,11 @@ void add_moored_dynamics(const DynamicResults& results, Json& summary) {
   const SummaryStyle style;
   Json& dynamic = summary["dynamic"];
   if (results.vessel) {
-    dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(*results.vessel, one); });
+    dynamic["vessel"] = make_object(style, [&](auto& visitor) { visit_vessel_dynamics(*results.vessel, visitor); });
   }
   if (!results.thrust.empty()) {
     dynamic["thrust"] = style.rows(results.thrust, [&](const ThrustDynamics& thrust) {
-      return object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); });
+      return make_object(style, [&](auto& visitor) { visit_thrust_dynamics(thrust, visitor); });
     });
   }
   if (results.moorings.empty()) return;

@@ -17,16 +17,16 @@ template <class Visit>
 void visit_table_row(const std::string& state, const MooringLineResult& line, Visit& visit) {
   visit(ResultField{"state", "1", "Static or the stage of the operation"}.csv("state"), state);
   visit_mooring_line(line, visit);
-  visit(ResultField{"utilisation", "1", "Tension over the least breaking load"}.csv("utilisation"),
+  visit(ResultField{"utilisation", "1", "Tension over the minimum breaking load"}.csv("utilisation"),
         line.utilisation.value_or(kNone));
   visit(
       ResultField{"anchor_utilisation", "1", "Tension at the anchor over its holding power"}.csv("anchor utilisation"),
       line.anchor_utilisation.value_or(kNone));
-  visit(ResultField{"clearance", "m", "Least distance to the objects on the bed"}.csv("clearance"),
+  visit(ResultField{"clearance", "m", "Minimum distance to the objects on the seabed"}.csv("clearance"),
         line.clearance.value_or(kNone));
 }
 
-/// Of a dynamic analysis.
+/// Columns of a dynamic analysis.
 template <class Visit>
 void visit_in_time(const MooringLineDynamics& line, Visit& visit) {
   const auto tension = [&](const char* name, const char* heading, double value) {
@@ -39,16 +39,18 @@ void visit_in_time(const MooringLineDynamics& line, Visit& visit) {
   tension("fairlead_tension_most_probable_max", "most probable largest fairlead tension",
           line.fairlead_tension.most_probable_max.value_or(kNone));
   tension("anchor_tension_max", "largest anchor tension", line.anchor_tension.whole.max);
-  visit(ResultField{"utilisation_max", "1", "Largest tension over the least breaking load"}.csv("largest utilisation"),
-        line.utilisation.value_or(kNone));
-  visit(ResultField{"least_on_bed", "m", "Least unstressed length on the bed"}.csv("least on bed"), line.least_on_bed);
+  visit(
+      ResultField{"utilisation_max", "1", "Largest tension over the minimum breaking load"}.csv("largest utilisation"),
+      line.utilisation.value_or(kNone));
+  visit(ResultField{"least_on_bed", "m", "Minimum unstressed length on the seabed"}.csv("least on bed"),
+        line.min_on_seabed);
 }
 
-/// Of a stage that no dynamic analysis began at, or a line that was not there: empty cells.
-MooringLineDynamics no_line_in_time() {
+/// Empty cells for a stage that is not the start of the dynamic analysis, or for a line that it does not contain.
+MooringLineDynamics missing_line_dynamics() {
   MooringLineDynamics line;
   line.fairlead_tension.whole = {kNone, kNone, kNone, kNone};
-  line.anchor_tension.whole.max = line.least_on_bed = kNone;
+  line.anchor_tension.whole.max = line.min_on_seabed = kNone;
   return line;
 }
 
@@ -86,14 +88,14 @@ std::string moorings_table(const MooringResults& results, const std::vector<Moor
   visit_table_row("", MooringLineResult{}, head);
   if (!in_time.empty()) visit_in_time(MooringLineDynamics{}, head);
   CsvTable table(head.names);
-  const MooringLineDynamics absent = no_line_in_time();
+  const MooringLineDynamics absent = missing_line_dynamics();
   for (const MooredState* state : moored_states(results)) {
     for (const MooringLineResult& line : state->moorings) {
       CsvCells cells{table};
       visit_table_row(state->name, line, cells);
       if (!in_time.empty()) {
-        const auto found = std::find_if(in_time.begin(), in_time.end(), [&](const auto& one) {
-          return state == &results.rest && one.name == line.name;
+        const auto found = std::find_if(in_time.begin(), in_time.end(), [&](const auto& candidate) {
+          return state == &results.rest && candidate.name == line.name;
         });
         visit_in_time(found == in_time.end() ? absent : *found, cells);
       }

@@ -1,4 +1,4 @@
-/// Hull and mooring lines at rest as a table, and whether all of it are numbers.
+/// Table of the static results of hull and mooring lines, and the check for finite numbers.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace overbend {
 
-/// The rest as drawn first, then the stages.
+/// Returns the equilibrium in the nominal configuration first, then the stages.
 std::vector<const MooredState*> moored_states(const MooringResults& results);
 
-/// The text of moorings.csv: a row per state and line, engineering units. `in_time`: of a dynamic analysis that began
-/// at the rest, in further columns of the rest's rows.
+/// Returns the text of moorings.csv: a row per state and line, engineering units. `in_time`: results of a dynamic
+/// analysis from the equilibrium, in further columns of its rows.
 std::string moorings_table(const MooringResults& results, const std::vector<MooringLineDynamics>& in_time = {});
 
-/// Throw std::runtime_error that names the quantity which is no number.
+/// Throw std::runtime_error that names the first quantity that is not finite.
 void require_finite(const MooringResults& results);
 void require_finite(const HullResults& hull);
 

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// Members that have no heading in their own tables, under their names here.
+/// Members without a heading in their own tables, with their headings here.
 template <class Visit>
 void visit_hull(const VesselResult& vessel, Visit& visit) {
   auto named = [&](ResultField field, const double& value) {

@@ -1,4 +1,4 @@
-/// The places of a pull-ahead as a table of text.
+/// The positions of a pull-ahead as a text table.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// The text of pull_ahead.csv: a row per place with the hull, lengths and tensions of all lines and, where there is
-/// one, the pipe; engineering units.
+/// Returns the text of pull_ahead.csv: a row per position with the hull, lengths and tensions of all lines and, if
+/// present, the pipe; engineering units.
 std::string move_table(const MooringResults& results);
 
 }  // namespace overbend

@@ -14,7 +14,7 @@ Json tensions(const StaticResults& lay) {
           {"winch", lay.dragging->winch_tension}};
 }
 
-/// The largest moment of a region beside what is there of it.
+/// Adds the maximum moment of a region to the existing members.
 Json with_moment(Json members, const StaticResults& lay, const RegionResult& region) {
   members["moment"] = region.bending_moment.value;
   members["stress"] = region.bending_stress.value;
@@ -38,7 +38,7 @@ Json touchdown(Json members, const StaticResults& lay) {
 
 Json lift_off(const DraggingResults& dragging) {
   if (!dragging.lift_off) return nullptr;
-  Json json = object_of(SummaryStyle{}, [&](auto& members) { visit_lift_off(*dragging.lift_off, members); });
+  Json json = make_object(SummaryStyle{}, [&](auto& members) { visit_lift_off(*dragging.lift_off, members); });
   json["of"] = dragging.lift_off->cable ? "wire" : "pipe or head";
   return json;
 }
@@ -52,9 +52,9 @@ Json dragging_json(const StaticResults& lay, const Json& stage) {
   head["wire_inclination"] = lay.head->cable_inclination;
   Json json = {{"wire_out", lay.cable->length},
                {"tension", tensions(lay)},
-               {"wire_largest_tension", lay.cable->largest_tension},
+               {"wire_largest_tension", lay.cable->max_tension},
                {"wire_utilisation", lay.cable->utilisation ? Json(*lay.cable->utilisation) : Json(nullptr)},
-               {"least_tension", lay.smallest_tension.value},
+               {"least_tension", lay.min_effective_tension.value},
                {"departure_angle", lay.top_inclination},
                {"touchdown", touchdown(stage.at("touchdown"), lay)},
                {"head", std::move(head)},
@@ -62,7 +62,7 @@ Json dragging_json(const StaticResults& lay, const Json& stage) {
                {"lift_off", lift_off(dragging)},
                {"winch", {{"inclination", dragging.winch_inclination}}}};
   json["contacts"] = style.rows(dragging.contacts, [&](const BedContactResult& contact) {
-    return object_of(style, [&](auto& members) { visit_bed_contact(contact, members); });
+    return make_object(style, [&](auto& members) { visit_bed_contact(contact, members); });
   });
   if (lay.overbend) json["overbend"] = with_moment(stage.at("overbend"), lay, *lay.overbend);
   if (!lay.supports.empty()) json["departure_angle_last_roller"] = lay.departure_angle;

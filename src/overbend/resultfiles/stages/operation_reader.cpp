@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/description/operation_words.h"
+#include "model/description/operation_names.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/lines/lift_hdf5.h"
 #include "resultfiles/lines/lines_files.h"
@@ -42,8 +42,8 @@ StoredOperation read_operation_results(const std::filesystem::path& h5) {
   visit_operation_heading(results, visit);
   std::string type;
   visit(ResultField{"type"}, type);
-  const std::optional<OperationType> known = operation_of_word(type);
-  if (!known) throw std::runtime_error("dataset /operation/type: unknown word " + type);
+  const std::optional<OperationType> known = find_operation_type(type);
+  if (!known) throw std::runtime_error("dataset /operation/type: unknown value " + type);
   results.type = *known;
   visit(ResultField{"wall_time"}, results.wall_time);
   for (std::size_t i = 1;; ++i) {

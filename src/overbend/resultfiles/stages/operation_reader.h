@@ -8,18 +8,18 @@
 
 namespace overbend {
 
-/// Results of an operation with the model file they came from.
+/// Results of an operation with its model file.
 struct StoredOperation {
   OperationResults results;
   std::string model_text;
-  std::string model_file;  ///< Its path as it was given.
+  std::string model_file;  ///< Path as given by the user.
 };
 
-/// Whether results.h5 is one of the stages of an operation on the line.
+/// Returns true if results.h5 contains the stages of an operation on the line.
 bool has_lay_operation(const std::filesystem::path& h5);
 
-/// Gives back what write_operation_files wrote, bit for bit. Throws std::runtime_error that says what is missing where
-/// the file is none of ours.
+/// Returns the data of write_operation_files, bit for bit. Throws std::runtime_error that names the missing dataset if
+/// the file has another layout.
 StoredOperation read_operation_results(const std::filesystem::path& h5);
 
 }  // namespace overbend

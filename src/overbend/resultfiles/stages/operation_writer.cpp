@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/description/operation_words.h"
+#include "model/description/operation_names.h"
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
@@ -49,7 +49,7 @@ void write_stage(DatasetSink& file, const std::string& group, const StageResult&
   visit_stage_result(stage, visit);
   if (stage.failure) {
     visit.group = group + "/failure";
-    file.group(visit.group, "Why the stage has no equilibrium");
+    file.group(visit.group, "Reason why the stage has no equilibrium");
     visit_stage_failure(*stage.failure, visit);
   }
   if (stage.lay && stage.lay->lift) {
@@ -84,8 +84,8 @@ void write_operation_groups(DatasetSink& file, const OperationResults& results) 
   file.group("/operation", "Stages of an operation on the line");
   ValueWriter visit{file, "/operation"};
   visit_operation_heading(results, visit);
-  visit(ResultField{"type", "1", "Type of the operation"}, std::string(operation_word(results.type)));
-  visit(ResultField{"wall_time", "s", "Time inside the solver, all stages"}, results.wall_time);
+  visit(ResultField{"type", "1", "Type of the operation"}, std::string(operation_name(results.type)));
+  visit(ResultField{"wall_time", "s", "Wall time of the solver, all stages"}, results.wall_time);
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     write_stage(file, stage_group(i), results.stages[i]);
   }

@@ -9,16 +9,16 @@
 #include "results/fields/lay_operation_fields.h"
 #include "results/findings.h"
 #include "results/lift_brief.h"
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 #include "results/sagbend.h"
 
 namespace overbend {
 namespace {
 
-/// Gathers what is visited into columns, stage by stage; every stage visits the same fields in the same order.
+/// Collects visited fields in columns, stage by stage; every stage visits the same fields in the same order.
 class ColumnGatherer {
  public:
-  /// Until the next call what is visited is an example, whose cells stay empty.
+  /// Until the next call, visited fields are examples whose cells stay empty.
   void absent(bool absent) { absent_ = absent; }
   void end_row() { next_ = 0; }
   std::vector<StageTableColumn> take() { return std::move(columns_); }
@@ -54,7 +54,7 @@ class ColumnGatherer {
   bool absent_ = false;
 };
 
-/// Key results of a lay, in the order of reading: tension, shape, stresses, contacts.
+/// Key results of a lay, in reading order: tension, shape, stresses, contacts.
 template <class Visit>
 void visit_lay_in_brief(const StaticResults& r, Visit& visit) {
   const auto nothing = std::numeric_limits<double>::quiet_NaN();
@@ -76,9 +76,9 @@ void visit_lay_in_brief(const StaticResults& r, Visit& visit) {
   visit(ResultField{"stinger_angle", "rad"}.csv("stinger angle"), stinger != nullptr ? stinger->angle : nothing);
   visit(ResultField{"hinge_force", "N"}.csv("hinge force"), stinger != nullptr ? stinger->hinge_force : nothing);
   visit(ResultField{"stop_moment", "N m"}.csv("stop moment"), stinger != nullptr ? stinger->stop_moment : nothing);
-  visit(ResultField{"reaction", "N"}.csv("largest reaction"), r.supports.empty() ? nothing : r.largest_reaction);
-  visit(ResultField{"support", "1"}.csv("at"), r.largest_reaction_support);
-  const CheckRow* worst = worst_check(r.checks);
+  visit(ResultField{"reaction", "N"}.csv("largest reaction"), r.supports.empty() ? nothing : r.max_reaction);
+  visit(ResultField{"support", "1"}.csv("at"), r.max_reaction_support);
+  const CheckRow* worst = find_governing_check(r.checks);
   visit(ResultField{"check", "1"}.csv("decisive check"), worst != nullptr ? worst->name : std::string());
   visit(ResultField{"utilisation", "1"}.csv("utilisation"), worst != nullptr ? worst->utilisation : nothing);
 }
@@ -92,7 +92,7 @@ void visit_or_absent(const std::optional<Part>& part, ColumnGatherer& columns, V
   columns.absent(false);
 }
 
-/// Key results of a lift: of all its lines the largest, and every davit's tension.
+/// Key results of a lift: maxima over all its lines, and the tension of every davit cable.
 template <class Visit>
 void visit_lift_in_brief(const StaticResults& r, Visit& visit) {
   const LiftResults& lift = *r.lift;
@@ -101,20 +101,20 @@ void visit_lift_in_brief(const StaticResults& r, Visit& visit) {
   visit(ResultField{"stress", "Pa"}.csv("largest bending stress"), brief.stress);
   for (const LiftedLine& line : lift.lines) {
     const LiftedEnd& end = line.first.free || !line.second.free ? line.first : line.second;
-    visit(ResultField{"z", "m"}.csv("end of " + line.name + ", z"), end.at.place.z());
-    visit(ResultField{"inclination", "rad"}.csv("end of " + line.name + ", inclination"), end.at.inclination);
+    visit(ResultField{"z", "m"}.csv("end of " + line.name + ", z"), end.location.place.z());
+    visit(ResultField{"inclination", "rad"}.csv("end of " + line.name + ", inclination"), end.location.inclination);
   }
   for (const LiftedWire& wire : lift.davits) {
     visit(ResultField{"length", "m"}.csv(wire.name + ", length"), wire.length);
     visit(ResultField{"tension", "N"}.csv(wire.name + ", tension"), wire.tension_upper);
   }
-  const CheckRow* worst = worst_check(r.checks);
+  const CheckRow* worst = find_governing_check(r.checks);
   visit(ResultField{"check", "1"}.csv("decisive check"), worst != nullptr ? worst->name : std::string());
   visit(ResultField{"utilisation", "1"}.csv("utilisation"),
         worst != nullptr ? worst->utilisation : std::numeric_limits<double>::quiet_NaN());
 }
 
-/// `like`: a stage of a lift that stands, whose fields stand for those of one that does not; null of other operations.
+/// `like`: a solved stage of a lift, whose fields replace those of a failed one; null for other operations.
 void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer& columns) {
   visit_lay_stage(stage.stage, columns);
   columns(ResultField{"status"}.csv("status"), std::string(stage.lay ? "converged" : "no equilibrium"));
@@ -142,7 +142,7 @@ void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer&
   visit_or_absent(lay.dragging, columns, [&](const DraggingResults& dragging) {
     columns(ResultField{"wire_out", "m"}.csv("wire out"), lay.cable ? lay.cable->length : 0.0);
     visit_dragging(dragging, columns);
-    columns(ResultField{"least_tension", "N"}.csv("least tension along the line"), lay.smallest_tension.value);
+    columns(ResultField{"least_tension", "N"}.csv("least tension along the line"), lay.min_effective_tension.value);
   });
   const std::optional<LiftOffResult> no_lift_off;
   visit_or_absent(lay.dragging ? lay.dragging->lift_off : no_lift_off, columns,
@@ -150,7 +150,7 @@ void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer&
   const std::string why = stage.failure ? stage.failure->what + ": " + stage.failure->why : "";
   columns(ResultField{"why"}.csv("why not"), why);
   columns(ResultField{"least_tension", "N"}.csv("least tension"),
-          stage.failure ? stage.failure->least_tension : std::nullopt);
+          stage.failure ? stage.failure->min_tension : std::nullopt);
   columns.end_row();
 }
 

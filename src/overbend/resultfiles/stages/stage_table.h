@@ -9,20 +9,20 @@
 
 namespace overbend {
 
-/// One column. A number that does not apply is not a number, a text that does not is empty.
+/// One column. A number that does not apply is NaN, a text that does not apply is empty.
 struct StageTableColumn {
   std::string heading;
   std::string unit;   ///< Empty for texts and plain numbers.
-  int digits = 3;     ///< Decimals to show.
-  bool text = false;  ///< Which of the two lists holds its cells.
+  int digits = 3;     ///< Number of decimals shown.
+  bool text = false;  ///< True if `texts` holds the cells, false for numbers.
   std::vector<double> numbers;
   std::vector<std::string> texts;
 };
 
-/// All columns that hold anything, each with a cell per stage.
+/// Returns all columns with at least one value, each with a cell per stage.
 std::vector<StageTableColumn> stage_table_columns(const OperationResults& results);
 
-/// The table of stages.csv and stages.xlsx.
+/// Returns the table of stages.csv and stages.xlsx.
 Table stages_table(const OperationResults& results);
 
 }  // namespace overbend

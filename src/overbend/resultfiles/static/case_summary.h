@@ -1,4 +1,4 @@
-/// summary.json of analyses beyond statics, as data.
+/// summary.json of other analyses than static ones, as data.
 #pragma once
 
 #include "resultfiles/summary/summary_json.h"
@@ -6,13 +6,13 @@
 
 namespace overbend {
 
-/// What a dynamic analysis writes: what statics write, and the key `dynamic`.
+/// Returns the summary of a dynamic analysis: that of its static analysis, and the key `dynamic`.
 Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& results);
 
-/// What an operation on the line writes.
+/// Returns the summary of an operation on the line.
 Json operation_summary_json(const OperationResults& results);
 
-/// A stage there.
+/// Returns a stage in that summary.
 Json stage_summary_json(const StageResult& stage);
 
 }  // namespace overbend

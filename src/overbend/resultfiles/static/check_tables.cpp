@@ -19,7 +19,7 @@ std::string inputs_text(const CheckRow& row) {
   return text;
 }
 
-/// Numbers only of checks that are done, demand and capacity in the units of the row.
+/// Writes numbers only for completed checks, demand and capacity in the units of the row.
 struct CheckCells {
   CsvTable& table;
   const CheckRow& row;
@@ -35,24 +35,24 @@ struct CheckCells {
   }
   void operator()(const ResultField& f, const std::string& value) {
     if (f.heading.empty()) return;
-    table.cell(f.name == "units" ? text_of(check_unit(row)) : value);
+    table.cell(f.name == "units" ? unit_label(check_unit(row)) : value);
   }
   void operator()(const ResultField& f, bool value) {
     if (!f.heading.empty()) table.cell(std::string(value ? "yes" : "for information"));
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField& f, Enum value) {
     if (!f.heading.empty()) table.cell(std::string(word(value)));
   }
 };
 
-/// Lines of a calculation sheet: values in SI, so that the formulas can be evaluated as they stand.
+/// Writes lines of a calculation sheet: values in SI, so that the formulas can be evaluated directly.
 struct SheetCells {
   CsvTable& table;
 
   void operator()(const ResultField&, double value) { table.cell(value); }
   void operator()(const ResultField&, const std::string& value) { table.cell(value); }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField&, Enum value) {
     table.cell(std::string(word(value)));
   }

@@ -9,8 +9,8 @@
 #include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 #include "results/fields/stinger_fields.h"
 
 namespace overbend {
@@ -79,7 +79,7 @@ void require_finite(const StaticResults& results) {
   visit.place = "solve.";
   visit_solve(results.solve, visit);
   visit.place = "smallest_tension.";
-  visit_extreme_fields(smallest_tension_field(), results.smallest_tension, visit);
+  visit_extreme_fields(min_effective_tension_field(), results.min_effective_tension, visit);
   if (results.overbend) check_region("overbend", *results.overbend);
   if (results.tower) check_region("tower", *results.tower);
   check_region("sagbend", results.sagbend);

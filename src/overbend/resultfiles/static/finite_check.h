@@ -1,4 +1,4 @@
-/// No number that is none leaves the program.
+/// Checks that all output numbers are finite.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace overbend {
 /// Throws std::runtime_error that names the first quantity that is not finite: "stations[12].bending_moment".
 void require_finite(const StaticResults& results);
 
-/// The same: "dynamic.supports[3].reaction_max".
+/// The same for a dynamic analysis: "dynamic.supports[3].reaction_max".
 void require_finite(const DynamicResults& results);
 
-/// The same, `place` before the names.
+/// The same for checks; `place` is the prefix of the names.
 void require_finite(const CheckTable& checks, const std::string& place);
 
 }  // namespace overbend

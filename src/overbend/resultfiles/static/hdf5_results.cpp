@@ -13,8 +13,8 @@
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 #include "results/fields/stinger_fields.h"
 #include "runstore/run_record.h"
 
@@ -67,13 +67,13 @@ void write_tables(DatasetSink& file, const std::string& group, const StaticResul
     stations.end_row();
   }
   for (const DerivedSection& section : results.sections) {
-    sections(index_field("Number of the section, from 0: first the line's own"), sections.rows());
+    sections(index_field("Number of the section, from 0: first that of the line itself"), sections.rows());
     visit_section(section, sections);
     sections.end_row();
   }
   stations.write(file, group + "/stations", "Stations of the pipe from the anchor to the tensioner");
   sections.write(file, group + "/sections", "Properties of the sections");
-  structures.write(file, group + "/structures", "What is built into the pipe");
+  structures.write(file, group + "/structures", "Structures built into the pipe");
 }
 
 void write_attachments(DatasetSink& file, const std::string& group, const StaticResults& results) {
@@ -118,7 +118,7 @@ void write_part(DatasetSink& file, const std::string& group, const std::string& 
   visit_part(part, visit);
 }
 
-/// Head, cable and anchor of a line with a cable.
+/// Writes head, cable and anchor of a line with a cable.
 void write_cable_parts(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const auto head = [](const auto& part, auto& visit) { visit_head(part, visit); };
   const auto cable = [](const auto& part, auto& visit) { visit_cable(part, visit); };
@@ -130,7 +130,7 @@ void write_cable_parts(DatasetSink& file, const std::string& group, const Static
   }
 }
 
-/// A line dragged along the bed.
+/// Writes a line dragged along the seabed.
 void write_dragging(DatasetSink& file, const std::string& group, const DraggingResults& dragging) {
   write_part(
       file, group, "Line dragged along the seabed", [](const auto& part, auto& visit) { visit_dragging(part, visit); },
@@ -149,7 +149,7 @@ void write_dragging(DatasetSink& file, const std::string& group, const DraggingR
   contacts.write(file, group + "/contacts", "Stretches in contact with the seabed");
 }
 
-/// The laid pipe on an uneven bed.
+/// Writes the laid pipe on an uneven seabed.
 void write_bed(DatasetSink& file, const std::string& group, const BedResults& bed) {
   write_part(
       file, group, "Laid pipe on an uneven seabed", [](const auto& part, auto& visit) { visit_laid_pipe(part, visit); },
@@ -174,7 +174,7 @@ void write_bed(DatasetSink& file, const std::string& group, const BedResults& be
   spans.write(file, group + "/spans", "Free spans between them");
 }
 
-/// How the pipe lies on its route, and the answers to how it is held by friction.
+/// Writes the position of the pipe on its route, and the limit cases of friction.
 void write_route_parts(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const auto route = [](const auto& part, auto& visit) { visit_route(part, visit); };
   if (results.route) write_part(file, group + "/route", "Pipe on its route", route, *results.route);
@@ -185,7 +185,7 @@ void write_route_parts(DatasetSink& file, const std::string& group, const Static
     visit_friction_case(answer, cases);
     cases.end_row();
   }
-  cases.write(file, group + "/roller_friction", "Answers to how the pipe is held by friction");
+  cases.write(file, group + "/roller_friction", "Limit cases of friction");
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ void write_model_group(DatasetSink& file, const Description& description) {
   visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
   if (!description.stage) return;
   visit.group = "/model/stage";
-  file.group(visit.group, "Stage of the operation on the line that the results are of");
+  file.group(visit.group, "Stage of the operation that the results belong to");
   visit_lay_stage(*description.stage, visit);
 }
 
@@ -228,13 +228,14 @@ void write_lay_group(DatasetSink& file, const std::string& group, const StaticRe
     write_region(file, group + "/overbend", "Extremes from the tensioner to the inflection below the last support",
                  *results.overbend);
   }
-  const ResultField least = smallest_tension_field();
-  const auto smallest = [&](const auto& part, auto& visit) { visit_extreme_fields(least, part, visit); };
-  write_part(file, group + "/" + least.name, std::string(least.description), smallest, results.smallest_tension);
+  const ResultField min_tension = min_effective_tension_field();
+  const auto visit_min_tension = [&](const auto& part, auto& visit) { visit_extreme_fields(min_tension, part, visit); };
+  write_part(file, group + "/" + min_tension.name, std::string(min_tension.description), visit_min_tension,
+             results.min_effective_tension);
   if (results.tower) {
     write_region(file, group + "/tower", "Extremes where the clamped guide bends the pipe", *results.tower);
   }
-  write_region(file, group + "/sagbend", "Extremes from there to touchdown", results.sagbend);
+  write_region(file, group + "/sagbend", "Extremes from the inflection to touchdown", results.sagbend);
   write_tables(file, group, results);
   write_attachments(file, group, results);
   write_supports(file, group, results);

@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Peaks are {value, stage, passed}; SI.
+/// Returns the maxima as {value, stage, passed}; SI.
 Json passage_json(const PassageResults& passage);
 
 }  // namespace overbend

@@ -4,13 +4,13 @@
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "results/fields/check_fields.h"
-#include "results/fields/dynamic_values.h"
-#include "results/fields/static_values.h"
+#include "results/fields/dynamic_scalars.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
 
-/// Of the fields visited, writes assumptions and findings anew.
+/// Rewrites assumptions and findings, and ignores all other fields.
 struct AssumptionWriter {
   Hdf5Writer& file;
   std::string group;

@@ -1,4 +1,4 @@
-/// A results.h5 of a dynamic analysis with its code checks made again.
+/// A results.h5 of a dynamic analysis with repeated code checks.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 namespace overbend {
 
 /// Copies the file `from` to `to` with the checks, the design values, the assumptions and the model's text of these
-/// results in place of its own. Histories, impacts and snapshots are not read. Throws FileFault when the disk refuses.
+/// results in place of the stored ones. Histories, impacts and snapshots are not read. Throws FileError if the file
+/// cannot be written.
 void copy_rechecked(const std::filesystem::path& from, const std::filesystem::path& to, const StaticResults& statics,
                     const DynamicResults& dynamics, const Description& description);
 

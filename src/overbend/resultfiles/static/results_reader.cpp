@@ -12,8 +12,8 @@
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
+#include "results/fields/static_scalars.h"
 #include "results/fields/static_tables.h"
-#include "results/fields/static_values.h"
 #include "results/fields/stinger_fields.h"
 
 namespace overbend {
@@ -41,7 +41,7 @@ void read_supports(const Hdf5Reader& file, const std::string& group, StaticResul
     rows(ResultField{"support"}, box);
     visit_row(owner(all_boxes, box, "row").rows.emplace_back(), rows);
   }
-  std::vector<RowResult*> all_rows;  // rows are numbered through all boxes
+  std::vector<RowResult*> all_rows;  // rows are numbered over all boxes
   for (SupportResult& support : results.supports) {
     for (RowResult& row : support.rows) all_rows.push_back(&row);
   }
@@ -74,7 +74,7 @@ void read_tables(const Hdf5Reader& file, const std::string& group, StaticResults
   }
 }
 
-/// Rows of a table that is there where there is something to tell.
+/// Reads the rows of a table that exists only if it has any.
 template <class Row, class Visit>
 void read_rows(const Hdf5Reader& file, const std::string& group, std::vector<Row>& rows, Visit visit_row) {
   if (!file.has(group)) return;
@@ -105,8 +105,8 @@ void read_stinger(const Hdf5Reader& file, const std::string& group, StaticResult
     tanks.start_row(i);
     int section = 0;
     tanks(ResultField{"section"}, section);
-    StingerSectionResult& own = results.stinger.at(static_cast<std::size_t>(section));
-    visit_stinger_tank(own.tanks.emplace_back(), tanks);
+    StingerSectionResult& section_result = results.stinger.at(static_cast<std::size_t>(section));
+    visit_stinger_tank(section_result.tanks.emplace_back(), tanks);
   }
 }
 
@@ -192,7 +192,7 @@ StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
   visit_scene(results, visit);
   if (file.has(group + "/overbend")) read_region(file, group + "/overbend", results.overbend.emplace());
   visit.group = group + "/smallest_tension";
-  visit_extreme_fields(smallest_tension_field(), results.smallest_tension, visit);
+  visit_extreme_fields(min_effective_tension_field(), results.min_effective_tension, visit);
   if (file.has(group + "/tower")) read_region(file, group + "/tower", results.tower.emplace());
   read_region(file, group + "/sagbend", results.sagbend);
   read_tables(file, group, results);

@@ -15,11 +15,11 @@ constexpr const char* kGroup = "/sensitivities";
 
 Json one_sided_json(const SensitivityResults& s, std::size_t result, std::size_t input) {
   Json json = {{"result", s.results[result].name}, {"input", s.inputs[input].name}};
-  json.update(object_of(SummaryStyle{}, [&](auto& one) { visit_one_sided(s.at(result, input), one); }));
+  json.update(make_object(SummaryStyle{}, [&](auto& visitor) { visit_one_sided(s.at(result, input), visitor); }));
   return json;
 }
 
-/// "N m^-1": the unit of a derivative.
+/// Returns the unit of a derivative: "N m^-1".
 std::string derivative_unit(const SensitivityOutput& result, const SensitivityInput& input) {
   return input.unit == "1" ? result.unit : result.unit + " / (" + input.unit + ")";
 }
@@ -29,7 +29,7 @@ void write_rows(DatasetSink& file, const std::string& path, const std::string& d
                 const std::vector<Row>& rows, VisitRow visit_row) {
   TableWriter table;
   for (const Row& row : rows) {
-    table(index_field("Number of the line, from 0"), table.rows());
+    table(index_field("Number of the row, from 0"), table.rows());
     visit_row(row, table);
     table.end_row();
   }
@@ -51,9 +51,9 @@ std::vector<Row> read_rows(const Hdf5Reader& file, const std::string& path, Visi
 template <class S, class Visit>
 void visit_heads(S& s, Visit& visit) {
   visit(ResultField{"assumptions", "1", "Assumptions"}, s.assumptions);
-  visit(ResultField{"without_effect", "1", "Inputs on which none of the results hangs"}, s.without_effect);
-  visit(ResultField{"not_done", "1", "Inputs that cannot be changed a little"}, s.not_done);
-  visit(ResultField{"wall_time", "s", "Time taken"}, s.wall_time);
+  visit(ResultField{"without_effect", "1", "Inputs without an effect on any result"}, s.without_effect);
+  visit(ResultField{"not_done", "1", "Inputs that cannot be varied continuously"}, s.not_done);
+  visit(ResultField{"wall_time", "s", "Wall time"}, s.wall_time);
 }
 
 }  // namespace
@@ -63,14 +63,15 @@ Json sensitivities_json(const SensitivityResults& s) {
   Json json;
   json["inputs"] = Json::array();
   for (const SensitivityInput& input : s.inputs) {
-    json["inputs"].push_back(object_of(style, [&](auto& one) { visit_sensitivity_input(input, one); }));
+    json["inputs"].push_back(make_object(style, [&](auto& visitor) { visit_sensitivity_input(input, visitor); }));
     json["inputs"].back()["near"] = input.near;
   }
   json["results"] = Json::array();
   json["derivatives"] = Json::array();
   json["one_sided"] = Json::array();
   for (std::size_t r = 0; r < s.results.size(); ++r) {
-    json["results"].push_back(object_of(style, [&](auto& one) { visit_sensitivity_output(s.results[r], one); }));
+    json["results"].push_back(
+        make_object(style, [&](auto& visitor) { visit_sensitivity_output(s.results[r], visitor); }));
     Json row = Json::array();
     for (std::size_t i = 0; i < s.inputs.size(); ++i) {
       row.push_back(s.at(r, i).value);
@@ -93,7 +94,7 @@ std::string sensitivities_table(const SensitivityResults& s) {
     for (std::size_t i = 0; i < s.inputs.size(); ++i) {
       const Derivative& d = s.at(r, i);
       table.cell(s.results[r].name).cell(s.inputs[i].name).cell(d.value);
-      table.cell(derivative_unit(s.results[r], s.inputs[i])).cell(s.inputs[i].tolerance).cell(s.largest_effect(r, i));
+      table.cell(derivative_unit(s.results[r], s.inputs[i])).cell(s.inputs[i].tolerance).cell(s.max_effect(r, i));
       table.cell(d.support).cell(d.one_sided() ? d.until : std::nan("")).cell(d.one_sided() ? d.beyond : std::nan(""));
       table.end_row();
     }
@@ -102,7 +103,7 @@ std::string sensitivities_table(const SensitivityResults& s) {
 }
 
 void write_sensitivities(DatasetSink& file, const SensitivityResults& s) {
-  file.group(kGroup, "What results hang on: derivatives of the results by the inputs, in SI");
+  file.group(kGroup, "Sensitivities: derivatives of the results with respect to the inputs, in SI");
   ValueWriter values{file, kGroup};
   visit_heads(s, values);
   const std::string group = kGroup;
@@ -110,7 +111,7 @@ void write_sensitivities(DatasetSink& file, const SensitivityResults& s) {
              [](const SensitivityInput& row, auto& visit) { visit_sensitivity_input(row, visit); });
   write_rows(file, group + "/results", "Results", s.results,
              [](const SensitivityOutput& row, auto& visit) { visit_sensitivity_output(row, visit); });
-  write_rows(file, group + "/derivatives", "Row by row of the results, each with all inputs", s.derivatives,
+  write_rows(file, group + "/derivatives", "By rows of the results, each with all inputs", s.derivatives,
              [](const Derivative& row, auto& visit) {
                visit(ResultField{"value", kVaries, "Derivative"}, row.value);
                visit_one_sided(row, visit);

@@ -1,4 +1,4 @@
-/// What results hang on, in summary.json, sensitivities.csv and results.h5.
+/// Sensitivities in summary.json, sensitivities.csv and results.h5.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,16 @@ namespace overbend {
 class Hdf5Reader;
 class DatasetSink;
 
-/// The key `sensitivities`: inputs, results, `derivatives` with a row for each result and a column for each input in
-/// SI, and those of them that hold on one side only.
+/// Returns the key `sensitivities`: inputs, results, `derivatives` with a row for each result and a column for each
+/// input in SI, and the one-sided ones.
 Json sensitivities_json(const SensitivityResults& sensitivities);
 
-/// A line for each result and input.
+/// Returns a table with a row for each result and input.
 std::string sensitivities_table(const SensitivityResults& sensitivities);
 
+/// Writes the sensitivities as datasets, in SI.
 void write_sensitivities(DatasetSink& file, const SensitivityResults& sensitivities);
-/// What was written; nothing where the file has none.
+/// Reads the sensitivities; nothing if the file has none.
 std::optional<SensitivityResults> read_sensitivities(const Hdf5Reader& file);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The free spans of the laid pipe as a table of text.
+/// The free spans of the laid pipe as a text table.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// The text of spans.csv: a row per free span from touchdown astern, engineering units.
+/// Returns the text of spans.csv: a row per free span from touchdown astern, engineering units.
 std::string span_table(const BedResults& bed);
 
 }  // namespace overbend

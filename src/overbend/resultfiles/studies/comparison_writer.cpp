@@ -12,7 +12,7 @@
 namespace overbend {
 namespace {
 
-/// Tells everything that is compared to `put(name, quantity, values of the runs)`.
+/// Calls `put(name, quantity, values of the runs)` for every compared quantity.
 template <class Put>
 void for_each_row(const Comparison& comparison, Put put) {
   for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
@@ -38,7 +38,7 @@ void require_finite_values(const Comparison& comparison) {
 }
 
 Json run_json(const ComparedRun& run, const std::vector<SeedQuantity>& quantities) {
-  Json json = {{"name", run.name}, {"words", run.words}};
+  Json json = {{"name", run.name}, {"words", run.label}};
   for (std::size_t i = 0; i < quantities.size(); ++i) json[quantities[i].name] = run.values.at(i);
   json["warnings"] = messages(run.results.findings);
   json["findings"] = findings_json(run.results.findings);
@@ -49,11 +49,11 @@ Json box_json(const ComparedBoxes& box, const std::vector<ComparedRun>& runs) {
   Json json = {{"name", box.name}, {"structure", box.stinger ? "stinger" : "ramp"}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const ComparedBox& seen = box.runs.at(i);
-    Json one = Json::object();
-    for (const BoxQuantity& rule : box_quantities()) one[rule.quantity.name] = seen.*(rule.value);
-    one["row_contact_share"] = seen.row_share;
-    one["row_peak_force"] = seen.row_peak;
-    json[runs[i].name] = one;
+    Json values = Json::object();
+    for (const BoxQuantity& rule : box_quantities()) values[rule.quantity.name] = seen.*(rule.value);
+    values["row_contact_share"] = seen.row_share;
+    values["row_peak_force"] = seen.row_peak;
+    json[runs[i].name] = values;
   }
   return json;
 }
@@ -95,7 +95,7 @@ std::string comparison_summary(const StaticResults& statics, const Comparison& c
   for (const ComparedRun& run : comparison.runs) runs.push_back(run_json(run, comparison.quantities));
   for (const ComparedBoxes& box : comparison.boxes) boxes.push_back(box_json(box, comparison.runs));
   Json summary = static_summary_json(statics);
-  summary["comparison"] = {{"of", word_of(comparison.of)},
+  summary["comparison"] = {{"of", enum_name(comparison.of)},
                            {"duration", comparison.duration},
                            {"build_up", comparison.build_up},
                            {"quantities", quantities},

@@ -1,4 +1,4 @@
-/// Writes what variants of one model gave: comparison.csv and comparison.json.
+/// Writes the results of variants of one model: comparison.csv and comparison.json.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,22 @@
 
 namespace overbend {
 
-/// A number of a box, told as the quantities are.
+/// A number of a box with the description of a quantity.
 struct BoxQuantity {
   SeedQuantity quantity;
   double ComparedBox::*value;
 };
 const std::vector<BoxQuantity>& box_quantities();
 
-/// The text of comparison.csv: a row per quantity and a column per variant, engineering units; those of the boxes are
-/// called "support/stinger 8/contact_share".
+/// Returns the text of comparison.csv: a row per quantity and a column per variant, engineering units; quantities of
+/// boxes are named "support/stinger 8/contact_share".
 std::string comparison_table(const Comparison& comparison);
 
-/// The text of comparison.json: what statics writes, and the key `comparison`; SI.
+/// Returns the text of comparison.json: the static summary, and the key `comparison`; SI.
 std::string comparison_summary(const StaticResults& statics, const Comparison& comparison);
 
-/// Both files into an existing folder. Throws std::runtime_error when a value is not finite (and names it) or a file
-/// cannot be written.
+/// Writes both files into an existing folder. Throws std::runtime_error if a value is not finite (and names it) or a
+/// file cannot be written.
 void write_comparison_files(const StaticResults& statics, const Comparison& comparison,
                             const std::filesystem::path& folder);
 

@@ -11,7 +11,7 @@ namespace {
 
 void add_result(CsvTable& table, const ComparedResult& result) {
   const ShownUnit unit = shown_unit(result.name, result.unit);
-  table.cell(std::string("result")).cell(result.name).cell(text_of(unit));
+  table.cell(std::string("result")).cell(result.name).cell(unit_label(unit));
   for (const std::optional<double>& value : result.values) {
     if (value) {
       table.cell(*value * unit.factor);
@@ -29,12 +29,12 @@ void add_result(CsvTable& table, const ComparedResult& result) {
   table.end_row();
 }
 
-/// A row of words, without changes.
-void add_words(CsvTable& table, const std::string& section, const std::string& name,
-               const std::vector<std::string>& words) {
+/// Adds a row of texts, without changes.
+void add_texts(CsvTable& table, const std::string& section, const std::string& name,
+               const std::vector<std::string>& labels) {
   table.cell(section).cell(name).cell(std::string());
-  for (const std::string& word : words) table.cell(word);
-  for (std::size_t i = 1; i < words.size(); ++i) table.cell(std::string());
+  for (const std::string& word : labels) table.cell(word);
+  for (std::size_t i = 1; i < labels.size(); ++i) table.cell(std::string());
   table.end_row();
 }
 
@@ -45,14 +45,15 @@ std::vector<PartialFinding> partial_findings(const FolderComparison& comparison)
   const std::size_t count = comparison.folders.size();
   for (std::size_t i = 0; i < count; ++i) {
     for (const Finding& finding : comparison.folders[i].findings) {
-      auto known = std::ranges::find_if(all, [&](const PartialFinding& other) {
-        return other.finding.code == finding.code && other.finding.object == finding.object;
+      auto known = std::ranges::find_if(all, [&](const PartialFinding& candidate) {
+        return candidate.finding.code == finding.code && candidate.finding.object == finding.object;
       });
       if (known == all.end()) known = all.insert(known, {finding, std::vector<bool>(count)});
       known->has[i] = true;
     }
   }
-  std::erase_if(all, [](const PartialFinding& one) { return std::ranges::find(one.has, false) == one.has.end(); });
+  std::erase_if(
+      all, [](const PartialFinding& partial) { return std::ranges::find(partial.has, false) == partial.has.end(); });
   return all;
 }
 
@@ -65,13 +66,13 @@ std::string folder_comparison_table(const FolderComparison& comparison) {
   CsvTable table(head);
   std::vector<std::string> versions;
   for (const ComparedFolder& folder : comparison.folders) versions.push_back(folder.version);
-  add_words(table, "program", "version", versions);
-  for (const ComparedKey& key : comparison.keys) add_words(table, "input", key.key, key.values);
+  add_texts(table, "program", "version", versions);
+  for (const ComparedKey& key : comparison.keys) add_texts(table, "input", key.key, key.values);
   for (const ComparedResult& result : comparison.results) add_result(table, result);
   for (const PartialFinding& partial : partial_findings(comparison)) {
     std::vector<std::string> has;
-    for (const bool one : partial.has) has.emplace_back(one ? "yes" : "no");
-    add_words(table, "finding", partial.finding.message, has);
+    for (const bool value : partial.has) has.emplace_back(value ? "yes" : "no");
+    add_texts(table, "finding", partial.finding.message, has);
   }
   return table.text();
 }

@@ -1,4 +1,4 @@
-/// Writes results of several folders beside each other: comparison.csv.
+/// Writes the comparison of several result folders: comparison.csv.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,21 @@
 
 namespace overbend {
 
-/// A row per differing key (section "input"), per result ("result", engineering units, with the change against the
-/// first folder in per cent) and per finding that not all have ("finding"); a column per folder.
+/// Returns a table with a row per differing key (section "input"), per result ("result", engineering units, with the
+/// change against the first folder in per cent) and per finding not common to all ("finding"); a column per folder.
 std::string folder_comparison_table(const FolderComparison& comparison);
 
-/// A finding that not all folders have, with whether each has it.
+/// A finding not common to all folders.
 struct PartialFinding {
-  Finding finding;  ///< Of the first folder that has it.
+  Finding finding;  ///< As in the first folder that has it.
   std::vector<bool> has;
 };
 
-/// Findings of the same code and object are one: their numbers differ between folders as results do.
+/// Returns the findings not common to all. Findings with the same code and object count as one: their numbers differ
+/// between folders as results do.
 std::vector<PartialFinding> partial_findings(const FolderComparison& comparison);
 
-/// comparison.csv into an existing folder. Throws std::runtime_error where it cannot be written.
+/// Writes comparison.csv into an existing folder. Throws std::runtime_error if it cannot be written.
 void write_folder_comparison(const FolderComparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -16,7 +16,7 @@
 namespace overbend {
 namespace {
 
-/// Cells that stand for those of a row without a lay.
+/// Empty cells in the place of those of a lay.
 struct EmptyCells {
   std::vector<TableCell>& cells;
   template <class Value>
@@ -25,7 +25,7 @@ struct EmptyCells {
   }
 };
 
-std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
+std::vector<TableCell> make_cells(const LayTable& table, const LayTableRow& row) {
   std::vector<TableCell> cells;
   FieldCells visit{cells};
   visit_lay_table_place(table.vary, table.route, row, visit);
@@ -37,7 +37,7 @@ std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
     visit_lay_table_values(none, empty);
   }
   cells.emplace_back(VerdictCell{row.lay ? row.lay->verdict : VerdictKind::exceeded, lay_verdict(row)});
-  cells.emplace_back(remark_of(row));
+  cells.emplace_back(make_remark(row));
   return cells;
 }
 
@@ -49,7 +49,7 @@ struct NoLay {
   void operator()(const ResultField& f, const std::string&) { table(f, std::string()); }
 };
 
-/// Throws where a number is none.
+/// Throws if a number is not finite.
 struct FiniteRow {
   void operator()(const ResultField& f, double value) const {
     if (!std::isfinite(value)) throw std::runtime_error("lay table: " + f.name + " is not finite");
@@ -66,7 +66,7 @@ Json row_json(const LayTable& table, const LayTableRow& row) {
   visit_lay_table_place(table.vary, table.route, row, json);
   if (row.lay) visit_lay_table_values(*row.lay, json);
   json["verdict"] = lay_verdict(row);
-  json["reason"] = remark_of(row);
+  json["reason"] = make_remark(row);
   json["solves"] = row.solves;
   return json.take();
 }
@@ -86,7 +86,7 @@ Table lay_table_data(const LayTable& table) {
   const LayTableValues values;
   visit_lay_table_values(values, head);
   data.column(TableColumn("verdict")).column(TableColumn("remark"));
-  for (const LayTableRow& row : table.rows) data.row(cells_of(table, row));
+  for (const LayTableRow& row : table.rows) data.row(make_cells(table, row));
   return data;
 }
 
@@ -103,7 +103,8 @@ void write_lay_table_groups(DatasetSink& file, const LayTable& table) {
       visit_lay_table_values(none, visit);
     }
     rows(ResultField{"verdict", "1", "passed, reserved, exceeded, or no lay"}, lay_verdict(row));
-    rows(ResultField{"reason", "1", "Why there is no lay, what is exceeded, or what ends the range"}, remark_of(row));
+    rows(ResultField{"reason", "1", "Reason for a missing lay, exceeded check, or limit of the range"},
+         make_remark(row));
     rows.end_row();
   }
   rows.write(file, "/lay_table", "A lay in each row");

@@ -10,20 +10,20 @@
 
 namespace overbend {
 
-/// Rows and columns as lay-table.csv and lay-table.xlsx have them.
+/// Returns the rows and columns of lay-table.csv and lay-table.xlsx.
 Table lay_table_data(const LayTable& table);
 
-/// The verdict on a row: "passed", "reserved", "exceeded", "not judged", "no lay".
+/// Returns the verdict on a row: "passed", "reserved", "exceeded", "not judged", "no lay".
 std::string lay_verdict(const LayTableRow& row);
 
-/// The rows as datasets of the group /lay_table; SI, NaN where a row has no lay.
+/// Writes the rows as datasets of the group /lay_table; SI, NaN for a row without a lay.
 void write_lay_table_groups(DatasetSink& file, const LayTable& table);
 
-/// The text of summary.json; SI.
+/// Returns the text of summary.json; SI.
 std::string lay_table_summary(const LayTable& table);
 
-/// lay-table.csv, lay-table.xlsx and summary.json into an existing folder. Throws std::runtime_error when a value is
-/// not finite (and names it) or a file cannot be written.
+/// Writes lay-table.csv, lay-table.xlsx and summary.json into an existing folder. Throws std::runtime_error if a value
+/// is not finite (and names it) or a file cannot be written.
 void write_lay_table_files(const LayTable& table, const std::filesystem::path& folder);
 
 }  // namespace overbend

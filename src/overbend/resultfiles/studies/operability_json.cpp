@@ -13,23 +13,23 @@ void take(const Json& json, const char* key, std::optional<Value>& value) {
 }
 
 Json axis_json(const StudyInput& axis) {
-  return {{"key", axis.key},   {"unit", axis.unit},   {"show", axis.show},
-          {"with", axis.with}, {"words", axis.words}, {"values", axis.values}};
+  return {{"key", axis.key},   {"unit", axis.unit},         {"show", axis.show},
+          {"with", axis.with}, {"words", axis.value_texts}, {"values", axis.values}};
 }
 
-StudyInput axis_of(const Json& json) {
+StudyInput read_axis(const Json& json) {
   StudyInput axis;
   json.at("key").get_to(axis.key);
   json.at("unit").get_to(axis.unit);
   json.at("show").get_to(axis.show);
   json.at("with").get_to(axis.with);
-  json.at("words").get_to(axis.words);
+  json.at("words").get_to(axis.value_texts);
   json.at("values").get_to(axis.values);
   return axis;
 }
 
 Json cell_json(const OperabilityCell& cell) {
-  Json json = {{"at", cell.at}};
+  Json json = {{"at", cell.value_indices}};
   put(json, "limit", cell.limit);
   json.update({{"beyond", cell.beyond},
                {"decided", cell.decided},
@@ -41,9 +41,9 @@ Json cell_json(const OperabilityCell& cell) {
   return json;
 }
 
-OperabilityCell cell_of(const Json& json) {
+OperabilityCell read_cell(const Json& json) {
   OperabilityCell cell;
-  json.at("at").get_to(cell.at);
+  json.at("at").get_to(cell.value_indices);
   take(json, "limit", cell.limit);
   json.at("beyond").get_to(cell.beyond);
   json.at("decided").get_to(cell.decided);
@@ -55,16 +55,16 @@ OperabilityCell cell_of(const Json& json) {
   return cell;
 }
 
-std::optional<Json> workability_json(const std::optional<Workability>& one) {
-  if (!one) return std::nullopt;
-  return Json{{"months", one->months}, {"year", one->year}, {"outside", one->outside}};
+std::optional<Json> workability_json(const std::optional<Workability>& workability) {
+  if (!workability) return std::nullopt;
+  return Json{{"months", workability->months}, {"year", workability->year}, {"outside", workability->outside}};
 }
 
-void take_workability(const Json& json, const char* key, std::optional<Workability>& one) {
+void take_workability(const Json& json, const char* key, std::optional<Workability>& workability) {
   if (!json.contains(key)) return;
   const Json& read = json.at(key);
-  one = Workability{read.at("months").get<std::vector<double>>(), read.at("year").get<double>(),
-                    read.at("outside").get<double>()};
+  workability = Workability{read.at("months").get<std::vector<double>>(), read.at("year").get<double>(),
+                            read.at("outside").get<double>()};
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ Json operability_json(const OperabilityResults& results) {
   Json json = {{"over", results.over}, {"unit", results.unit}, {"show", results.show}};
   json["axes"] = Json::array();
   for (const StudyInput& axis : results.axes) json["axes"].push_back(axis_json(axis));
-  json.update({{"least", results.least},
-               {"largest", results.largest},
+  json.update({{"least", results.min_value},
+               {"largest", results.max_value},
                {"resolution", results.resolution},
                {"seeds", results.seeds}});
   put(json, "alpha", results.alpha);
@@ -86,18 +86,18 @@ Json operability_json(const OperabilityResults& results) {
   return json;
 }
 
-OperabilityResults operability_of(const Json& json) {
+OperabilityResults operability_from_json(const Json& json) {
   OperabilityResults results;
   json.at("over").get_to(results.over);
   json.at("unit").get_to(results.unit);
   json.at("show").get_to(results.show);
-  for (const Json& axis : json.at("axes")) results.axes.push_back(axis_of(axis));
-  json.at("least").get_to(results.least);
-  json.at("largest").get_to(results.largest);
+  for (const Json& axis : json.at("axes")) results.axes.push_back(read_axis(axis));
+  json.at("least").get_to(results.min_value);
+  json.at("largest").get_to(results.max_value);
   json.at("resolution").get_to(results.resolution);
   json.at("seeds").get_to(results.seeds);
   take(json, "alpha", results.alpha);
-  for (const Json& cell : json.at("cells")) results.cells.push_back(cell_of(cell));
+  for (const Json& cell : json.at("cells")) results.cells.push_back(read_cell(cell));
   take_workability(json, "workability", results.workability);
   take_workability(json, "forecast_workability", results.forecast_workability);
   json.at("runs").get_to(results.runs);

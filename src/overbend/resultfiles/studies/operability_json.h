@@ -1,4 +1,4 @@
-/// Limits of operability as JSON, for summary.json, the page and to be read again.
+/// Limits of operability as JSON, for summary.json and the page, and their reader.
 #pragma once
 
 #include "base/json.h"
@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// All that is known of a chart, in SI units. What does not apply is left out.
+/// Returns all data of a chart in SI units. Values that do not apply are omitted.
 Json operability_json(const OperabilityResults& results);
 
-/// The same backwards. Throws Json::exception where something is missing or of another kind.
-OperabilityResults operability_of(const Json& json);
+/// Reads them back. Throws Json::exception if a member is missing or of another type.
+OperabilityResults operability_from_json(const Json& json);
 
 }  // namespace overbend

@@ -10,33 +10,35 @@ namespace {
 constexpr std::array<const char*, 12> kMonths = {"January", "February", "March",     "April",   "May",      "June",
                                                  "July",    "August",   "September", "October", "November", "December"};
 
-/// Of values in the unit that the study file has them in.
+/// Column of values in the unit of the study file.
 TableColumn input_column(const std::string& title, const std::string& unit) {
   return {title, ShownUnit{"", unit}, 3};
 }
 
-/// What one SI unit is in the one shown.
+/// Returns the factor from SI to the unit shown.
 double shown_factor(const std::string& unit, const std::string& show) {
   const std::optional<double> factor = show.empty() ? std::nullopt : unit_factor(show, unit);
   return factor ? 1.0 / *factor : 1.0;
 }
 
-TableCell cell_of(const std::optional<double>& value, double factor = 1.0) {
+TableCell make_cell(const std::optional<double>& value, double factor = 1.0) {
   return value ? TableCell(*value * factor) : TableCell();
 }
 
 TableCell axis_cell(const StudyInput& axis, std::size_t index) {
-  if (axis.values.empty()) return axis.words.at(index);
+  if (axis.values.empty()) return axis.value_texts.at(index);
   return axis.values.at(index) * shown_factor(axis.unit, axis.show);
 }
 
-std::vector<TableCell> row_of(const OperabilityResults& results, const OperabilityCell& cell) {
+std::vector<TableCell> make_row(const OperabilityResults& results, const OperabilityCell& cell) {
   std::vector<TableCell> row;
-  for (std::size_t i = 0; i < results.axes.size(); ++i) row.push_back(axis_cell(results.axes[i], cell.at.at(i)));
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    row.push_back(axis_cell(results.axes[i], cell.value_indices.at(i)));
+  }
   const double factor = shown_factor(results.unit, results.show);
-  row.push_back(cell_of(cell.limit, factor));
-  if (results.alpha) row.push_back(cell_of(cell.limit, *results.alpha * factor));
-  row.emplace_back(limit_words(cell));
+  row.push_back(make_cell(cell.limit, factor));
+  if (results.alpha) row.push_back(make_cell(cell.limit, *results.alpha * factor));
+  row.emplace_back(limit_state_label(cell));
   row.emplace_back(cell.governing);
   const bool has_above = cell.decided && !cell.beyond;
   row.push_back(cell.limit && cell.below > 0.0 ? TableCell(cell.below) : TableCell());
@@ -48,7 +50,7 @@ std::vector<TableCell> row_of(const OperabilityResults& results, const Operabili
 
 }  // namespace
 
-std::string limit_words(const OperabilityCell& cell) {
+std::string limit_state_label(const OperabilityCell& cell) {
   if (!cell.decided) return "not decided";
   if (!cell.limit) return "below the least";
   return cell.beyond ? "above the largest" : "limit";
@@ -67,7 +69,7 @@ Table operability_table(const OperabilityResults& results) {
       .column({"utilisation above it", "", 3})
       .column({"analyses", "", 0})
       .column(TableColumn("remark"));
-  for (const OperabilityCell& cell : results.cells) table.row(row_of(results, cell));
+  for (const OperabilityCell& cell : results.cells) table.row(make_row(results, cell));
   return table;
 }
 
@@ -86,7 +88,7 @@ Table workability_table(const OperabilityResults& results) {
     add(kMonths[i], months[i], forecast ? &forecast->months.at(i) : nullptr);
   }
   add("year", results.workability->year, forecast ? &forecast->year : nullptr);
-  add("outside of the chart", results.workability->outside, forecast ? &forecast->outside : nullptr);
+  add("outside the chart", results.workability->outside, forecast ? &forecast->outside : nullptr);
   return table;
 }
 

@@ -1,4 +1,4 @@
-/// The limits of a chart of operability, and its workability, as tables.
+/// The limits of an operability chart, and its workability, as tables.
 #pragma once
 
 #include "results/study_results.h"
@@ -6,14 +6,14 @@
 
 namespace overbend {
 
-/// A row per cell: the values of the other axes, the limit (and with alpha), what it is limited by. Angles and
-/// quantities in the units that the study file has them in.
+/// Returns a row per cell: the values of the other axes, the limit (and with alpha), its governing criterion. Angles
+/// and quantities in the units of the study file.
 Table operability_table(const OperabilityResults& results);
 
-/// A row per month and one for the year: how much of the time is workable. Without rows where nothing is known of it.
+/// Returns a row per month and one for the year: workable share of time. Without rows if unknown.
 Table workability_table(const OperabilityResults& results);
 
-/// What a limit says, in a word or two: "limit", "below the least", "above the largest", "not decided".
-std::string limit_words(const OperabilityCell& cell);
+/// Returns a short label of a limit: "limit", "below the least", "above the largest", "not decided".
+std::string limit_state_label(const OperabilityCell& cell);
 
 }  // namespace overbend

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "resultfiles/hdf5/absent.h"
+#include "resultfiles/hdf5/missing_values.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/summary/summary_json.h"
 #include "resultfiles/tables/csv_fields.h"
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 #include "results/verdict_order.h"
 #include "runstore/append_file.h"
 
@@ -52,7 +52,7 @@ Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
 void require_finite(const SeedsResults& results) {
   for (const SeedRun& run : results.runs) {
     for (std::size_t i = 0; i < results.quantities.size(); ++i) {
-      if (std::isnan(run.values.at(i)) && may_be_absent(results.quantities[i].name)) continue;
+      if (std::isnan(run.values.at(i)) && may_be_missing(results.quantities[i].name)) continue;
       if (!std::isfinite(run.values.at(i))) {
         throw std::runtime_error(run.folder + ": " + results.quantities[i].name + " is not finite");
       }

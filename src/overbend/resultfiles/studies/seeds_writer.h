@@ -1,4 +1,4 @@
-/// Writes what several realisations of a sea state gave together: summary.json and seeds.csv.
+/// Writes the results of several realisations of a sea state: summary.json and seeds.csv.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,27 @@
 
 namespace overbend {
 
-/// Both files into an existing folder. Throws std::runtime_error when a value is not finite (and names it) or a file
-/// cannot be written.
+/// Writes both files into an existing folder. Throws std::runtime_error if a value is not finite (and names it) or a
+/// file cannot be written.
 void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder);
 
-/// What people read a quantity in; plain numbers have a dash.
+/// Returns the display unit of a quantity; plain numbers have a dash.
 ShownUnit table_unit(const SeedQuantity& quantity);
 
-/// The most severe of the runs; not judged where a run has failed or there is none, unless one is exceeded.
+/// Returns the most severe verdict of the runs; not judged if a run has failed or there is none, unless one is
+/// exceeded.
 VerdictKind worst_verdict(const SeedsResults& results);
 
-/// What the key `seeds` of summary.json holds.
+/// Returns the key `seeds` of summary.json.
 Json seeds_json(const SeedsResults& results);
 
-/// The text of summary.json: what statics writes, and the key `seeds`.
+/// Returns the text of summary.json: the static summary, and the key `seeds`.
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);
 
-/// Throws std::runtime_error when a value is not finite, and names it.
+/// Throws std::runtime_error that names the first value that is not finite.
 void require_finite(const SeedsResults& results);
 
-/// The text of seeds.csv: a row per seed, engineering units; values of a failed one stay empty.
+/// Returns the text of seeds.csv: a row per seed, engineering units; values of a failed run are empty.
 std::string seeds_table(const SeedsResults& results);
 
 }  // namespace overbend

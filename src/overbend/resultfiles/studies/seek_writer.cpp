@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-/// As the model file writes it (model/description/seek_words.h, whose words do not go with those of the results).
+/// Name in the model file (model/description/seek_texts.h, whose names differ from those of the results).
 const char* relation(const std::optional<SeekRelation>& is) {
   if (!is) return "minimised";
   return *is == SeekRelation::equals ? "equals" : *is == SeekRelation::at_most ? "at_most" : "at_least";
@@ -20,7 +20,7 @@ Json maybe(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// One value for a single key, an object by key for several.
+/// Returns one value for a single key, an object by key for several.
 template <class Value>
 Json by_key(const SeekResults& results, Value value) {
   if (results.unknowns.size() == 1) return value(results.unknowns.front(), 0);
@@ -64,20 +64,20 @@ Json step_json(const SeekStep& step) {
 }
 
 Json jump_json(const SeekJump& jump) {
-  return {{"at", jump.at}, {"below", jump.below}, {"above", jump.above}, {"why", jump.why}};
+  return {{"at", jump.key_value}, {"below", jump.below}, {"above", jump.above}, {"why", jump.why}};
 }
 
 template <class Row, class Make>
-Json list_of(const std::vector<Row>& rows, Make make) {
+Json make_list(const std::vector<Row>& rows, Make make) {
   Json list = Json::array();
   for (const Row& row : rows) list.push_back(make(row));
   return list;
 }
 
-/// What a column is shown in.
+/// Display unit of a column.
 struct ColumnUnit {
   std::string name;
-  double factor = 1.0;  ///< SI of one.
+  double factor = 1.0;  ///< Factor from the unit shown to SI.
 };
 
 ColumnUnit column_unit(const std::string& unit, const std::string& show) {
@@ -105,15 +105,15 @@ Json seek_json(const SeekResults& r) {
   json["evaluations"] = r.evaluations;
   json["slope"] = r.goals.empty() ? Json(nullptr) : slope_json(r, r.goals.front());
   json["others"] = r.others;
-  json["jumps"] = list_of(r.jumps, jump_json);
+  json["jumps"] = make_list(r.jumps, jump_json);
   json["monotone"] = r.monotone ? Json(*r.monotone) : Json(nullptr);
   json["residual"] = r.residual;
   json["wall_time"] = r.wall_time;
-  json["keys"] = list_of(r.unknowns, unknown_json);
-  json["goals"] = list_of(r.goals, [&](const SeekGoal& goal) { return goal_json(r, goal); });
+  json["keys"] = make_list(r.unknowns, unknown_json);
+  json["goals"] = make_list(r.goals, [&](const SeekGoal& goal) { return goal_json(r, goal); });
   json["remarks"] = r.remarks;
   if (!r.stages.empty()) json["stages"] = r.stages;
-  json["path"] = list_of(r.path, step_json);
+  json["path"] = make_list(r.path, step_json);
   return json;
 }
 

@@ -17,7 +17,7 @@
 #include "resultfiles/tables/xlsx_table.h"
 #include "runstore/replace_file.h"
 
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 namespace overbend {
 namespace {
 
@@ -25,16 +25,16 @@ namespace fs = std::filesystem;
 
 constexpr std::array kStates = {"open", "done", "failed"};
 
-const char* state_word(const StudyCase& one) {
-  return kStates.at(static_cast<std::size_t>(one.state));
+const char* state_name(const StudyCase& study_case) {
+  return kStates.at(static_cast<std::size_t>(study_case.state));
 }
 
 bool has_seeds(const StudyResults& results) {
-  return std::ranges::any_of(results.cases, [](const StudyCase& one) { return one.seed.has_value(); });
+  return std::ranges::any_of(results.cases, [](const StudyCase& study_case) { return study_case.seed.has_value(); });
 }
 
-/// What one of the unit shown is in SI.
-double factor_of(const StudyInput& input) {
+/// Returns the factor from the unit shown to SI.
+double si_factor(const StudyInput& input) {
   if (input.show.empty()) return 1.0;
   const std::optional<double> factor = unit_factor(input.show, input.unit);
   require(factor.has_value(), "an input is shown in a unit of its dimension");
@@ -45,44 +45,44 @@ TableCell number_cell(std::optional<double> value, double factor = 1.0) {
   return value && std::isfinite(*value) ? TableCell(*value * factor) : TableCell();
 }
 
-TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t i) {
-  if (i >= one.words.size()) return {};
-  if (input.unit.empty()) return one.words[i];
-  return number_cell(one.inputs[i], 1.0 / factor_of(input));
+TableCell input_cell(const StudyInput& input, const StudyCase& study_case, std::size_t i) {
+  if (i >= study_case.value_texts.size()) return {};
+  if (input.unit.empty()) return study_case.value_texts[i];
+  return number_cell(study_case.inputs[i], 1.0 / si_factor(input));
 }
 
-TableCell verdict_cell(const StudyCase& one) {
-  return VerdictCell{one.verdict, word(one.verdict)};
+TableCell verdict_cell(const StudyCase& study_case) {
+  return VerdictCell{study_case.verdict, word(study_case.verdict)};
 }
 
-std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
-  std::vector<TableCell> cells = {one.number, one.folder};
-  for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], one, i));
-  if (seeds) cells.push_back(one.seed ? TableCell(*one.seed) : TableCell());
-  const bool done = one.state == StudyCaseState::done;
+std::vector<TableCell> make_cells(const StudyResults& results, const StudyCase& study_case, bool seeds) {
+  std::vector<TableCell> cells = {study_case.number, study_case.folder};
+  for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], study_case, i));
+  if (seeds) cells.push_back(study_case.seed ? TableCell(*study_case.seed) : TableCell());
+  const bool done = study_case.state == StudyCaseState::done;
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
-    if (!done || i >= one.values.size()) {
+    if (!done || i >= study_case.values.size()) {
       cells.emplace_back();
     } else if (output.text) {
-      cells.emplace_back(one.texts[i]);
+      cells.emplace_back(study_case.texts[i]);
     } else {
-      cells.push_back(number_cell(one.values[i]));
+      cells.push_back(number_cell(study_case.values[i]));
     }
   }
-  cells.push_back(done ? verdict_cell(one) : TableCell());
-  cells.emplace_back(one.governing);
-  cells.push_back(number_cell(one.utilisation));
-  cells.emplace_back(state_word(one));
-  cells.emplace_back(one.reason);
-  cells.emplace_back(one.wall_time);
+  cells.push_back(done ? verdict_cell(study_case) : TableCell());
+  cells.emplace_back(study_case.governing);
+  cells.push_back(number_cell(study_case.utilisation));
+  cells.emplace_back(state_name(study_case));
+  cells.emplace_back(study_case.reason);
+  cells.emplace_back(study_case.wall_time);
   return cells;
 }
 
 std::vector<double> input_column(const StudyResults& results, std::size_t i) {
   std::vector<double> values;
-  for (const StudyCase& one : results.cases) {
-    values.push_back(i < one.inputs.size() ? one.inputs[i] : std::numeric_limits<double>::quiet_NaN());
+  for (const StudyCase& study_case : results.cases) {
+    values.push_back(i < study_case.inputs.size() ? study_case.inputs[i] : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }
@@ -90,27 +90,28 @@ std::vector<double> input_column(const StudyResults& results, std::size_t i) {
 template <class Value, class Take>
 std::vector<Value> column(const StudyResults& results, Take take) {
   std::vector<Value> values;
-  for (const StudyCase& one : results.cases) values.push_back(take(one));
+  for (const StudyCase& study_case : results.cases) values.push_back(take(study_case));
   return values;
 }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A name that is a link of HDF5: its '/' would be groups.
+/// Returns a path that is a single HDF5 link: '/' in the name would create groups.
 std::string link(const std::string& group, std::string name) {
   std::ranges::replace(name, '/', '_');
   return group + "/" + name;
 }
 
 void write_inputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
-  file.group("/inputs", "Keys of the model that change from case to case");
+  file.group("/inputs", "Keys of the model that vary between cases");
   for (std::size_t i = 0; i < results.inputs.size(); ++i) {
     const StudyInput& input = results.inputs[i];
     const std::string path = link("/inputs", input.key);
     if (input.unit.empty()) {
-      const auto words = column<std::string>(
-          results, [i](const StudyCase& one) { return i < one.words.size() ? one.words[i] : std::string(); });
-      file.write(path, ResultField{"", "-", "Value of the key"}, words, shape);
+      const auto texts = column<std::string>(results, [i](const StudyCase& study_case) {
+        return i < study_case.value_texts.size() ? study_case.value_texts[i] : std::string();
+      });
+      file.write(path, ResultField{"", "-", "Value of the key"}, texts, shape);
     } else {
       file.write(path, ResultField{"", input.unit, "Value of the key"}, input_column(results, i), shape);
     }
@@ -118,85 +119,93 @@ void write_inputs(const StudyResults& results, DatasetSink& file, const std::vec
 }
 
 void write_outputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
-  file.group("/outputs", "Results gathered of every case, by their names in summary.json");
+  file.group("/outputs", "Results collected for every case, by their names in summary.json");
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
     const std::string path = link("/outputs", output.name);
     if (output.text) {
-      const auto texts = column<std::string>(
-          results, [i](const StudyCase& one) { return i < one.texts.size() ? one.texts[i] : std::string(); });
+      const auto texts = column<std::string>(results, [i](const StudyCase& study_case) {
+        return i < study_case.texts.size() ? study_case.texts[i] : std::string();
+      });
       file.write(path, ResultField{"", "-", "Result"}, texts, shape);
     } else {
-      const auto values = column<double>(
-          results, [i](const StudyCase& one) { return i < one.values.size() ? one.values[i].value_or(kNone) : kNone; });
-      file.write(path, ResultField{"", output.unit, "Result; NaN where the case has none"}, values, shape);
+      const auto values = column<double>(results, [i](const StudyCase& study_case) {
+        return i < study_case.values.size() ? study_case.values[i].value_or(kNone) : kNone;
+      });
+      file.write(path, ResultField{"", output.unit, "Result; NaN if the case has none"}, values, shape);
     }
   }
 }
 
 void write_cases(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
-  file.group("/case", "What became of every case");
-  const auto count = [](const StudyCase& one) { return static_cast<int>(one.number); };
+  file.group("/case", "Outcome of every case");
+  const auto count = [](const StudyCase& study_case) { return static_cast<int>(study_case.number); };
   file.write("/case/number", ResultField{"", "1", "Number of the case, from 0"}, column<int>(results, count), shape);
   if (has_seeds(results)) {
-    const auto seed = [](const StudyCase& one) { return one.seed.value_or(0); };
+    const auto seed = [](const StudyCase& study_case) { return study_case.seed.value_or(0); };
     file.write("/case/seed", ResultField{"", "1", "Seed of the waves"}, column<std::uint64_t>(results, seed), shape);
   }
-  const auto passed = [](const StudyCase& one) { return one.passed() ? 1 : 0; };
-  file.write("/case/passed", ResultField{"", "1", "1 where it passes: no governing check exceeded, no serious finding"},
+  const auto passed = [](const StudyCase& study_case) { return study_case.passed() ? 1 : 0; };
+  file.write("/case/passed",
+             ResultField{"", "1",
+                         "1 if the case passes: no governing check exceeded, no serious "
+                         "finding"},
              column<int>(results, passed), shape);
-  const auto used = [](const StudyCase& one) { return one.utilisation.value_or(kNone); };
-  file.write("/case/utilisation", ResultField{"", "1", "Of the governing check that is used most"},
+  const auto used = [](const StudyCase& study_case) { return study_case.utilisation.value_or(kNone); };
+  file.write("/case/utilisation", ResultField{"", "1", "Maximum utilisation of the governing checks"},
              column<double>(results, used), shape);
-  const auto text = [&](const char* path, const char* words, auto take) {
-    file.write(path, ResultField{"", "-", words}, column<std::string>(results, take), shape);
+  const auto text = [&](const char* path, const char* meaning, auto take) {
+    file.write(path, ResultField{"", "-", meaning}, column<std::string>(results, take), shape);
   };
-  text("/case/governing", "That check", [](const StudyCase& one) { return one.governing; });
-  text("/case/state", "open, done or failed", [](const StudyCase& one) { return std::string(state_word(one)); });
-  text("/case/reason", "Why it failed", [](const StudyCase& one) { return one.reason; });
-  text("/case/folder", "Folder of the case within that of the study", [](const StudyCase& one) { return one.folder; });
-  const auto time = [](const StudyCase& one) { return one.wall_time; };
-  file.write("/case/wall_time", ResultField{"", "s", "Time that it took"}, column<double>(results, time), shape);
+  text("/case/governing", "Name of that check", [](const StudyCase& study_case) { return study_case.governing; });
+  text("/case/state", "open, done or failed",
+       [](const StudyCase& study_case) { return std::string(state_name(study_case)); });
+  text("/case/reason", "Reason for the failure", [](const StudyCase& study_case) { return study_case.reason; });
+  text("/case/folder", "Folder of the case within that of the study",
+       [](const StudyCase& study_case) { return study_case.folder; });
+  const auto time = [](const StudyCase& study_case) { return study_case.wall_time; };
+  file.write("/case/wall_time", ResultField{"", "s", "Wall time"}, column<double>(results, time), shape);
 }
 
-/// A row for each group of seeds and each output that is an extreme.
+/// Writes a row for each group of seeds and each output that is an extreme.
 void write_extremes(const StudyResults& results, DatasetSink& file) {
   TableWriter table;
-  for (const StudyExtreme& one : results.extremes) {
-    const StudyOutput& output = results.outputs.at(one.output);
+  for (const StudyExtreme& extreme : results.extremes) {
+    const StudyOutput& output = results.outputs.at(extreme.output);
     const StudyEstimate none{kNone, kNone, kNone};
-    const StudyEstimate gumbel = one.enough ? one.gumbel : none, acer = one.acer.value_or(none);
-    table(index_field("Number of the line, from 0"), table.rows());
-    table(ResultField{"group", "1", "Cases that differ in the seed alone, from 0"}, static_cast<int>(one.group));
-    table(ResultField{"result", "1", "Output that it is of"}, output.name);
+    const StudyEstimate gumbel = extreme.enough ? extreme.gumbel : none, acer = extreme.acer.value_or(none);
+    table(index_field("Number of the row, from 0"), table.rows());
+    table(ResultField{"group", "1", "Group of cases that differ only in the seed, from 0"},
+          static_cast<int>(extreme.group));
+    table(ResultField{"result", "1", "Name of the output"}, output.name);
     table(ResultField{"units", "1", "SI unit of its values"}, output.unit);
-    table(ResultField{"runs", "1", "Number of seeds"}, one.runs);
-    table(ResultField{"largest", "1", "1: the largest value is looked for; 0: the smallest"}, one.largest);
-    table(ResultField{"mean", kVaries, "Mean of the extremes of the runs"}, one.mean);
-    table(ResultField{"std", kVaries, "Their standard deviation"}, one.std);
-    table(ResultField{"worst", kVaries, "The worst of them"}, one.worst);
+    table(ResultField{"runs", "1", "Number of seeds"}, extreme.runs);
+    table(ResultField{"largest", "1", "1 for a maximum, 0 for a minimum"}, extreme.is_maximum);
+    table(ResultField{"mean", kVaries, "Mean of the extremes of the runs"}, extreme.mean);
+    table(ResultField{"std", kVaries, "Their standard deviation"}, extreme.std);
+    table(ResultField{"worst", kVaries, "Worst of these extremes"}, extreme.worst);
     const char* in_three_hours = "Most probable extreme of three hours, by a Gumbel distribution; NaN: too few runs";
     table(ResultField{"gumbel", kVaries, in_three_hours}, gumbel.value);
-    table(ResultField{"gumbel_low", kVaries, "Lower end of its 95 % confidence interval"}, gumbel.low);
-    table(ResultField{"gumbel_high", kVaries, "Upper end of its 95 % confidence interval"}, gumbel.high);
+    table(ResultField{"gumbel_low", kVaries, "Lower bound of its 95 % confidence interval"}, gumbel.low);
+    table(ResultField{"gumbel_high", kVaries, "Upper bound of its 95 % confidence interval"}, gumbel.high);
     table(ResultField{"acer", kVaries, "The same by average conditional exceedance rates; NaN: too few peaks"},
           acer.value);
-    table(ResultField{"acer_low", kVaries, "Lower end of its 95 % confidence interval"}, acer.low);
-    table(ResultField{"acer_high", kVaries, "Upper end of its 95 % confidence interval"}, acer.high);
+    table(ResultField{"acer_low", kVaries, "Lower bound of its 95 % confidence interval"}, acer.low);
+    table(ResultField{"acer_high", kVaries, "Upper bound of its 95 % confidence interval"}, acer.high);
     table.end_row();
   }
   table.write(file, "/extremes", "Extremes over the seeds");
 }
 
-/// An array over the axes of the chart; NaN where there is no limit.
+/// Writes an array over the axes of the chart; NaN without a limit.
 void write_operability(const OperabilityResults& results, DatasetSink& file) {
   file.group("/operability", "Largest " + results.over + " that passes, over the axes of the chart");
   std::vector<Extent> shape;
   for (const StudyInput& axis : results.axes) {
-    shape.push_back(axis.words.size());
+    shape.push_back(axis.value_texts.size());
     const std::string path = link("/operability", axis.key);
     if (axis.values.empty()) {
-      file.write(path, ResultField{"", "-", "Values of the axis"}, axis.words, {axis.words.size()});
+      file.write(path, ResultField{"", "-", "Values of the axis"}, axis.value_texts, {axis.value_texts.size()});
     } else {
       file.write(path, ResultField{"", axis.unit, "Values of the axis"}, axis.values, {axis.values.size()});
     }
@@ -209,20 +218,23 @@ void write_operability(const OperabilityResults& results, DatasetSink& file) {
     above.push_back(cell.above);
     governing.push_back(cell.governing);
   }
-  file.write("/operability/limit", ResultField{"", results.unit, "Largest value that passes; NaN: none does"}, limits,
+  file.write("/operability/limit", ResultField{"", results.unit, "Maximum passing value; NaN if none passes"}, limits,
              shape);
   file.write("/operability/utilisation_above", ResultField{"", "1", "Utilisation at the next value"}, above, shape);
-  file.write("/operability/governing", ResultField{"", "-", "What is exceeded there"}, governing, shape);
+  file.write("/operability/governing", ResultField{"", "-", "Criterion exceeded at that value"}, governing, shape);
 }
 
-std::string summary_of(const StudyResults& results) {
+std::string make_summary(const StudyResults& results) {
   const auto count = [&](StudyCaseState state) { return std::ranges::count(results.cases, state, &StudyCase::state); };
   Json failed = Json::array();
-  for (const StudyCase& one : results.cases) {
-    if (one.state == StudyCaseState::failed) failed.push_back({{"case", one.number}, {"reason", one.reason}});
+  for (const StudyCase& study_case : results.cases) {
+    if (study_case.state == StudyCaseState::failed) {
+      failed.push_back({{"case", study_case.number}, {"reason", study_case.reason}});
+    }
   }
-  const auto passed = std::ranges::count_if(
-      results.cases, [](const StudyCase& one) { return one.state == StudyCaseState::done && one.passed(); });
+  const auto passed = std::ranges::count_if(results.cases, [](const StudyCase& study_case) {
+    return study_case.state == StudyCaseState::done && study_case.passed();
+  });
   const auto open = count(StudyCaseState::open);
   Json summary = {{"status", open == 0 ? "completed" : "unfinished"},
                   {"title", results.title},
@@ -248,8 +260,8 @@ std::string summary_of(const StudyResults& results) {
 ShownUnit shown_output(const StudyOutput& output) {
   // Units of results by name are those of base/units.h; those of the table are the files'.
   static const std::map<std::string, const char*> kOther = {{"N*m", "N m"}, {"N/m^2", "Pa"}, {"m-1", "1/m"}};
-  const auto other = kOther.find(output.unit);
-  return shown_unit(output.name, other == kOther.end() ? std::string_view(output.unit) : other->second);
+  const auto converted = kOther.find(output.unit);
+  return shown_unit(output.name, converted == kOther.end() ? std::string_view(output.unit) : converted->second);
 }
 
 Table study_table(const StudyResults& results) {
@@ -267,7 +279,7 @@ Table study_table(const StudyResults& results) {
       .column(TableColumn("state"))
       .column(TableColumn("reason"))
       .column({"wall time", ShownUnit{"s", "s"}, 3});
-  for (const StudyCase& one : results.cases) table.row(cells_of(results, one, seeds));
+  for (const StudyCase& study_case : results.cases) table.row(make_cells(results, study_case, seeds));
   return table;
 }
 
@@ -301,10 +313,10 @@ void write_study_files(const StudyResults& results, const fs::path& folder) {
     if (!results.cases.empty()) sheets.push_back(table);
   }
   write_xlsx(sheets, folder / "study.xlsx");
-  const fs::path h5 = folder / "study.h5", beside = folder / "study.h5.part";
-  write_study_hdf5(results, beside);
-  fs::rename(beside, h5);
-  replace_file(folder / "summary.json", summary_of(results));
+  const fs::path h5 = folder / "study.h5", partial_file = folder / "study.h5.part";
+  write_study_hdf5(results, partial_file);
+  fs::rename(partial_file, h5);
+  replace_file(folder / "summary.json", make_summary(results));
 }
 
 }  // namespace overbend

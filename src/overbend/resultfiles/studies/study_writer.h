@@ -1,4 +1,4 @@
-/// What a study gave, in files: one row for every case.
+/// Results of a study in files: one row for every case.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,21 @@
 
 namespace overbend {
 
-/// The unit that an output is shown in.
+/// Returns the display unit of an output.
 ShownUnit shown_output(const StudyOutput& output);
 
-/// Case, folder, inputs, seed, outputs, verdict, state, reason and time, in the units that are shown.
+/// Returns case, folder, inputs, seed, outputs, verdict, state, reason and time, in display units.
 Table study_table(const StudyResults& results);
 
-/// The groups case, inputs and outputs, a dataset per column with its SI unit; extremes over the seeds; limits of
-/// operability. NaN stands where a case has no value.
+/// Writes the groups case, inputs and outputs, a dataset per column with its SI unit; extremes over the seeds; limits
+/// of operability. NaN for a missing value.
 void write_study_groups(DatasetSink& file, const StudyResults& results);
 
-/// The same as a file.
+/// Writes the same to a file.
 void write_study_hdf5(const StudyResults& results, const std::filesystem::path& file);
 
-/// Writes study.csv, study.xlsx, study.h5 and summary.json into the folder, each whole or not at all. Throws FileFault.
+/// Writes study.csv, study.xlsx, study.h5 and summary.json into the folder, each completely or not at all. Throws
+/// FileError.
 void write_study_files(const StudyResults& results, const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -1,7 +1,7 @@
-/// Writes results into JSON as their fields are visited; see results/fields/result_field.h.
+/// Writes results as JSON while their fields are visited; see results/fields/result_field.h.
 ///
-/// A style says which of the JSON texts is meant and how values look there: SummaryStyle here, those of page and report
-/// in their rooms, and one that writes the types of values in their stead (serve/answers/type_style.h).
+/// A style selects the JSON text and the form of values: SummaryStyle here, those of page and report in their rooms,
+/// and one that writes the types instead of the values (serve/answers/type_style.h).
 #pragma once
 
 #include <algorithm>
@@ -20,12 +20,12 @@
 
 namespace overbend {
 
-/// What styles that write values share.
+/// Base of the styles that write values.
 template <Output kWhere>
 struct ValueStyle {
   static constexpr Output kOutput = kWhere;
-  static constexpr bool kTypes = false;  ///< Of a style that writes types.
-  static constexpr bool kWhole = false;  ///< Of a style that writes one of everything that may be there.
+  static constexpr bool kTypes = false;  ///< True for a style that writes types.
+  static constexpr bool kWhole = false;  ///< True for a style that writes one of everything that may exist.
 
   Json text(const std::string& value) const { return value; }
   Json texts(const std::vector<std::string>& values) const { return values; }
@@ -35,26 +35,26 @@ struct ValueStyle {
   Json count(Integer value) const {
     return value;
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   Json word(Enum value) const {
     return overbend::word(value);
   }
-  /// An object of a kind that has a name.
+  /// An object of a named kind.
   Json named(const char*, Json members) const { return members; }
-  /// What may be absent: null.
+  /// A value that may be missing: null.
   template <class Make>
-  Json maybe(bool there, Make make) const {
-    return there ? Json(make()) : Json(nullptr);
+  Json maybe(bool present, Make make) const {
+    return present ? Json(make()) : Json(nullptr);
   }
   template <class Row, class Make>
-  Json rows(const std::vector<Row>& rows, Make json_of) const {
+  Json rows(const std::vector<Row>& rows, Make make_json) const {
     Json list = Json::array();
-    for (const Row& row : rows) list.push_back(json_of(row));
+    for (const Row& row : rows) list.push_back(make_json(row));
     return list;
   }
 };
 
-/// Of summary.json: every digit.
+/// Style of summary.json: every digit.
 struct SummaryStyle : ValueStyle<Output::summary> {
   Json number(double value) const { return value; }
   double along(double s) const { return s; }
@@ -62,7 +62,7 @@ struct SummaryStyle : ValueStyle<Output::summary> {
   Json vector(const Vec3& v) const { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
 };
 
-/// Puts what is visited into an object, each field under its key.
+/// Writes visited fields into an object, each under its key.
 template <class Style>
 class JsonWriter {
  public:
@@ -92,17 +92,17 @@ class JsonWriter {
   void operator()(const ResultField& f, const std::vector<std::string>& values) {
     put(f, [&] { return style_.texts(values); });
   }
-  /// The sentences; summary.json has the names of their ranks as well.
+  /// Writes the texts; in summary.json also the names of their ranks.
   void operator()(const ResultField& f, const Assumptions& values) {
     if (Style::kOutput == Output::summary) slot(kAssumptionRanks) = style_.texts(rank_names(values));
     put(f, [&] { return style_.texts(texts(values)); });
   }
-  /// summary.json has their messages under "warnings" as well, for scripts.
+  /// Writes the findings; in summary.json also their messages under "warnings", for scripts.
   void operator()(const ResultField& f, const Findings& values) {
     if (Style::kOutput == Output::summary) slot("warnings") = style_.texts(messages(values));
     put(f, [&] { return style_.findings(values); });
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField& f, Enum value) {
     put(f, [&] { return style_.word(value); });
   }
@@ -124,7 +124,7 @@ class JsonWriter {
       return list;
     });
   }
-  void spread(const ResultField& f, const Spread& s) {
+  void spread(const ResultField& f, const SummaryStatistics& s) {
     const std::optional<std::string_view> key = f.key(Style::kOutput);
     if (!key) return;
     const std::size_t star = key->find('*');
@@ -140,29 +140,29 @@ class JsonWriter {
     }
   }
 
-  /// Members that are there only sometimes.
+  /// Members that exist only if `present`.
   template <class Visit>
-  void part(bool there, Visit visit_members) {
+  void part(bool present, Visit visit_members) {
     if constexpr (Style::kTypes) {
       JsonWriter members(style_);
       visit_members(members);
       for (const auto& [key, type] : members.object_.items()) object_[key + "?"] = type;
-    } else if (there || kUnits) {
+    } else if (present || kUnits) {
       visit_members(*this);
     }
   }
-  /// A member that is null where it does not apply.
-  void or_null(std::string_view key, bool there) {
+  /// Sets a member to null unless `present`.
+  void or_null(std::string_view key, bool present) {
     Json value = slot(key);
-    slot(key) = style_.maybe(there, [&] { return value; });
+    slot(key) = style_.maybe(present, [&] { return value; });
   }
-  /// For what no field holds: what follows from the results at hand.
+  /// Access to members without a field, derived from other results.
   Json& operator[](std::string_view key) { return slot(key); }
   const Style& style() const { return style_; }
   Json take() { return std::move(object_); }
 
  private:
-  /// Of a style that writes units in the place of values (resultfiles/summary/result_units.cpp).
+  /// True for a style that writes units instead of values (resultfiles/summary/result_units.cpp).
   static constexpr bool kUnits = requires(const Style& style, const ResultField& field) { style.unit(field); };
 
   Json number_json(const ResultField& f, double value) const {
@@ -180,10 +180,10 @@ class JsonWriter {
       return style_.vector(value);
     }
   }
-  static std::array<std::pair<const char*, double>, 4> parts(const Spread& s) {
+  static std::array<std::pair<const char*, double>, 4> parts(const SummaryStatistics& s) {
     return {{{"min", s.min}, {"max", s.max}, {"mean", s.mean}, {"std", s.std}}};
   }
-  Json spread_json(const Spread& s) const {
+  Json spread_json(const SummaryStatistics& s) const {
     Json json = Json::object();
     for (const auto& [part, value] : parts(s)) json[part] = style_.number(value);
     return style_.named("Spread", std::move(json));
@@ -193,23 +193,23 @@ class JsonWriter {
     if (const std::optional<std::string_view> key = f.key(Style::kOutput)) slot(*key) = make();
   }
   Json& slot(std::string_view key) {
-    Json* at = &object_;
+    Json* node = &object_;
     for (std::size_t end = key.find('/'); end != std::string_view::npos; end = key.find('/')) {
-      at = &(*at)[std::string(key.substr(0, end))];
+      node = &(*node)[std::string(key.substr(0, end))];
       key.remove_prefix(end + 1);
     }
-    return (*at)[std::string(key)];
+    return (*node)[std::string(key)];
   }
 
   Style style_;
   Json object_ = Json::object();
 };
 
-/// Gathers the members of rows into lists: {name: [values]}.
+/// Collects the members of rows in lists: {name: [values]}.
 template <class Style>
 class JsonLists {
  public:
-  /// `wanted`: names of the lists; all when null. Arc lengths and places always are.
+  /// `wanted`: names of the lists; all if null. Arc lengths and positions are always included.
   explicit JsonLists(Style style = {}, const std::vector<std::string>* wanted = nullptr)
       : style_(std::move(style)), wanted_(wanted) {}
 

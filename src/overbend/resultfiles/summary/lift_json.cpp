@@ -3,16 +3,16 @@
 namespace overbend {
 namespace {
 
-void put_place(const LinePlace& at, Json& json) {
-  json["arc_length"] = at.arc_length;
-  json["x"] = at.place.x();
-  json["y"] = at.place.y();
-  json["z"] = at.place.z();
+void put_place(const LinePlace& place, Json& json) {
+  json["arc_length"] = place.arc_length;
+  json["x"] = place.place.x();
+  json["y"] = place.place.y();
+  json["z"] = place.place.z();
 }
 
 Json end_json(const LiftedEnd& end) {
-  Json json = {{"x", end.at.place.x()}, {"y", end.at.place.y()}, {"z", end.at.place.z()}};
-  json["inclination"] = end.at.inclination;
+  Json json = {{"x", end.location.place.x()}, {"y", end.location.place.y()}, {"z", end.location.place.z()}};
+  json["inclination"] = end.location.inclination;
   json["tension"] = end.tension;
   if (end.free) return json;
   json["horizontal_force"] = end.horizontal_force;
@@ -22,7 +22,7 @@ Json end_json(const LiftedEnd& end) {
 
 Json moment_json(const MomentPlace& moment) {
   Json json = {{"value", moment.value}};
-  put_place(moment.at, json);
+  put_place(moment.location, json);
   return json;
 }
 
@@ -38,8 +38,8 @@ Json line_json(const LiftedLine& line) {
   json["largest_bending_moment"]["kind"] = line.sagging.value >= line.hogging.value ? "sagging" : "hogging";
   json["largest_bending_stress"] = line.bending_stress;
   json["largest_von_mises"] = line.von_mises;
-  json["largest_tension"] = line.largest_tension;
-  json["least_tension"] = line.least_tension;
+  json["largest_tension"] = line.max_tension;
+  json["least_tension"] = line.min_tension;
   json["on_bed"] = Json::array();
   for (const BedStretch& stretch : line.on_bed) {
     json["on_bed"].push_back({{"arc_length_from", stretch.from}, {"arc_length_to", stretch.to}});
@@ -64,14 +64,14 @@ Json wire_json(const LiftedWire& wire) {
   json["from_vertical_upper"] = wire.from_vertical_upper;
   json["from_vertical_lower"] = wire.from_vertical_lower;
   if (wire.utilisation) json["utilisation"] = *wire.utilisation;
-  Json& at = json["attachment"];
-  put_place(wire.at, at);
-  at["inclination"] = wire.at.inclination;
-  at["moment"] = wire.moment;
-  at["tension_before"] = wire.tension_before;
-  at["tension_after"] = wire.tension_after;
-  at["shear_before"] = wire.shear_before;
-  at["shear_after"] = wire.shear_after;
+  Json& attachment_json = json["attachment"];
+  put_place(wire.location, attachment_json);
+  attachment_json["inclination"] = wire.location.inclination;
+  attachment_json["moment"] = wire.moment;
+  attachment_json["tension_before"] = wire.tension_before;
+  attachment_json["tension_after"] = wire.tension_after;
+  attachment_json["shear_before"] = wire.shear_before;
+  attachment_json["shear_after"] = wire.shear_after;
   return json;
 }
 
@@ -87,8 +87,8 @@ Json lift_json(const LiftResults& lift) {
     json["gap"] = {{"dx", lift.gap->dx}, {"dy", lift.gap->dy}, {"dz", lift.gap->dz}, {"angle", lift.gap->angle}};
   }
   if (lift.join) {
-    put_place(lift.join->at, json["join"]);
-    json["join"]["inclination"] = lift.join->at.inclination;
+    put_place(lift.join->location, json["join"]);
+    json["join"]["inclination"] = lift.join->location.inclination;
     json["join"]["tension"] = lift.join->tension;
     json["join"]["shear"] = lift.join->shear;
     json["join"]["moment"] = lift.join->moment;

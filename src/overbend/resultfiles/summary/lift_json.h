@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Lines, davits, gap or weld, by their names. SI.
+/// Returns lines, davits, gap or weld, by their names. SI.
 Json lift_json(const LiftResults& lift);
 
 }  // namespace overbend

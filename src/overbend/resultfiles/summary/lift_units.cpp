@@ -16,33 +16,32 @@ struct LiftNumber {
   const char *unit, *stored, *description;
 };
 
-constexpr const char* kEast = "Place, east";
-constexpr const char* kNorth = "Place, north";
-constexpr const char* kUp = "Place, above the mean water level";
+constexpr const char* kEast = "Position, east";
+constexpr const char* kNorth = "Position, north";
+constexpr const char* kUp = "Position, above the mean water level";
 
 constexpr std::array kNumbers = {
     LiftNumber{"x", "m", "m", kEast},
     LiftNumber{"y", "m", "m", kNorth},
     LiftNumber{"z", "m", "m", kUp},
-    LiftNumber{"dx", "m", "m", "Second end less first, east"},
-    LiftNumber{"dy", "m", "m", "Second end less first, north"},
-    LiftNumber{"dz", "m", "m", "Second end less first, up"},
-    LiftNumber{"angle", "rad", "rad",
-               "By which the direction turns from the first line to the second, sagging positive"},
+    LiftNumber{"dx", "m", "m", "Second end minus first, east"},
+    LiftNumber{"dy", "m", "m", "Second end minus first, north"},
+    LiftNumber{"dz", "m", "m", "Second end minus first, up"},
+    LiftNumber{"angle", "rad", "rad", "Change of direction from the first line to the second, positive for sagging"},
     LiftNumber{"arc_length", "m", "m", "Unstressed length from the line's first end"},
-    LiftNumber{"arc_length_from", "m", "m", "Where the bed begins to bear the line, from its first end"},
-    LiftNumber{"arc_length_to", "m", "m", "Where the bed ceases to bear the line, from its first end"},
-    LiftNumber{"inclination", "rad", "rad", "Of the axis going towards the second end, positive downwards"},
-    LiftNumber{"tension", "N", "N", "Effective tension; of a davit that at its upper end"},
-    LiftNumber{"horizontal_force", "N", "N", "With which the end is pulled outwards"},
-    LiftNumber{"vertical_force", "N", "N", "With which the end is held up"},
-    LiftNumber{"value", "N*m", "N m", "The largest such moment of the line"},
+    LiftNumber{"arc_length_from", "m", "m", "Start of the seabed contact, from the line's first end"},
+    LiftNumber{"arc_length_to", "m", "m", "End of the seabed contact, from the line's first end"},
+    LiftNumber{"inclination", "rad", "rad", "Inclination of the axis towards the second end, positive downwards"},
+    LiftNumber{"tension", "N", "N", "Effective tension; for a davit cable that at its upper end"},
+    LiftNumber{"horizontal_force", "N", "N", "Outward horizontal force on the end"},
+    LiftNumber{"vertical_force", "N", "N", "Upward vertical force on the end"},
+    LiftNumber{"value", "N*m", "N m", "Maximum of this moment along the line"},
     LiftNumber{"largest_bending_stress", "N/m^2", "Pa", "Largest bending stress of the steel"},
     LiftNumber{"largest_von_mises", "N/m^2", "Pa", "Largest von Mises stress of the steel"},
     LiftNumber{"largest_tension", "N", "N", "Largest effective tension"},
-    LiftNumber{"least_tension", "N", "N", "Least effective tension"},
-    LiftNumber{"suspended_length", "m", "m", "Length that the bed does not bear"},
-    LiftNumber{"water_crossings", "m", "m", "Unstressed lengths at which the axis crosses the surface"},
+    LiftNumber{"least_tension", "N", "N", "Minimum effective tension"},
+    LiftNumber{"suspended_length", "m", "m", "Length without seabed contact"},
+    LiftNumber{"water_crossings", "m", "m", "Unstressed lengths at which the axis crosses the water surface"},
     LiftNumber{"length", "m", "m", "Unstressed length"},
     LiftNumber{"tension_upper", "N", "N", "Tension at the upper end"},
     LiftNumber{"tension_lower", "N", "N", "Tension at the lower end"},
@@ -50,22 +49,22 @@ constexpr std::array kNumbers = {
     LiftNumber{"from_vertical_lower", "rad", "rad", "Angle from the vertical at the lower end"},
     LiftNumber{"utilisation", "1", "1", "Tension at the upper end over the breaking load"},
     LiftNumber{"moment", "N*m", "N m", "Bending moment there, sagging positive"},
-    LiftNumber{"tension_before", "N", "N", "Of the line there, towards its first end"},
-    LiftNumber{"tension_after", "N", "N", "Of the line there, towards its second end"},
-    LiftNumber{"shear", "N", "N", "Force of the second line on the first, square to the axis, up"},
-    LiftNumber{"shear_before", "N", "N", "Of the line there, towards its first end"},
-    LiftNumber{"shear_after", "N", "N", "Of the line there, towards its second end"},
+    LiftNumber{"tension_before", "N", "N", "In the line, on the side of its first end"},
+    LiftNumber{"tension_after", "N", "N", "In the line, on the side of its second end"},
+    LiftNumber{"shear", "N", "N", "Force of the second line on the first, normal to the axis, up"},
+    LiftNumber{"shear_before", "N", "N", "In the line, on the side of its first end"},
+    LiftNumber{"shear_after", "N", "N", "In the line, on the side of its second end"},
     LiftNumber{"residual", "1", "1", "Largest unbalanced force over the scale of forces"},
 };
 
 constexpr std::array kForceOnPipe = {
-    LiftNumber{"x", "N", "N", "Force on the line that the davit holds, east"},
-    LiftNumber{"y", "N", "N", "Force on the line that the davit holds, north"},
-    LiftNumber{"z", "N", "N", "Force on the line that the davit holds, up"},
+    LiftNumber{"x", "N", "N", "Force on the line that the davit cable holds, east"},
+    LiftNumber{"y", "N", "N", "Force on the line that the davit cable holds, north"},
+    LiftNumber{"z", "N", "N", "Force on the line that the davit cable holds, up"},
 };
 
-/// A stage with one of everything that may be there.
-LiftResults whole_stage() {
+/// Returns a stage with one of everything that may exist.
+LiftResults make_complete_stage() {
   LiftResults lift;
   LiftedLine& line = lift.lines.emplace_back();
   line.name = "*";
@@ -87,39 +86,39 @@ const LiftNumber& row_of_key(const Table& table, std::string_view key) {
   return *found;
 }
 
-/// Puts what `told` says of a number in its place; texts become null.
-void put_told(Json& json, const std::string& key, bool force, const char* const LiftNumber::*told) {
+/// Sets a member to the unit or description of its number; texts become null.
+void put_property(Json& json, const std::string& key, bool force, const char* const LiftNumber::*property) {
   if (json.is_structured()) {
     for (auto below = json.begin(); below != json.end(); ++below) {
-      put_told(*below, json.is_object() ? below.key() : key, force || key == "force_on_pipe", told);
+      put_property(*below, json.is_object() ? below.key() : key, force || key == "force_on_pipe", property);
     }
   } else if (json.is_number()) {
-    json = force ? row_of_key(kForceOnPipe, key).*told : row_of_key(kNumbers, key).*told;
+    json = force ? row_of_key(kForceOnPipe, key).*property : row_of_key(kNumbers, key).*property;
   } else {
     json = nullptr;
   }
 }
 
-Json told_of_stage(const char* const LiftNumber::*told) {
-  Json json = lift_json(whole_stage());
-  put_told(json, "", false, told);
+Json stage_properties(const char* const LiftNumber::*property) {
+  Json json = lift_json(make_complete_stage());
+  put_property(json, "", false, property);
   return json;
 }
 
 }  // namespace
 
 const Json& lift_stage_units() {
-  static const Json kUnits = told_of_stage(&LiftNumber::unit);
+  static const Json kUnits = stage_properties(&LiftNumber::unit);
   return kUnits;
 }
 
 const Json& stored_lift_stage_units() {
-  static const Json kUnits = told_of_stage(&LiftNumber::stored);
+  static const Json kUnits = stage_properties(&LiftNumber::stored);
   return kUnits;
 }
 
 const Json& lift_stage_descriptions() {
-  static const Json kDescriptions = told_of_stage(&LiftNumber::description);
+  static const Json kDescriptions = stage_properties(&LiftNumber::description);
   return kDescriptions;
 }
 

@@ -1,4 +1,4 @@
-/// Names of the results of a dynamic analysis: those of its statics, and those below the key `dynamic`.
+/// Names of the results of a dynamic analysis: those of its static analysis, and those below the key `dynamic`.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "resultfiles/summary/lift_units.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/pull_units.h"
@@ -18,41 +18,42 @@ namespace {
 
 constexpr std::array<std::pair<const char*, ResultFunction>, 4> kFunctions = {{{"spread", ResultFunction::spread},
                                                                                {"mean", ResultFunction::mean},
-                                                                               {"min", ResultFunction::least},
-                                                                               {"max", ResultFunction::largest}}};
+                                                                               {"min", ResultFunction::minimum},
+                                                                               {"max", ResultFunction::maximum}}};
 
-bool is_meant(const Json& item, std::size_t index, const std::string& text) {
+bool is_selected(const Json& item, std::size_t index, const std::string& text) {
   const auto name = item.is_object() ? item.find("name") : item.end();
-  const std::string own = item.is_object() && name != item.end() && name->is_string() ? name->get<std::string>() : "";
-  return chooses_item(text, index, own);
+  const std::string item_name =
+      item.is_object() && name != item.end() && name->is_string() ? name->get<std::string>() : "";
+  return chooses_item(text, index, item_name);
 }
 
-void gather(const Json& at, const std::vector<NamePart>& parts, std::size_t next, std::vector<double>& values) {
+void gather(const Json& json, const std::vector<PathPart>& parts, std::size_t next, std::vector<double>& values) {
   if (next == parts.size()) {
-    if (at.is_number()) values.push_back(at.get<double>());
+    if (json.is_number()) values.push_back(json.get<double>());
     return;
   }
-  const NamePart& part = parts[next];
-  if (part.item && at.is_array()) {
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (is_meant(at[i], i, part.text)) gather(at[i], parts, next + 1, values);
+  const PathPart& part = parts[next];
+  if (part.item && json.is_array()) {
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      if (is_selected(json[i], i, part.text)) gather(json[i], parts, next + 1, values);
     }
-  } else if (part.item && at.is_object()) {  // things by their names, such as the lines of a lift
-    for (const auto& [name, below] : at.items()) {
+  } else if (part.item && json.is_object()) {  // objects by name, such as the lines of a lift
+    for (const auto& [name, below] : json.items()) {
       if (matches_pattern(part.text, name)) gather(below, parts, next + 1, values);
     }
-  } else if (!part.item && at.is_object()) {
-    const auto found = at.find(part.text);
-    if (found != at.end()) gather(*found, parts, next + 1, values);
+  } else if (!part.item && json.is_object()) {
+    const auto found = json.find(part.text);
+    if (found != json.end()) gather(*found, parts, next + 1, values);
   }
 }
 
-double mean_of(const std::vector<double>& values) {
+double compute_mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double spread_of(const std::vector<double>& values) {
-  const double mean = mean_of(values);
+double compute_deviation(const std::vector<double>& values) {
+  const double mean = compute_mean(values);
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return std::sqrt(sum / static_cast<double>(values.size()));
@@ -61,12 +62,12 @@ double spread_of(const std::vector<double>& values) {
 double apply(ResultFunction function, const std::vector<double>& values) {
   switch (function) {
     case ResultFunction::spread:
-      return spread_of(values);
+      return compute_deviation(values);
     case ResultFunction::mean:
-      return mean_of(values);
-    case ResultFunction::least:
+      return compute_mean(values);
+    case ResultFunction::minimum:
       return *std::min_element(values.begin(), values.end());
-    case ResultFunction::largest:
+    case ResultFunction::maximum:
       return *std::max_element(values.begin(), values.end());
     case ResultFunction::none:
       break;
@@ -74,22 +75,22 @@ double apply(ResultFunction function, const std::vector<double>& values) {
   return values.front();
 }
 
-/// The place of the path in the table of units; null where there is none. "*" stands for any name.
-const Json* unit_at(const Json& table, const std::vector<NamePart>& parts) {
-  const Json* at = &table;
-  for (const NamePart& part : parts) {
-    if (at->is_array()) {
-      if (!part.item || at->empty()) return nullptr;
-      at = &at->front();
+/// Returns the entry of the path in the table of units; null without one. "*" stands for any name.
+const Json* unit_at(const Json& table, const std::vector<PathPart>& parts) {
+  const Json* node = &table;
+  for (const PathPart& part : parts) {
+    if (node->is_array()) {
+      if (!part.item || node->empty()) return nullptr;
+      node = &node->front();
       continue;
     }
-    const bool any = at->is_object() && at->contains("*");
-    if (!at->is_object() || (part.item && !any)) return nullptr;
-    const auto found = at->find(any ? "*" : part.text);
-    if (found == at->end()) return nullptr;
-    at = &*found;
+    const bool any = node->is_object() && node->contains("*");
+    if (!node->is_object() || (part.item && !any)) return nullptr;
+    const auto found = node->find(any ? "*" : part.text);
+    if (found == node->end()) return nullptr;
+    node = &*found;
   }
-  return at->is_string() ? at : nullptr;
+  return node->is_string() ? node : nullptr;
 }
 
 Json units_of_stages(Json stage) {
@@ -107,27 +108,27 @@ const Json& pull_units() {
   return kUnits;
 }
 
-void list_paths(const Json& at, const std::string& path, std::vector<std::string>& paths) {
-  if (at.is_string()) paths.push_back(path);
-  if (at.is_array() && !at.empty()) list_paths(at.front(), path + "[]", paths);
-  if (!at.is_object()) return;
-  if (at.contains("*")) return list_paths(at.at("*"), path + "[]", paths);
-  for (const auto& [key, below] : at.items()) {
+void list_paths(const Json& json, const std::string& path, std::vector<std::string>& paths) {
+  if (json.is_string()) paths.push_back(path);
+  if (json.is_array() && !json.empty()) list_paths(json.front(), path + "[]", paths);
+  if (!json.is_object()) return;
+  if (json.contains("*")) return list_paths(json.at("*"), path + "[]", paths);
+  for (const auto& [key, below] : json.items()) {
     std::string deeper = path.empty() ? "" : path + ".";
     list_paths(below, deeper.append(key), paths);
   }
 }
 
-std::optional<std::string> unit_of(const Json& units, const std::string& name) {
+std::optional<std::string> find_unit(const Json& units, const std::string& name) {
   for (const std::string& path : summary_paths(parsed_result_name(name).path)) {
-    const auto parts = name_parts(path);
+    const auto parts = split_result_path(path);
     if (const Json* unit = parts ? unit_at(units, *parts) : nullptr) return unit->get<std::string>();
   }
   return std::nullopt;
 }
 
-/// By kind, then by object.
-std::vector<std::string> paths_of(const Json& units) {
+/// Returns the paths by kind, then by object.
+std::vector<std::string> collect_paths(const Json& units) {
   std::vector<std::string> paths;
   list_paths(units, "", paths);
   for (std::size_t i = 0, count = paths.size(); i < count; ++i) {
@@ -151,7 +152,7 @@ ResultName parsed_result_name(const std::string& name) {
 std::vector<double> named_values(const Json& summary, const std::string& path) {
   std::vector<double> values;
   for (const std::string& name : summary_paths(path)) {
-    if (const auto parts = name_parts(name)) gather(summary, *parts, 0, values);
+    if (const auto parts = split_result_path(name)) gather(summary, *parts, 0, values);
   }
   return values;
 }
@@ -165,24 +166,24 @@ std::optional<double> named_result(const Json& summary, const std::string& name)
 
 std::optional<std::string> result_unit(const std::string& name) {
   for (const Json* units : {&summary_units(), &lift_units(), &pull_units()}) {
-    if (std::optional<std::string> unit = unit_of(*units, name)) return unit;
+    if (std::optional<std::string> unit = find_unit(*units, name)) return unit;
   }
   return std::nullopt;
 }
 
 std::vector<std::string> result_paths() {
-  std::vector<std::string> paths = paths_of(summary_units());
+  std::vector<std::string> paths = collect_paths(summary_units());
   list_paths(lift_units(), "", paths);
   list_paths(pull_units(), "", paths);
   return paths;
 }
 
 std::optional<std::string> dynamic_result_unit(const std::string& name) {
-  return unit_of(dynamic_summary_units(), name);
+  return find_unit(dynamic_summary_units(), name);
 }
 
 std::vector<std::string> dynamic_result_paths() {
-  return paths_of(dynamic_summary_units());
+  return collect_paths(dynamic_summary_units());
 }
 
 }  // namespace overbend

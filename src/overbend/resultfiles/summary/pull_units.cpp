@@ -4,7 +4,7 @@ namespace overbend {
 
 Json pull_stage_units(const Json& lay) {
   Json units = lay;
-  const Json own = {
+  const Json pull = {
       {"pipe_out", "m"},
       {"wire_out", "m"},
       {"tension", {{"tensioner", "N"}, {"touchdown", "N"}, {"pipe_end", "N"}, {"head", "N"}, {"winch", "N"}}},
@@ -20,7 +20,7 @@ Json pull_stage_units(const Json& lay) {
       {"lift_off", {{"x", "m"}, {"z", "m"}, {"arc_length_before_winch", "m"}}},
       {"winch", {{"inclination", "rad"}}},
   };
-  units.merge_patch(own);
+  units.merge_patch(pull);
   return units;
 }
 

@@ -1,12 +1,12 @@
-/// Units of the numbers that a stage of a pull along the bed has in summary.json.
+/// Units of the numbers of a stage of a pull along the seabed in summary.json.
 #pragma once
 
 #include "base/json.h"
 
 namespace overbend {
 
-/// As base/units.h writes them. `lay`: those of a static analysis, which a stage has as well, of the pull's own names
-/// those of the pull.
+/// Returns the units as in base/units.h. `lay`: units of a static analysis, which a stage has as well; those of the
+/// pull replace them for the same names.
 Json pull_stage_units(const Json& lay);
 
 }  // namespace overbend

@@ -6,16 +6,16 @@
 #include <string>
 #include <utility>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "results/fields/object_names.h"
 
 namespace overbend {
 namespace {
 
-/// What stands at the path, up to a list; null where there is nothing.
-const Json* find_value(const Json& summary, const std::vector<NamePart>& path) {
+/// Returns the value at the path, up to a list; null without one.
+const Json* find_value(const Json& summary, const std::vector<PathPart>& path) {
   const Json* value = &summary;
-  for (const NamePart& part : path) {
+  for (const PathPart& part : path) {
     if (part.item) break;
     const auto member = value->is_object() ? value->find(part.text) : value->end();
     if (!value->is_object() || member == value->end()) return nullptr;
@@ -30,7 +30,7 @@ std::string name_of_item(const Json& item, const ObjectRow& row) {
   return row.kind.empty() ? "*" : std::string(row.kind);
 }
 
-/// The name of an item, told apart from the same name before it in the list or of an object of another kind.
+/// Returns the key of an item, made distinct from an equal name earlier in the list or of an object of another kind.
 std::string item_key(const Json& list, std::size_t index, const ObjectRow& row, Json& group) {
   std::string key = name_of_item(list[index], row);
   const auto same = std::count_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(index),
@@ -41,7 +41,7 @@ std::string item_key(const Json& list, std::size_t index, const ObjectRow& row, 
   return key;
 }
 
-/// The members of a value that belong to the row.
+/// Returns the members of a value that belong to the row.
 Json members_in(const Json& value, const ObjectRow& row) {
   Json members = Json::object();
   for (const auto& [key, member] : value.items()) {
@@ -50,14 +50,14 @@ Json members_in(const Json& value, const ObjectRow& row) {
   return members;
 }
 
-/// Puts the members of a value into the object: `key` is the name of the item in the place of "*".
+/// Adds the members of a value to the object: `key` is the name of the item in place of "*".
 void add_members(const Json& value, const ObjectRow& row, const std::string& key, Json& objects) {
   if (!value.is_object()) return;
   const Json members = members_in(value, row);
   if (members.empty()) return;
-  const std::vector<NamePart> path = *name_parts(row.object);
+  const std::vector<PathPart> path = *split_result_path(row.object);
   Json* place = &objects;
-  for (const NamePart& part : path) {
+  for (const PathPart& part : path) {
     place = &(*place)[part.item && part.text == "*" ? key : part.text];
     if (part.item && !row.kind.empty()) (*place)["kind"] = row.kind;
   }
@@ -65,20 +65,20 @@ void add_members(const Json& value, const ObjectRow& row, const std::string& key
 }
 
 void add_row(const Json& summary, const ObjectRow& row, Json& objects) {
-  const std::vector<NamePart> path = *name_parts(row.path);
+  const std::vector<PathPart> path = *split_result_path(row.path);
   const Json* value = find_value(summary, path);
   if (value == nullptr) return;
   if (!path.back().item) return add_members(*value, row, "", objects);
   if (!value->is_array()) return;
-  const std::string group = name_parts(row.object)->front().text;
+  const std::string group = split_result_path(row.object)->front().text;
   for (std::size_t i = 0; i < value->size(); ++i) {
     add_members((*value)[i], row, item_key(*value, i, row, objects[group]), objects);
   }
 }
 
-/// The objects of every stage, which has the members of `static`, next to what the stage itself has.
+/// Adds the objects of every stage, which has the members of `static`, and the stage's own members.
 void add_stages(const Json& summary, Json& objects) {
-  const Json* stages = find_value(summary, *name_parts("operation.stages"));
+  const Json* stages = find_value(summary, *split_result_path("operation.stages"));
   if (stages == nullptr || !stages->is_array()) return;
   for (const Json& stage : *stages) {
     Json lay = Json::object();

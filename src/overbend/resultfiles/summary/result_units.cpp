@@ -17,39 +17,39 @@
 namespace overbend {
 namespace {
 
-/// As base/units.h writes the unit of a dimension.
+/// Returns the unit of a dimension as in base/units.h.
 Json dimension(std::string_view unit) {
   static const std::map<std::string_view, const char*> kOther = {{"N m", "N*m"}, {"Pa", "N/m^2"}, {"1/m", "m-1"}};
   if (unit == kVaries) return nullptr;
-  const auto other = kOther.find(unit);
-  return other == kOther.end() ? std::string(unit) : std::string(other->second);
+  const auto converted = kOther.find(unit);
+  return converted == kOther.end() ? std::string(unit) : std::string(converted->second);
 }
 
-/// What is told of a field that holds a number.
-enum class Told {
-  dimension,  ///< Its unit as base/units.h writes it.
-  unit,       ///< Its unit as results.h5 has it.
+/// Property of a numerical field that is written in place of its value.
+enum class FieldProperty {
+  dimension,  ///< Its unit as in base/units.h.
+  unit,       ///< Its unit as in results.h5.
   description,
 };
 
-Json told_of(const ResultField& f, Told told) {
-  if (told == Told::description) return std::string(f.description).append(f.aspect);
-  if (told == Told::unit) return f.units == kVaries ? Json(nullptr) : Json(f.units);
+Json field_property(const ResultField& f, FieldProperty property) {
+  if (property == FieldProperty::description) return std::string(f.description).append(f.aspect);
+  if (property == FieldProperty::unit) return f.units == kVaries ? Json(nullptr) : Json(f.units);
   return dimension(f.units);
 }
 
-/// One of everything that may be there, whatever the results at hand.
+/// Writes one of everything that may exist, independent of the results.
 struct UnitStyle : ValueStyle<Output::summary> {
   static constexpr bool kWhole = true;
-  Told told = Told::dimension;
+  FieldProperty property = FieldProperty::dimension;
 
   static Json number(double) { return nullptr; }
   static Json text(const std::string&) { return nullptr; }
   template <class Integer>
   Json count(Integer) const {
-    return told == Told::description ? Json(nullptr) : Json("1");
+    return property == FieldProperty::description ? Json(nullptr) : Json("1");
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   static Json word(Enum) {
     return nullptr;
   }
@@ -58,52 +58,52 @@ struct UnitStyle : ValueStyle<Output::summary> {
     return make();
   }
   template <class Row, class Make>
-  static Json rows(const std::vector<Row>&, Make json_of) {
+  static Json rows(const std::vector<Row>&, Make make_json) {
     Row row{};
     if constexpr (std::is_same_v<Row, RowResult> || std::is_same_v<Row, SupportDynamics>) {
       row.rollers.resize(3);
       row.rollers[1].position = RollerPosition::port;
       row.rollers[2].position = RollerPosition::starboard;
     }
-    return Json::array({json_of(row)});
+    return Json::array({make_json(row)});
   }
 };
 
 }  // namespace
 
-/// Puts the units of what is visited into an object.
+/// Writes the units of visited fields into an object.
 template <>
 class JsonWriter<UnitStyle> {
  public:
-  explicit JsonWriter(const UnitStyle& style = {}) : told_(style.told) {}
+  explicit JsonWriter(const UnitStyle& style = {}) : property_(style.property) {}
 
-  void operator()(const ResultField& f, double) { put(f, told_of(f, told_)); }
-  void operator()(const ResultField& f, const std::optional<double>&) { put(f, told_of(f, told_)); }
-  void operator()(const ResultField& f, int) { put(f, told_of(f, told_)); }
-  void operator()(const ResultField& f, std::int64_t) { put(f, told_of(f, told_)); }
-  void operator()(const ResultField& f, std::uint64_t) { put(f, told_of(f, told_)); }
+  void operator()(const ResultField& f, double) { put(f, field_property(f, property_)); }
+  void operator()(const ResultField& f, const std::optional<double>&) { put(f, field_property(f, property_)); }
+  void operator()(const ResultField& f, int) { put(f, field_property(f, property_)); }
+  void operator()(const ResultField& f, std::int64_t) { put(f, field_property(f, property_)); }
+  void operator()(const ResultField& f, std::uint64_t) { put(f, field_property(f, property_)); }
   void operator()(const ResultField& f, const Vec3&) {
     const std::optional<std::string_view> key = f.key(Output::summary);
     if (!key) return;
     std::string before(*key);
     if (before.ends_with(kComponents)) {
-      before.pop_back();  // of "at/" the components stand in the object
+      before.pop_back();  // for "at/" the components are members of the object
     }
     if (!before.empty()) before += '/';
-    for (const char* axis : {"x", "y", "z"}) (*this)[before + axis] = told_of(f, told_);
+    for (const char* axis : {"x", "y", "z"}) (*this)[before + axis] = field_property(f, property_);
   }
   template <class Other>
   void operator()(const ResultField& f, const Other&) {
     put(f, nullptr);
   }
-  void spread(const ResultField& f, const Spread&) {
+  void spread(const ResultField& f, const SummaryStatistics&) {
     const std::optional<std::string_view> key = f.key(Output::summary);
     if (!key) return;
     const std::size_t star = key->find('*');
     for (const char* part : {"min", "max", "mean", "std"}) {
       std::string name(key->substr(0, star));
       name += star == std::string_view::npos ? "/" + std::string(part) : part + std::string(key->substr(star + 1));
-      (*this)[name] = told_of(f, told_);
+      (*this)[name] = field_property(f, property_);
     }
   }
   template <class Visit>
@@ -112,12 +112,12 @@ class JsonWriter<UnitStyle> {
   }
   void or_null(std::string_view, bool) {}
   Json& operator[](std::string_view key) {
-    Json* at = &object_;
+    Json* node = &object_;
     for (std::size_t end = key.find('/'); end != std::string_view::npos; end = key.find('/')) {
-      at = &(*at)[std::string(key.substr(0, end))];
+      node = &(*node)[std::string(key.substr(0, end))];
       key.remove_prefix(end + 1);
     }
-    return (*at)[std::string(key)];
+    return (*node)[std::string(key)];
   }
   Json take() { return std::move(object_); }
 
@@ -126,142 +126,143 @@ class JsonWriter<UnitStyle> {
     if (const std::optional<std::string_view> key = f.key(Output::summary)) (*this)[*key] = std::move(unit);
   }
 
-  Told told_;
+  FieldProperty property_;
   Json object_ = Json::object();
 };
 
 namespace {
 
-/// What a vessel on mooring lines adds to the statics.
+/// Adds the static part of a vessel on mooring lines.
 void add_mooring_units(const UnitStyle& style, Json& statics) {
   const VesselResult vessel;
   const MooringLineResult line;
-  statics["vessel"] = object_of(style, [&](auto& one) { visit_vessel_offset(vessel, one); });
-  statics["vessel"]["natural_periods"] = Json::array({object_of(style, [](auto& one) {
-    one(ResultField{"period", "s", "Undamped natural period"}.summary(), 0.0);
+  statics["vessel"] = make_object(style, [&](auto& visitor) { visit_vessel_offset(vessel, visitor); });
+  statics["vessel"]["natural_periods"] = Json::array({make_object(style, [](auto& visitor) {
+    visitor(ResultField{"period", "s", "Undamped natural period"}.summary(), 0.0);
   })});
-  statics["thrust"] = object_of(style, [](auto& one) {
-    one(ResultField{"surge", "N", "Thrust ahead"}.summary(), 0.0);
-    one(ResultField{"sway", "N", "Thrust to port"}.summary(), 0.0);
-    one(ResultField{"yaw", "N m", "Moment of the thrusters, bow to port"}.summary(), 0.0);
+  statics["thrust"] = make_object(style, [](auto& visitor) {
+    visitor(ResultField{"surge", "N", "Thrust ahead"}.summary(), 0.0);
+    visitor(ResultField{"sway", "N", "Thrust to port"}.summary(), 0.0);
+    visitor(ResultField{"yaw", "N m", "Moment of the thrusters, bow to port"}.summary(), 0.0);
   });
-  statics["moorings"] = Json::array({object_of(style, [&](auto& one) {
-    visit_mooring_line(line, one);
-    one(ResultField{"length_on_bed", "m", "Unstressed length on the bed"}.summary(), line.on_bed);
-    visit_mooring_use(line, one);
+  statics["moorings"] = Json::array({make_object(style, [&](auto& visitor) {
+    visit_mooring_line(line, visitor);
+    visitor(ResultField{"length_on_bed", "m", "Unstressed length on the seabed"}.summary(), line.on_bed);
+    visit_mooring_use(line, visitor);
   })});
 }
 
-/// What it adds to a run in time.
+/// Adds the dynamic part of a vessel on mooring lines.
 void add_mooring_units_in_time(const UnitStyle& style, Json& dynamic) {
   const VesselDynamics vessel;
   const ThrustDynamics thrust;
   const MooringLineDynamics line;
-  dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(vessel, one); });
-  dynamic["thrust"] = Json::array({object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); })});
-  Json mooring = object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); });
+  dynamic["vessel"] = make_object(style, [&](auto& visitor) { visit_vessel_dynamics(vessel, visitor); });
+  dynamic["thrust"] = Json::array({make_object(style, [&](auto& visitor) { visit_thrust_dynamics(thrust, visitor); })});
+  Json mooring = make_object(style, [&](auto& visitor) { visit_mooring_dynamics(line, visitor); });
   const MooringEvent event;
-  mooring["events"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_event(event, one); })});
+  mooring["events"] = Json::array({make_object(style, [&](auto& visitor) { visit_mooring_event(event, visitor); })});
   dynamic["moorings"] = Json::array({std::move(mooring)});
 }
 
-/// What a hull with hydrodynamic coefficients adds to the statics of a run.
+/// Adds the static part of a hull with hydrodynamic coefficients.
 void add_hull_units(const UnitStyle& style, Json& statics) {
   const HullResults hull;
   const RadiationEntryResult entry;
   const RadiationGroupResult group;
   const ModeDampingResult mode;
-  Json units = object_of(style, [&](auto& one) {
-    visit_hull(hull, one);
-    visit_steady_loads(hull, one);
+  Json units = make_object(style, [&](auto& visitor) {
+    visit_hull(hull, visitor);
+    visit_steady_loads(hull, visitor);
   });
-  units["radiation"] = Json::array({object_of(style, [&](auto& one) { visit_radiation_entry(entry, one); })});
-  units["fit"] = Json::array({object_of(style, [&](auto& one) { visit_radiation_group(group, one); })});
-  units["damping"] = Json::array({object_of(style, [&](auto& one) { visit_mode_damping(mode, one); })});
+  units["radiation"] = Json::array({make_object(style, [&](auto& visitor) { visit_radiation_entry(entry, visitor); })});
+  units["fit"] = Json::array({make_object(style, [&](auto& visitor) { visit_radiation_group(group, visitor); })});
+  units["damping"] = Json::array({make_object(style, [&](auto& visitor) { visit_mode_damping(mode, visitor); })});
   statics["hull"] = std::move(units);
 }
 
-/// What fatigue and a stinger that turns on its hinges add to a run in time.
+/// Adds the dynamic part of fatigue and of a stinger on hinges.
 void add_fatigue_and_stinger_units(const UnitStyle& style, Json& dynamic) {
   const FatigueResults fatigue;
   const FatigueSpot spot;
   const StingerSectionDynamics section;
-  dynamic["fatigue"] = object_of(style, [&](auto& one) { visit_fatigue(fatigue, one); });
-  dynamic["fatigue"]["spots"] = Json::array({object_of(style, [&](auto& one) { visit_fatigue_spot(spot, one); })});
-  dynamic["stinger"] = object_of(style, [&](auto& one) { visit_stinger_dynamics(section, one); });
+  dynamic["fatigue"] = make_object(style, [&](auto& visitor) { visit_fatigue(fatigue, visitor); });
+  dynamic["fatigue"]["spots"] =
+      Json::array({make_object(style, [&](auto& visitor) { visit_fatigue_spot(spot, visitor); })});
+  dynamic["stinger"] = make_object(style, [&](auto& visitor) { visit_stinger_dynamics(section, visitor); });
   dynamic["stinger"]["sections"] = Json::array({dynamic["stinger"]});
 }
 
-/// What lines that stand by themselves add to the statics, and to a run in time.
+/// Adds the static part of stand-alone lines; the dynamic part follows.
 void add_line_units(const UnitStyle& style, Json& statics) {
   const LineResult line;
   const LineEndResult end;
-  Json& units = statics["lines"] = Json::array({object_of(style, [&](auto& one) { visit_line(line, one); })});
+  Json& units = statics["lines"] = Json::array({make_object(style, [&](auto& visitor) { visit_line(line, visitor); })});
   for (const char* name : {"first", "second"}) {
-    units[0][name] = object_of(style, [&](auto& one) { visit_line_end(end, one); });
+    units[0][name] = make_object(style, [&](auto& visitor) { visit_line_end(end, visitor); });
   }
   const BodyResult body;
-  statics["bodies"] = Json::array({object_of(style, [&](auto& one) { visit_body(body, one); })});
+  statics["bodies"] = Json::array({make_object(style, [&](auto& visitor) { visit_body(body, visitor); })});
 }
 
 void add_line_units_in_time(const UnitStyle& style, Json& dynamic) {
   const LineDynamics line;
-  dynamic["lines"] = Json::array({object_of(style, [&](auto& one) { visit_line_in_time(line, one); })});
+  dynamic["lines"] = Json::array({make_object(style, [&](auto& visitor) { visit_line_in_time(line, visitor); })});
   const BodyDynamics body;
-  dynamic["bodies"] = Json::array({object_of(style, [&](auto& one) { visit_body_in_time(body, one); })});
+  dynamic["bodies"] = Json::array({make_object(style, [&](auto& visitor) { visit_body_in_time(body, visitor); })});
 }
 
-Json static_summary_told(const UnitStyle& style) {
+Json static_summary_properties(const UnitStyle& style) {
   const StaticResults any;
-  Json told;
-  told["checks"] = summary_checks(style, any.checks);
-  told["static"] = static_part(style, any);
-  add_mooring_units(style, told["static"]);
-  add_line_units(style, told["static"]);
-  return told;
+  Json json;
+  json["checks"] = summary_checks(style, any.checks);
+  json["static"] = static_part(style, any);
+  add_mooring_units(style, json["static"]);
+  add_line_units(style, json["static"]);
+  return json;
 }
 
-Json dynamic_summary_told(const UnitStyle& style) {
+Json dynamic_summary_properties(const UnitStyle& style) {
   const StaticResults statics;
   DynamicResults any;
   any.supports.resize(1);
-  Json told = static_summary_told(style);
-  told["dynamic"] = dynamic_part(style, statics, any);
-  add_mooring_units_in_time(style, told["dynamic"]);
-  add_line_units_in_time(style, told["dynamic"]);
-  add_fatigue_and_stinger_units(style, told["dynamic"]);
-  add_hull_units(style, told["static"]);
-  return told;
+  Json json = static_summary_properties(style);
+  json["dynamic"] = dynamic_part(style, statics, any);
+  add_mooring_units_in_time(style, json["dynamic"]);
+  add_line_units_in_time(style, json["dynamic"]);
+  add_fatigue_and_stinger_units(style, json["dynamic"]);
+  add_hull_units(style, json["static"]);
+  return json;
 }
 
-UnitStyle telling(Told told) {
+UnitStyle make_unit_style(FieldProperty property) {
   UnitStyle style;
-  style.told = told;
+  style.property = property;
   return style;
 }
 
 }  // namespace
 
 const Json& summary_units() {
-  static const Json kUnits = static_summary_told(telling(Told::dimension));
+  static const Json kUnits = static_summary_properties(make_unit_style(FieldProperty::dimension));
   return kUnits;
 }
 
 const Json& dynamic_summary_units() {
-  static const Json kUnits = dynamic_summary_told(telling(Told::dimension));
+  static const Json kUnits = dynamic_summary_properties(make_unit_style(FieldProperty::dimension));
   return kUnits;
 }
 
 const Json& stage_units() {
   static const Json kUnits = [] {
-    const UnitStyle style = telling(Told::dimension);
+    const UnitStyle style = make_unit_style(FieldProperty::dimension);
     const StageFailure failure;
-    Json units = object_of(style, [](auto& stage) {
+    Json units = make_object(style, [](auto& stage) {
       const StageResult any;
       visit_lay_stage(any.stage, stage);
       visit_stage_result(any, stage);
     });
-    const Json of_failure = object_of(style, [&](auto& one) { visit_stage_failure(failure, one); });
+    const Json of_failure = make_object(style, [&](auto& visitor) { visit_stage_failure(failure, visitor); });
     for (const auto& [key, unit] : of_failure.items()) units["failure." + key] = unit;
     return units;
   }();
@@ -269,12 +270,12 @@ const Json& stage_units() {
 }
 
 const Json& stored_summary_units() {
-  static const Json kUnits = dynamic_summary_told(telling(Told::unit));
+  static const Json kUnits = dynamic_summary_properties(make_unit_style(FieldProperty::unit));
   return kUnits;
 }
 
 const Json& summary_descriptions() {
-  static const Json kDescriptions = dynamic_summary_told(telling(Told::description));
+  static const Json kDescriptions = dynamic_summary_properties(make_unit_style(FieldProperty::description));
   return kDescriptions;
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/text.h"
-#include "model/description/sought_operations.h"
+#include "model/description/seek_operations.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/named_results.h"
 #include "resultfiles/summary/result_units.h"
@@ -14,12 +14,12 @@ namespace {
 
 constexpr const char* kStages = "operation.stages";
 
-/// Of a dynamic analysis the checks are those of the whole run, not of the statics before it.
-std::string own_path(StudyAnalysis analysis, const std::string& path) {
+/// In a dynamic analysis the checks are those of the whole run, not of the static state.
+std::string checks_path(StudyAnalysis analysis, const std::string& path) {
   return analysis == StudyAnalysis::dynamic && path.starts_with("checks.") ? "dynamic." + path : path;
 }
 
-bool is_smallest(const std::string& path) {
+bool is_minimum_result(const std::string& path) {
   const std::string last = path.substr(path.find_last_of('.') + 1);
   return last.starts_with("smallest") || last.starts_with("min");
 }
@@ -32,8 +32,8 @@ std::string stage_path(const std::string& path) {
   return below.starts_with("checks.") ? below : "static." + below;
 }
 
-/// Unit of what a stage has besides the keys of a lay: "operation.stages[3].barge_ahead".
-std::optional<std::string> own_unit_of_stage(const std::string& path) {
+/// Unit of a stage's own member in addition to the keys of a lay: "operation.stages[3].barge_ahead".
+std::optional<std::string> stage_member_unit(const std::string& path) {
   const std::size_t point = path.find("].");
   if (!path.starts_with(kStages) || point == std::string::npos) return std::nullopt;
   const auto unit = stage_units().find(path.substr(point + 2));
@@ -49,9 +49,9 @@ std::string with_function(const ResultName& name, const std::string& path) {
       return "spread(" + path + ")";
     case ResultFunction::mean:
       return "mean(" + path + ")";
-    case ResultFunction::least:
+    case ResultFunction::minimum:
       return "min(" + path + ")";
-    case ResultFunction::largest:
+    case ResultFunction::maximum:
       return "max(" + path + ")";
   }
   return path;
@@ -60,8 +60,8 @@ std::string with_function(const ResultName& name, const std::string& path) {
 std::optional<std::string> output_unit(StudyAnalysis analysis, std::string path) {
   if (analysis == StudyAnalysis::statics && path.starts_with(kStages)) return std::nullopt;
   if (analysis == StudyAnalysis::operation) {
-    if (auto unit = own_unit_of_stage(path)) return unit;
-    if (auto unit = result_unit(path)) return unit;  // of a stage of a lift
+    if (auto unit = stage_member_unit(path)) return unit;
+    if (auto unit = result_unit(path)) return unit;  // in a stage of a lift
     path = stage_path(path);
   }
   for (const char* ending : {"", ".max"}) {
@@ -106,7 +106,7 @@ Names pipe_outputs(bool dynamic) {
                          "checks.governing"};
 }
 
-/// Of all stages of a lift.
+/// Outputs over all stages of a lift.
 Names lift_outputs() {
   const std::string stages = "operation.stages[*].";
   return {"max(" + stages + "lines[*].largest_bending_moment.value)",
@@ -117,7 +117,7 @@ Names lift_outputs() {
           "checks.governing"};
 }
 
-/// Of all stages of a pull along the bed.
+/// Outputs over all stages of a pull along the seabed.
 Names pull_outputs() {
   const std::string stages = "operation.stages[*].";
   return {"max(" + stages + "tension.winch)", "max(" + stages + "wire_utilisation)", "min(" + stages + "least_tension)",
@@ -126,7 +126,7 @@ Names pull_outputs() {
 
 constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
 
-/// Of the first condition by the key: as in the summary.
+/// Unit of the slope of the first condition with the key, as in the summary.
 std::string slope_unit(const SeekDescription& seek) {
   const std::string key = seek.vary.front().unit;
   std::string result = seek.until.empty() ? result_unit(seek.minimise).value_or("1") : seek.until.front().unit;
@@ -135,11 +135,11 @@ std::string slope_unit(const SeekDescription& seek) {
   return result + "/" + (key.find_first_of("/*-") == std::string::npos ? key : "(" + key + ")");
 }
 
-/// What a goal seek tells of itself.
+/// Outputs of a goal seek itself.
 std::optional<StudyOutput> seek_output(const std::string& name, const std::optional<SeekDescription>& seek) {
-  const bool one = seek && seek->vary.size() == 1;
-  if (name == "seek.answer") return StudyOutput{name, one ? seek->vary.front().unit : "1", false};
-  if (name == "seek.slope" && one) return StudyOutput{name, slope_unit(*seek), false};
+  const bool single = seek && seek->vary.size() == 1;
+  if (name == "seek.answer") return StudyOutput{name, single ? seek->vary.front().unit : "1", false};
+  if (name == "seek.slope" && single) return StudyOutput{name, slope_unit(*seek), false};
   if (name == "seek.residual" || name == "seek.evaluations") return StudyOutput{name, "1", false};
   return std::nullopt;
 }
@@ -152,7 +152,7 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
   if (analysis == StudyAnalysis::seek && name.starts_with("seek.")) return seek_output(name, seek);
   const ResultName parsed = parsed_result_name(name);
   for (const std::string& path : summary_paths(parsed.path)) {
-    if (const auto unit = output_unit(analysis, own_path(analysis, path))) return StudyOutput{name, *unit, false};
+    if (const auto unit = output_unit(analysis, checks_path(analysis, path))) return StudyOutput{name, *unit, false};
   }
   return std::nullopt;
 }
@@ -163,9 +163,9 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
   return nearest_word(parsed_result_name(name).path, paths);
 }
 
-std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model) {
+std::vector<std::string> default_outputs(StudyAnalysis analysis, const Description& model) {
   const bool dynamic = analysis == StudyAnalysis::dynamic;
-  const bool stages = is_sought_by_stages(model.operation.type) && !dynamic;
+  const bool stages = is_seek_over_stages(model.operation.type) && !dynamic;
   const bool lift = stages && model.operation.type == OperationType::lift;
   Names names = lift                   ? lift_outputs()
                 : stages               ? pull_outputs()
@@ -178,9 +178,9 @@ std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description
 
 std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name) {
   const ResultName parsed = parsed_result_name(name);
-  const std::string path = own_path(analysis, parsed.path);
+  const std::string path = checks_path(analysis, parsed.path);
   if (const auto value = named_result(summary, with_function(parsed, path))) return value;
-  return named_result(summary, with_function(parsed, path + (is_smallest(path) ? ".min" : ".max")));
+  return named_result(summary, with_function(parsed, path + (is_minimum_result(path) ? ".min" : ".max")));
 }
 
 }  // namespace overbend

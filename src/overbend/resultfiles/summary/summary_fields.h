@@ -1,4 +1,4 @@
-/// The layout of summary.json. Functions of a style, so that the page's types come from the same lines; see
+/// Layout of summary.json as functions of a style, so that the page's types come from the same lines; see
 /// resultfiles/summary/json_fields.h.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include "resultfiles/summary/json_fields.h"
 #include "results/fields/attachment_fields.h"
 #include "results/fields/check_fields.h"
-#include "results/fields/dynamic_values.h"
+#include "results/fields/dynamic_scalars.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
@@ -16,9 +16,9 @@
 
 namespace overbend {
 
-/// The members that one visit gives.
+/// Returns the members written by one visit.
 template <class Style, class Visit>
-auto object_of(const Style& style, Visit visit_members) {
+auto make_object(const Style& style, Visit visit_members) {
   JsonWriter<Style> json(style);
   visit_members(json);
   return json.take();
@@ -29,7 +29,8 @@ auto summary_region(const Style& style, const RegionResult& region) {
   JsonWriter<Style> json(style);
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) { json(field, extreme.value); });
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
-    json[field.place] = style.named("Place", object_of(style, [&](auto& at) { visit_place_of_extreme(extreme, at); }));
+    json[field.place] =
+        style.named("Place", make_object(style, [&](auto& visitor) { visit_place_of_extreme(extreme, visitor); }));
   });
   return style.named("StaticRegion", json.take());
 }
@@ -43,14 +44,14 @@ auto summary_support(const Style& style, const SupportResult& support) {
   json["rows"] = style.rows(support.rows, [&](const RowResult& row) {
     JsonWriter<Style> rollers(style);
     for (const RollerResult& roller : row.rollers) {
-      rollers[word(roller.position)] = object_of(style, [&](auto& one) { visit_roller(roller, one); });
+      rollers[word(roller.position)] = make_object(style, [&](auto& visitor) { visit_roller(roller, visitor); });
     }
     return rollers.take();
   });
   return style.named("StaticSupport", json.take());
 }
 
-/// The numbers of a check; absent where it is not done.
+/// Numbers of a check; omitted if it was not done.
 template <class Style>
 void put_check_numbers(const Style& style, const CheckRow& row, JsonWriter<Style>& json) {
   json.part(row.status != CheckStatus::not_done, [&](auto& numbers) {
@@ -63,7 +64,7 @@ void put_check_numbers(const Style& style, const CheckRow& row, JsonWriter<Style
 template <class Style>
 auto summary_sheet(const Style& style, const CheckRow& row) {
   return style.rows(row.sheet, [&](const SheetLine& line) {
-    return style.named("SheetLine", object_of(style, [&](auto& members) { visit_sheet_line(line, members); }));
+    return style.named("SheetLine", make_object(style, [&](auto& members) { visit_sheet_line(line, members); }));
   });
 }
 
@@ -75,7 +76,7 @@ auto summary_check(const Style& style, const CheckRow& row) {
   json["remark"] = style.text(row.remark);
   json["line"] = style.text(row.line);
   json["inputs"] = style.rows(row.inputs, [&](const CheckInput& input) {
-    return object_of(style, [&](auto& one) { visit_check_input(input, one); });
+    return make_object(style, [&](auto& visitor) { visit_check_input(input, visitor); });
   });
   json["sheet"] = summary_sheet(style, row);
   return style.named("CheckInFull", json.take());
@@ -84,65 +85,68 @@ auto summary_check(const Style& style, const CheckRow& row) {
 template <class Style>
 auto summary_checks(const Style& style, const CheckTable& table) {
   JsonWriter<Style> json(style);
-  const CheckRow* worst = worst_check(table);
+  const CheckRow* worst = find_governing_check(table);
   json["worst"] =
       style.maybe(worst != nullptr, [&] { return summary_check(style, worst != nullptr ? *worst : CheckRow{}); });
   json["list"] = style.rows(table.rows, [&](const CheckRow& row) { return summary_check(style, row); });
   return json.take();
 }
 
-/// Head, cable and anchor of a line with a cable. What is told of the anchor stands beside its place.
+/// Head, cable and anchor of a line with a cable. The values of the anchor are members next to its position.
 template <class Style>
 void put_cable_parts(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(r.head.has_value(), [&](auto& members) {
     const HeadResult head = r.head.value_or(HeadResult{});
-    JsonWriter<Style> one(style);
-    visit_head(head, one);
-    one(ResultField{"z", "m", "Height of the head above the mean water level"}.summary(), head.p_W.z());
-    members["head"] = one.take();
+    JsonWriter<Style> item(style);
+    visit_head(head, item);
+    item(ResultField{"z", "m", "Height of the head above the mean water level"}.summary(), head.p_W.z());
+    members["head"] = item.take();
   });
   json.part(r.cable.has_value(), [&](auto& members) {
     const CableResult cable = r.cable.value_or(CableResult{});
-    members["cable"] = object_of(style, [&](auto& one) { visit_cable(cable, one); });
+    members["cable"] = make_object(style, [&](auto& visitor) { visit_cable(cable, visitor); });
   });
   json.part(r.far_anchor.has_value(), [&](auto& members) {
     const StartUpAnchorResult anchor = r.far_anchor.value_or(StartUpAnchorResult{});
-    const auto told = object_of(style, [&](auto& one) { visit_far_anchor(anchor, one); });
-    for (const auto& [key, value] : told.items()) members["anchor"][key] = value;
+    const auto anchor_json = make_object(style, [&](auto& visitor) { visit_far_anchor(anchor, visitor); });
+    for (const auto& [key, value] : anchor_json.items()) members["anchor"][key] = value;
   });
 }
 
-/// The laid pipe on an uneven bed.
+/// The laid pipe on an uneven seabed.
 template <class Style>
 auto summary_bed(const Style& style, const BedResults& bed) {
   JsonWriter<Style> json(style);
   visit_laid_pipe(bed, json);
   json["contacts"] = style.rows(bed.contacts, [&](const BedContactResult& contact) {
-    return style.named("BedContact", object_of(style, [&](auto& one) { visit_bed_contact(contact, one); }));
+    return style.named("BedContact", make_object(style, [&](auto& visitor) { visit_bed_contact(contact, visitor); }));
   });
   json["free_spans"] = style.rows(bed.spans, [&](const FreeSpanResult& span) {
-    return style.named("FreeSpan", object_of(style, [&](auto& one) { visit_free_span(span, one); }));
+    return style.named("FreeSpan", make_object(style, [&](auto& visitor) { visit_free_span(span, visitor); }));
   });
   return style.named("LaidPipe", json.take());
 }
 
-/// How the pipe lies on its route, and the answers to how it is held by friction.
+/// Position of the pipe on its route, and the limit cases of friction.
 template <class Style>
 void put_route_parts(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(r.route.has_value(), [&](auto& members) {
     const RouteResults route = r.route.value_or(RouteResults{});
-    members["route"] = style.named("RouteSummary", object_of(style, [&](auto& one) { visit_route(route, one); }));
+    members["route"] =
+        style.named("RouteSummary", make_object(style, [&](auto& visitor) { visit_route(route, visitor); }));
   });
   json.part(!r.roller_friction.empty(), [&](auto& members) {
     members["roller_friction"] = style.rows(r.roller_friction, [&](const RollerFrictionCase& answer) {
-      return style.named("FrictionCase", object_of(style, [&](auto& one) { visit_friction_case(answer, one); }));
+      return style.named("FrictionCase",
+                         make_object(style, [&](auto& visitor) { visit_friction_case(answer, visitor); }));
     });
   });
 }
 
 template <class Style>
 auto summary_structure(const Style& style, const StructureResult& structure) {
-  return style.named("StructureSummary", object_of(style, [&](auto& one) { visit_structure(structure, one); }));
+  return style.named("StructureSummary",
+                     make_object(style, [&](auto& visitor) { visit_structure(structure, visitor); }));
 }
 
 /// Clumps, buoys and wires on the pipe.
@@ -150,17 +154,17 @@ template <class Style>
 void put_attachments(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(!r.points.empty(), [&](auto& members) {
     members["points"] = style.rows(r.points, [&](const PipePointResult& point) {
-      return style.named("PointSummary", object_of(style, [&](auto& one) { visit_pipe_point(point, one); }));
+      return style.named("PointSummary", make_object(style, [&](auto& visitor) { visit_pipe_point(point, visitor); }));
     });
   });
   json.part(!r.wires.empty(), [&](auto& members) {
     members["wires"] = style.rows(r.wires, [&](const PipeWireResult& wire) {
-      return style.named("WireSummary", object_of(style, [&](auto& one) { visit_pipe_wire(wire, one); }));
+      return style.named("WireSummary", make_object(style, [&](auto& visitor) { visit_pipe_wire(wire, visitor); }));
     });
   });
 }
 
-/// A section of a stinger on hinges; the place of its tip from the stern shoe, in the frame of ramp and stinger.
+/// A section of a stinger on hinges; the position of its tip from the stern shoe, in the frame of ramp and stinger.
 template <class Style>
 auto summary_stinger_section(const Style& style, const StaticResults& r, const StingerSectionResult& section) {
   JsonWriter<Style> json(style);
@@ -169,20 +173,21 @@ auto summary_stinger_section(const Style& style, const StaticResults& r, const S
   json(ResultField{"tip_x", "m", "Last roller astern of the stern shoe"}.summary("tip_roller/x"), -tip_V.x());
   json(ResultField{"tip_z", "m", "Last roller above the stern shoe"}.summary("tip_roller/z"), tip_V.z());
   json["tanks"] = style.rows(section.tanks, [&](const StingerTankResult& tank) {
-    return style.named("StingerTank", object_of(style, [&](auto& one) { visit_stinger_tank(tank, one); }));
+    return style.named("StingerTank", make_object(style, [&](auto& visitor) { visit_stinger_tank(tank, visitor); }));
   });
   return json.take();
 }
 
-/// The stinger's first section, and all of them where it has several.
+/// The stinger's first section, and a list of all sections if there are several.
 template <class Style>
 void put_stinger(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(!r.stinger.empty(), [&](auto& members) {
     auto stinger = summary_stinger_section(style, r, r.stinger.empty() ? StingerSectionResult{} : r.stinger.front());
     if (r.stinger.size() > 1 || Style::kWhole) {
-      stinger[Style::kTypes ? "sections?" : "sections"] = style.rows(r.stinger, [&](const StingerSectionResult& one) {
-        return style.named("StingerSection", summary_stinger_section(style, r, one));
-      });
+      stinger[Style::kTypes ? "sections?" : "sections"] =
+          style.rows(r.stinger, [&](const StingerSectionResult& section) {
+            return style.named("StingerSection", summary_stinger_section(style, r, section));
+          });
     }
     members["stinger"] = std::move(stinger);
   });
@@ -193,13 +198,14 @@ template <class Style>
 auto static_part(const Style& style, const StaticResults& r) {
   JsonWriter<Style> json(style);
   visit_lay(r, json);
-  json["smallest_tension"] = object_of(style, [&](auto& least) {
-    const ResultField field = smallest_tension_field();
-    least(ResultField{"value", field.units, field.description}.summary(), r.smallest_tension.value);
-    least[field.place] = object_of(style, [&](auto& at) { visit_place_of_extreme(r.smallest_tension, at); });
+  json["smallest_tension"] = make_object(style, [&](auto& extreme_json) {
+    const ResultField field = min_effective_tension_field();
+    extreme_json(ResultField{"value", field.units, field.description}.summary(), r.min_effective_tension.value);
+    extreme_json[field.place] =
+        make_object(style, [&](auto& visitor) { visit_place_of_extreme(r.min_effective_tension, visitor); });
   });
   json.or_null("last_support", !r.last_support.empty());
-  json["touchdown"] = object_of(style, [&](auto& touchdown) { visit_touchdown(r.touchdown, touchdown); });
+  json["touchdown"] = make_object(style, [&](auto& touchdown) { visit_touchdown(r.touchdown, touchdown); });
   json["overbend"] =
       style.maybe(r.overbend.has_value(), [&] { return summary_region(style, r.overbend.value_or(RegionResult{})); });
   json["tower"] =
@@ -212,7 +218,7 @@ auto static_part(const Style& style, const StaticResults& r) {
   put_route_parts(style, r, json);
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return summary_support(style, box); });
   json["structures"] =
-      style.rows(r.structures, [&](const StructureResult& one) { return summary_structure(style, one); });
+      style.rows(r.structures, [&](const StructureResult& structure) { return summary_structure(style, structure); });
   put_attachments(style, r, json);
   visit_contacts(r, json);
   for (const char* key : {"largest_reaction", "smallest_separation"}) json.or_null(key, !r.supports.empty());
@@ -226,7 +232,7 @@ auto dynamic_region(const Style& style, const DynamicRegion& region) {
   JsonWriter<Style> json(style);
   visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
     json[*field.key(Style::kOutput)] = style.named(
-        "ExtremeOverTime", object_of(style, [&](auto& one) { visit_dynamic_extreme(field, extreme, one); }));
+        "ExtremeOverTime", make_object(style, [&](auto& visitor) { visit_dynamic_extreme(field, extreme, visitor); }));
   });
   return style.named("RegionSummary", json.take());
 }
@@ -240,46 +246,46 @@ auto dynamic_support(const Style& style, const SupportDynamics& support) {
   for (const RollerDynamics& roller : support.rollers) {
     while (static_cast<int>(rows.size()) <= roller.row) rows.push_back(Json::object());
     rows[static_cast<std::size_t>(roller.row)][word(roller.position)] =
-        object_of(style, [&](auto& one) { visit_dynamic_roller(roller, one); });
+        make_object(style, [&](auto& visitor) { visit_dynamic_roller(roller, visitor); });
   }
   json["rows"] = std::move(rows);
   return style.named("SupportSummary", json.take());
 }
 
-/// The rollers of a support together.
+/// Maxima over the rollers of a support.
 template <class Style>
 auto support_impacts(const Style& style, const SupportDynamics& support) {
-  RollerDynamics most;
+  RollerDynamics max_values;
   for (const RollerDynamics& roller : support.rollers) {
     for (double RollerDynamics::*member :
-         {&RollerDynamics::largest_impact_force, &RollerDynamics::largest_approach_velocity,
-          &RollerDynamics::largest_impulse, &RollerDynamics::dent_depth, &RollerDynamics::line_load}) {
-      most.*member = std::max(most.*member, roller.*member);
+         {&RollerDynamics::max_impact_force, &RollerDynamics::max_approach_velocity, &RollerDynamics::max_impulse,
+          &RollerDynamics::dent_depth, &RollerDynamics::line_load}) {
+      max_values.*member = std::max(max_values.*member, roller.*member);
     }
   }
   JsonWriter<Style> json(style);
   json["name"] = style.text(support.name);
   json["count"] = style.count(support.impact_count);
-  visit_hardest(most, json);
+  visit_hardest(max_values, json);
   return json.take();
 }
 
-/// Of a laid pipe.
+/// Parts that exist only with a laid pipe.
 template <class Style>
 void put_pipe_over_time(const Style& style, const StaticResults& statics, const DynamicResults& r,
                         JsonWriter<Style>& json) {
   visit_pipe_over_time(r, json, true);
   json.or_null("stinger_tip_clearance", statics.stinger_tip_clearance.has_value());
-  const ResultField smallest = smallest_tension_field();
-  json[smallest.name] =
-      style.named("ExtremeOverTime",
-                  object_of(style, [&](auto& one) { visit_dynamic_extreme(smallest, r.smallest_tension, one); }));
+  const ResultField min_tension = min_effective_tension_field();
+  json[min_tension.name] = style.named("ExtremeOverTime", make_object(style, [&](auto& visitor) {
+                                         visit_dynamic_extreme(min_tension, r.min_effective_tension, visitor);
+                                       }));
   json["overbend"] = style.maybe(statics.overbend.has_value(), [&] { return dynamic_region(style, r.overbend); });
   json["tower"] = style.maybe(statics.tower.has_value(), [&] { return dynamic_region(style, r.tower); });
   json["sagbend"] = dynamic_region(style, r.sagbend);
   json["supports"] = style.rows(r.supports, [&](const SupportDynamics& box) { return dynamic_support(style, box); });
   json["impacts"] = style.rows(r.supports, [&](const SupportDynamics& box) { return support_impacts(style, box); });
-  json["tensioner"] = object_of(style, [&](auto& one) { visit_tensioner(r.tensioner, one); });
+  json["tensioner"] = make_object(style, [&](auto& visitor) { visit_tensioner(r.tensioner, visitor); });
 }
 
 /// The key `dynamic`.
@@ -289,7 +295,7 @@ auto dynamic_part(const Style& style, const StaticResults& statics, const Dynami
   visit_dynamic_settings(r, json);
   if (Style::kWhole || statics.has_pipe()) put_pipe_over_time(style, statics, r, json);
   json["extremes"] = style.rows(r.extremes, [&](const ExtremeEstimate& e) {
-    return object_of(style, [&](auto& one) { visit_estimate(e, one); });
+    return make_object(style, [&](auto& visitor) { visit_estimate(e, visitor); });
   });
   json(ResultField{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged"}.summary(),
        r.energy.drift());

@@ -11,14 +11,14 @@ Json static_summary_json(const StaticResults& r) {
   const SummaryStyle style;
   Json sections = Json::array();
   for (const DerivedSection& section : r.sections) {
-    sections.push_back(object_of(style, [&](auto& one) { visit_section(section, one); }));
+    sections.push_back(make_object(style, [&](auto& visitor) { visit_section(section, visitor); }));
   }
   JsonWriter json(style);
   json["status"] = "converged";
   visit_heading(r, json);
   json["units"] = r.has_pipe() || !r.moorings
                       ? "SI: m, N, Pa, rad, s; angles from horizontal"
-                      : "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
+                      : "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the nominal axes";
   json["frame"] = kWorldFrame;
   if (!sections.empty()) {
     json["derived"] = sections.front();
@@ -37,7 +37,7 @@ Json static_summary_json(const StaticResults& r) {
 }
 
 std::string summary_text(const Json& summary) {
-  // A title may hold bytes that are no UTF-8; they become the replacement character.
+  // A title may contain bytes that are not UTF-8; they become the replacement character.
   return json_text(with_objects(summary), 2) + "\n";
 }
 

@@ -8,33 +8,33 @@
 
 namespace overbend {
 
-/// What a static analysis writes.
+/// Returns the summary of a static analysis.
 Json static_summary_json(const StaticResults& results);
 
-/// The same as text: key results in SI.
+/// Returns the same as text: key results in SI.
 std::string static_summary(const StaticResults& results);
 
-/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation next to it. What
-/// is told of a laid pipe stays, balance and iterations.
+/// Adds the equilibrium of a moored vessel and its lines to the static part; stages of its operation next to it. Values
+/// of a laid pipe, balance and iterations are kept.
 void add_moorings(const MooringResults& results, Json& summary);
-/// static.lines, where lines stand by themselves, and dynamic.lines.
+/// Adds static.lines, if there are stand-alone lines, and dynamic.lines.
 void add_lines(const StaticResults& results, Json& summary);
 void add_lines_in_time(const DynamicResults& results, Json& summary);
-/// static.bodies and dynamic.bodies, where lines are on bodies.
+/// Adds static.bodies and dynamic.bodies, if lines are connected to bodies.
 void add_bodies(const StaticResults& results, Json& summary);
 void add_bodies_in_time(const DynamicResults& results, Json& summary);
-/// static.hull.
+/// Adds static.hull.
 void add_hull(const HullResults& hull, Json& summary);
-/// dynamic.vessel and dynamic.moorings, where the vessel floats.
+/// Adds dynamic.vessel and dynamic.moorings, if the vessel floats.
 void add_moored_dynamics(const DynamicResults& results, Json& summary);
 
-/// dynamic.stinger, where it turns on its hinges.
+/// Adds dynamic.stinger, if it has hinges.
 void add_stinger_dynamics(const DynamicResults& results, Json& summary);
 
-/// dynamic.fatigue, where the model asks for it.
+/// Adds dynamic.fatigue, if the model requests it.
 void add_fatigue(const DynamicResults& results, Json& summary);
 
-/// The text of a summary with its results by object (resultfiles/summary/result_objects.h).
+/// Returns the text of a summary with its results by object (resultfiles/summary/result_objects.h).
 std::string summary_text(const Json& summary);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Heads and rows of the tables of text, from the fields that have a heading; see results/fields/result_field.h.
+/// Headings and rows of text tables, from the fields with a heading; see results/fields/result_field.h.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline std::string headed(std::string_view heading, std::string_view unit) {
   return unit.empty() ? std::string(heading) : std::string(heading).append(" [").append(unit).append("]");
 }
 
-/// The headings of the fields visited. Rows serve as examples: their values do not matter.
+/// Collects the headings of the visited fields. Rows are examples only: their values are ignored.
 struct CsvHead {
   std::vector<std::string> names;
 
@@ -43,13 +43,13 @@ struct CsvHead {
   }
 };
 
-/// The cells of one row, in the units of the heads.
+/// Writes the cells of one row, in the units of the headings.
 struct CsvCells {
   CsvTable& table;
 
   void operator()(const ResultField& f, double value) {
     if (f.heading.empty()) return;
-    const bool absent = f.from_anchor && value < 0.0;  // the pipe does not come there
+    const bool absent = f.from_anchor && value < 0.0;  // the pipe does not pass this point
     table.cell(absent ? std::numeric_limits<double>::quiet_NaN() : value * shown_unit(f).factor);
   }
   void operator()(const ResultField& f, const std::optional<double>& value) {
@@ -58,7 +58,7 @@ struct CsvCells {
   void operator()(const ResultField& f, std::int64_t value) { text(f, std::to_string(value)); }
   void operator()(const ResultField& f, int value) { text(f, std::to_string(value)); }
   void operator()(const ResultField& f, const std::string& value) { text(f, value); }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   void operator()(const ResultField& f, const Enum& value) {
     text(f, word(value));
   }
@@ -68,7 +68,7 @@ struct CsvCells {
   }
   template <class Other>
   void operator()(const ResultField&, const Other&) {}  // flags and lists have no heading
-  void spread(const ResultField& f, const Spread& s) {
+  void spread(const ResultField& f, const SummaryStatistics& s) {
     if (f.heading.empty()) return;
     for (const double value : {s.min, s.max, s.mean, s.std}) table.cell(value * shown_unit(f).factor);
   }

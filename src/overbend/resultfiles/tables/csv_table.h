@@ -1,4 +1,4 @@
-/// Tables of text for spreadsheets.
+/// Text tables for spreadsheets.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ class CsvTable {
     text_ += '"';
     return *this;
   }
-  /// A value that is not a number is absent: an empty cell.
+  /// NaN is a missing value: an empty cell.
   CsvTable& cell(double value) {
     return cell(std::isnan(value) ? std::string() : fmt::format("{:.12g}", value == 0.0 ? 0.0 : value));
   }

@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// The table as text, see CsvTable: numbers with all their digits, in the units of the heads.
+/// Returns the table as text, see CsvTable: numbers with all their digits, in the units of the headings.
 std::string csv_text(const Table& table);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Refuses numbers that are none as results are visited, but for those that may be absent; see
+/// Rejects numbers that are not finite while results are visited, except those that may be missing; see
 /// results/fields/result_field.h.
 #pragma once
 
@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "resultfiles/hdf5/absent.h"
+#include "resultfiles/hdf5/missing_values.h"
 #include "results/fields/result_field.h"
 
 namespace overbend {
 
-/// Visits fields, `place` before their names.
+/// Visits fields; `place` is the prefix of their names.
 struct FiniteVisitor {
   std::string place;
 
   void operator()(const ResultField& field, double value) const {
-    if (std::isnan(value) && may_be_absent(field.name)) return;
+    if (std::isnan(value) && may_be_missing(field.name)) return;
     if (!std::isfinite(value)) {
       throw std::runtime_error(place + field.name + " is not a finite number; nothing is written");
     }
@@ -47,6 +47,7 @@ struct FiniteColumns {
   }
 };
 
+/// Returns "name[index]".
 inline std::string indexed(const std::string& name, std::size_t index) {
   return name + "[" + std::to_string(index) + "].";
 }

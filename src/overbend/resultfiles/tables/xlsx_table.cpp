@@ -14,16 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 1 January 2000: a workbook tells when it was made, and equal tables shall give equal files.
-constexpr std::time_t kMade = 946684800;
-constexpr std::size_t kNarrowest = 9, kWidest = 60;  ///< Columns [characters].
-constexpr std::size_t kLongestName = 31;             ///< Of a sheet, by the format [characters].
+/// 1 January 2000: a workbook stores its creation time, and equal tables must give equal files.
+constexpr std::time_t kCreationTime = 946684800;
+constexpr std::size_t kMinWidth = 9, kMaxWidth = 60;  ///< Columns [characters].
+constexpr std::size_t kMaxSheetName = 31;             ///< Length limit of sheet names in the file format [characters].
 
-/// How cells look.
+/// Cell formats.
 struct Formats {
   lxw_workbook* book;
   lxw_format *head, *text, *good, *reserved, *bad;
-  std::vector<lxw_format*> numbers;  ///< By decimals.
+  std::vector<lxw_format*> numbers;  ///< By number of decimals.
 
   explicit Formats(lxw_workbook* workbook)
       : book(workbook),
@@ -55,7 +55,7 @@ struct Formats {
   }
 };
 
-/// Writes a cell of either kind; false where the library refuses.
+/// Writes a cell of any type; returns the library's error code.
 struct CellWriter {
   lxw_worksheet* sheet;
   lxw_row_t row;
@@ -65,7 +65,7 @@ struct CellWriter {
 
   lxw_error operator()(std::monostate) const { return LXW_NO_ERROR; }
   lxw_error operator()(double value) const {
-    if (!std::isfinite(value)) return LXW_NO_ERROR;  // absent, as in a table of text
+    if (!std::isfinite(value)) return LXW_NO_ERROR;  // missing, as in a text table
     return worksheet_write_number(sheet, row, column, value == 0.0 ? 0.0 : value * head.factor,
                                   formats.number(head.digits));
   }
@@ -83,24 +83,24 @@ std::size_t text_width(const TableCell& cell) {
   return 0;
 }
 
-/// Wide enough for its texts; a heading may break before its unit.
+/// Returns a width sufficient for the texts; a heading may break before its unit.
 double column_width(const Table& table, std::size_t column) {
-  std::size_t width = std::max(kNarrowest, table.columns[column].title.size());
+  std::size_t width = std::max(kMinWidth, table.columns[column].title.size());
   for (const TableRow& row : table.rows) width = std::max(width, text_width(row.cells[column]));
-  return 1.0 + static_cast<double>(std::min(width, kWidest));
+  return 1.0 + static_cast<double>(std::min(width, kMaxWidth));
 }
 
-/// A name that a sheet may have.
+/// Returns a valid name of a sheet.
 std::string sheet_name(std::string name) {
   for (char& c : name) {
     if (std::string("[]:*?/\\'").find(c) != std::string::npos) c = ' ';
   }
-  return name.substr(0, kLongestName);
+  return name.substr(0, kMaxSheetName);
 }
 
 void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
   lxw_worksheet* sheet = workbook_add_worksheet(formats.book, sheet_name(table.title).c_str());
-  if (sheet == nullptr) refuse_file(file, "written");
+  if (sheet == nullptr) throw_file_error(file, "written");
   worksheet_freeze_panes(sheet, 1, 1);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const auto column = static_cast<lxw_col_t>(i);
@@ -111,8 +111,8 @@ void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
     require(table.rows[r].cells.size() == table.columns.size(), "a row of a table has a cell for every column");
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const CellWriter cell{sheet, static_cast<lxw_row_t>(r + 1), static_cast<lxw_col_t>(i), formats, table.columns[i]};
-      const lxw_error fault = std::visit(cell, static_cast<const CellValue&>(table.rows[r].cells[i]));
-      if (fault != LXW_NO_ERROR) throw FileFault("the file '" + file.string() + "': " + lxw_strerror(fault));
+      const lxw_error error = std::visit(cell, static_cast<const CellValue&>(table.rows[r].cells[i]));
+      if (error != LXW_NO_ERROR) throw FileError("the file '" + file.string() + "': " + lxw_strerror(error));
     }
   }
 }
@@ -120,29 +120,29 @@ void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
 }  // namespace
 
 void write_xlsx(const std::vector<Table>& tables, const fs::path& file) {
-  const fs::path beside = file.string() + ".part";
-  lxw_workbook* book = workbook_new(beside.c_str());
-  if (book == nullptr) refuse_file(file, "written");
+  const fs::path partial_file = file.string() + ".part";
+  lxw_workbook* book = workbook_new(partial_file.c_str());
+  if (book == nullptr) throw_file_error(file, "written");
   lxw_doc_properties properties = {};
-  properties.created = kMade;
+  properties.created = kCreationTime;
   workbook_set_properties(book, &properties);
   Formats formats(book);
-  std::string fault;
+  std::string error;
   try {
     for (const Table& table : tables) write_sheet(table, formats, file);
-  } catch (const FileFault& refused) {
-    fault = refused.what();
+  } catch (const FileError& failure) {
+    error = failure.what();
   }
-  const lxw_error closed = workbook_close(book);  // frees it, whatever happened
-  if (fault.empty() && closed != LXW_NO_ERROR) {
-    fault = "the file '" + file.string() + "' cannot be written: " + lxw_strerror(closed);
+  const lxw_error closed = workbook_close(book);  // also frees it on failure
+  if (error.empty() && closed != LXW_NO_ERROR) {
+    error = "the file '" + file.string() + "' cannot be written: " + lxw_strerror(closed);
   }
-  std::error_code ignored, refused;
-  if (fault.empty()) fs::rename(beside, file, refused);
-  if (refused) fault = "the file '" + file.string() + "' cannot be written: " + refused.message();
-  if (fault.empty()) return;
-  fs::remove(beside, ignored);
-  throw FileFault(fault);
+  std::error_code ignored, rename_error;
+  if (error.empty()) fs::rename(partial_file, file, rename_error);
+  if (rename_error) error = "the file '" + file.string() + "' cannot be written: " + rename_error.message();
+  if (error.empty()) return;
+  fs::remove(partial_file, ignored);
+  throw FileError(error);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Rows of the tables of checks; result_field.h has the idea. Their order is that of checks.csv.
+/// Fields of the tables of checks; see result_field.h. Their order is that of checks.csv.
 #pragma once
 
 #include "results/dynamic_results.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// What a check is and how it came out.
+/// Identity and outcome of a check.
 template <class Row, class Visit>
 void visit_check_head(Row& r, Visit& visit) {
   visit(ResultField{"id", "1", "Name of the check for scripts"}.summary().page(), r.id);
@@ -25,10 +25,10 @@ void visit_check_head(Row& r, Visit& visit) {
         r.governing);
 }
 
-/// The numbers of a check that is done.
+/// Numbers of a completed check.
 template <class Row, class Visit>
 void visit_check_numbers(Row& r, Visit& visit) {
-  visit(ResultField{"utilisation", "1", "Utilisation, 1 is all of the capacity"}.csv("utilisation").summary().page(),
+  visit(ResultField{"utilisation", "1", "Utilisation; 1 is the full capacity"}.csv("utilisation").summary().page(),
         r.utilisation);
   visit(ResultField{"reserve", "1", "Factor on the load effects that brings the utilisation to 1, at most 999"}
             .csv("reserve factor")
@@ -49,19 +49,22 @@ void visit_check_numbers(Row& r, Visit& visit) {
             .summary("at/from_top")
             .page("at/from_top"),
         r.from_top);
-  visit(ResultField{"position", "m", "Place in the static state", kWorldFrame}.csv(kComponents).summary("at/"), r.p_W);
+  visit(ResultField{"position", "m", "Position in the static state", kWorldFrame}.csv(kComponents).summary("at/"),
+        r.p_W);
 }
 
 template <class Row, class Visit>
 void visit_check(Row& r, Visit& visit) {
   visit_check_head(r, visit);
   visit_check_numbers(r, visit);
-  visit(ResultField{"in_time", "1", "1 of an instant of the run, 0 of the static state or without an instant"},
+  visit(ResultField{"in_time", "1", "1 for an instant of the run, 0 for the static state or without an instant"},
         r.in_time);
   visit(ResultField{"time", "s", "Time, if in_time is 1"}.csv("time"), r.time);
   visit(ResultField{"remark", "1", "Remark"}.csv("remark"), r.remark);
-  visit(ResultField{"line", "1", "Line by itself that is judged, from whose first end s counts; empty: others"}.csv(
-            "line"),
+  visit(ResultField{"line", "1",
+                    "Stand-alone line that is checked; s is measured from its first end. Empty for "
+                    "other checks"}
+            .csv("line"),
         r.line);
 }
 
@@ -78,7 +81,7 @@ void visit_sheet_line(Line& r, Visit& visit) {
   visit(ResultField{"symbol", "1", "Symbol of the quantity in the formulas of the sheet"}.csv("symbol").summary(),
         r.symbol);
   visit(ResultField{"meaning", "1", "Meaning"}.csv("meaning").summary(), r.meaning);
-  visit(ResultField{"formula", "1", "Formula in the symbols of the lines before it; empty for an input"}
+  visit(ResultField{"formula", "1", "Formula in the symbols of the preceding lines; empty for an input"}
             .csv("formula")
             .summary(),
         r.formula);
@@ -106,35 +109,38 @@ void visit_check_along(Along& a, Visit& visit) {
                     "Strain divided by the limit of the simplified laying criteria; 0 away from the supports"},
         a.laying);
   visit(ResultField{"api", "1", "Utilisation, API RP 1111 bending and external pressure"}, a.api);
-  visit(ResultField{"governing", "1", "Largest utilisation that decides at the station"}.page("checks"), a.governing);
+  visit(ResultField{"governing", "1", "Maximum utilisation of the governing checks at the station"}.page("checks"),
+        a.governing);
 }
 
-/// The columns of DesignPeaks; `before` stands before each name.
+/// Columns of DesignPeaks; `before` is the prefix of each name.
 template <class Peaks, class Visit>
 void visit_design_peaks(Peaks& p, const std::string& before, Visit& visit) {
   visit(ResultField{before + "load", "1", "Largest utilisation, load controlled"}, p.load);
-  visit(ResultField{before + "load_time", "s", "When it stood"}, p.load_time);
+  visit(ResultField{before + "load_time", "s", "Time of that maximum"}, p.load_time);
   visit(ResultField{before + "moment", "N m", "Design bending moment at that instant"}, p.moment);
-  visit(ResultField{before + "force", "N", "Design effective force then"}, p.force);
-  visit(ResultField{before + "load_pressure", "Pa", "External over internal pressure then"}, p.load_pressure);
+  visit(ResultField{before + "force", "N", "Design effective force at that instant"}, p.force);
+  visit(ResultField{before + "load_pressure", "Pa", "External over internal pressure at that instant"},
+        p.load_pressure);
   visit(ResultField{before + "share", "1",
                     "Reduction factor of the plastic moment due to the roller force at that instant"},
         p.share);
   visit(ResultField{before + "strain", "1", "Largest utilisation, displacement controlled; 0 off the supports"},
         p.strain);
-  visit(ResultField{before + "strain_time", "s", "When it stood"}, p.strain_time);
-  visit(ResultField{before + "design_strain", "1", "Design strain then"}, p.design_strain);
-  visit(ResultField{before + "strain_pressure", "Pa", "External over internal pressure then"}, p.strain_pressure);
+  visit(ResultField{before + "strain_time", "s", "Time of that maximum"}, p.strain_time);
+  visit(ResultField{before + "design_strain", "1", "Design strain at that instant"}, p.design_strain);
+  visit(ResultField{before + "strain_pressure", "Pa", "External over internal pressure at that instant"},
+        p.strain_pressure);
 }
 
 /// Design values per station of a run: visit(field, numbers).
 template <class Design, class Visit>
 void visit_station_design(Design& d, Visit& visit) {
   visit_design_peaks(d, "", visit);
-  visit(ResultField{"largest_force", "N", "Largest magnitude of the design effective force"}, d.largest_force);
-  visit(ResultField{"von_mises_time", "s", "When the largest von Mises stress stood"}, d.von_mises_time);
-  visit(ResultField{"fibre_strain_time", "s", "When the largest strain stood"}, d.fibre_strain_time);
-  visit(ResultField{"tension_time", "s", "When the largest effective tension stood"}, d.tension_time);
+  visit(ResultField{"largest_force", "N", "Largest magnitude of the design effective force"}, d.max_force);
+  visit(ResultField{"von_mises_time", "s", "Time of the maximum von Mises stress"}, d.von_mises_time);
+  visit(ResultField{"fibre_strain_time", "s", "Time of the maximum strain"}, d.fibre_strain_time);
+  visit(ResultField{"tension_time", "s", "Time of the maximum effective tension"}, d.tension_time);
   visit_design_peaks(d.of_class[0], "class_low_", visit);
   visit_design_peaks(d.of_class[1], "class_medium_", visit);
   visit_design_peaks(d.of_class[2], "class_high_", visit);

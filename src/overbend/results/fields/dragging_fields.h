@@ -1,4 +1,4 @@
-/// A pipe dragged along the bed; result_field.h has the idea.
+/// Fields of a pipe dragged along the seabed; see result_field.h.
 #pragma once
 
 #include "results/dragging_results.h"
@@ -18,9 +18,10 @@ void visit_dragging(Row& r, Visit& visit) {
         r.pipe_end_tension);
   visit(ResultField{"winch_tension", "N", "Effective tension of the cable at the winch"}.csv("winch tension").report(),
         r.winch_tension);
-  visit(ResultField{"sagbend_x", "m", "Place of the largest moment of the sagbend, astern of the stern shoe"}.report(),
+  visit(ResultField{"sagbend_x", "m", "Position of the maximum sagbend moment, astern of the stern shoe"}.report(),
         r.sagbend_x);
-  visit(ResultField{"sagbend_from_top", "m", "Its arc length from the tensioner"}.report(), r.sagbend_from_top);
+  visit(ResultField{"sagbend_from_top", "m", "Arc length of that position from the tensioner"}.report(),
+        r.sagbend_from_top);
   visit(ResultField{"winch_inclination", "rad", "Inclination of the cable at the winch, positive dipping astern"}
             .csv("winch inclination")
             .report(),
@@ -29,7 +30,7 @@ void visit_dragging(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_lift_off(Row& r, Visit& visit) {
-  visit(ResultField{"x", "m", "Place where the line leaves the seabed before the winch, astern of the stern shoe"}
+  visit(ResultField{"x", "m", "Position where the line lifts off the seabed before the winch, astern of the stern shoe"}
             .csv("lift-off")
             .summary()
             .report(),
@@ -39,7 +40,7 @@ void visit_lift_off(Row& r, Visit& visit) {
             .summary("arc_length_before_winch")
             .report(),
         r.before_winch);
-  visit(ResultField{"cable", "1", "Whether the cable leaves it, else pipe or head"}.report(), r.cable);
+  visit(ResultField{"cable", "1", "1 if the cable lifts off, 0 for pipe or head"}.report(), r.cable);
 }
 
 }  // namespace overbend

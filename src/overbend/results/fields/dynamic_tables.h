@@ -1,4 +1,4 @@
-/// Rows of the tables of a dynamic analysis; result_field.h has the idea.
+/// Fields of the tables of a dynamic analysis; see result_field.h.
 #pragma once
 
 #include "results/dynamic_results.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// What the tables of supports and of rollers share.
+/// Fields common to the tables of supports and of rollers.
 template <class Row, class Visit>
 void visit_contact_over_time(Row& r, Visit& visit) {
   visit_spread(ResultField{"separation", "m", "Clear distance, daylight positive"}.csv("separation").summary().page(),
@@ -48,23 +48,24 @@ void visit_dynamic_support(Row& r, Visit& visit) {
   visit_spread(ResultField{"lateral", "N", "Part of the resultant across, port positive", kBoxFrame}.summary(),
                r.lateral, visit);
   visit_contact_over_time(r, visit);
-  visit(ResultField{"left_to_port", "s", "When the pipe was first off the box over its port end"}.summary(),
+  visit(ResultField{"left_to_port", "s", "Time at which the pipe first left the box over its port end"}.summary(),
         r.left_to_port);
-  visit(ResultField{"left_to_starboard", "s", "When the pipe was first off the box over its starboard end"}.summary(),
+  visit(ResultField{"left_to_starboard", "s", "Time at which the pipe first left the box over its starboard end"}
+            .summary(),
         r.left_to_starboard);
 }
 
-/// The worst that a roller saw.
+/// Peak values of a roller.
 template <class Row, class Visit>
 void visit_hardest(Row& r, Visit& visit) {
   visit(ResultField{"largest_impact_force", "N", "Largest force of an impact"}.csv("largest impact force").summary(),
-        r.largest_impact_force);
+        r.max_impact_force);
   visit(ResultField{"largest_approach_velocity", "m/s", "Largest normal velocity at first touch"}
             .csv("largest approach velocity")
             .summary(),
-        r.largest_approach_velocity);
+        r.max_approach_velocity);
   visit(ResultField{"largest_impulse", "N s", "Largest impulse of an impact"}.csv("largest impulse").summary(),
-        r.largest_impulse);
+        r.max_impulse);
   visit(ResultField{"dent_depth", "m", "Dent of bare steel under the largest force"}.csv("dent depth").summary(),
         r.dent_depth);
   visit(ResultField{"line_load", "N/m", "Largest force divided by the length of coating under the roller"}
@@ -78,7 +79,7 @@ void visit_dynamic_roller(Row& r, Visit& visit) {
   visit(ResultField{"roller", "1", "Number of the roller through all boxes, from 0"}, r.roller);
   visit(ResultField{"box", "1", "Number of its box, from 0"}, r.box);
   visit(ResultField{"row", "1", "Number of its row within the box, from 0"}, r.row);
-  visit(ResultField{"position", "1", "Place in the row: bottom, port or starboard"}, r.position);
+  visit(ResultField{"position", "1", "Position in the row: bottom, port or starboard"}, r.position);
   visit_spread(
       ResultField{"reaction", "N", "Normal contact force on the pipe"}.csv("reaction normal").summary().report(),
       r.reaction, visit);
@@ -88,7 +89,7 @@ void visit_dynamic_roller(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_impact(Row& r, Visit& visit) {
-  visit(ResultField{"time", "s", "Of first touch"}.csv("time").page().report(), r.time);
+  visit(ResultField{"time", "s", "Time of first touch"}.csv("time").page().report(), r.time);
   visit(ResultField{"roller", "1", "Number of the roller through all boxes, from 0"}, r.roller);
   visit(ResultField{"approach_velocity", "m/s", "Normal velocity at first touch"}
             .csv("approach velocity")
@@ -97,7 +98,7 @@ void visit_impact(Row& r, Visit& visit) {
         r.approach_velocity);
   visit(ResultField{"peak_force", "N", "Largest normal force"}.csv("peak force").page().report(), r.peak_force);
   visit(ResultField{"duration", "s",
-                    "Until separation, or until the force has passed its peak if the pipe stays in contact"}
+                    "Duration until separation, or until the force has passed its peak if the pipe stays in contact"}
             .csv("duration")
             .page(),
         r.duration);
@@ -115,28 +116,28 @@ template <class Row, class Visit>
 void visit_estimate(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the history"}.summary(), r.name);
   visit(ResultField{"units", "1", "Units of its values"}.summary(), r.units);
-  visit(ResultField{"smallest", "1", "1: of the smallest value, the columns then are of that"}.summary(), r.smallest);
+  visit(ResultField{"smallest", "1", "1 if the extremes are minima, 0 if they are maxima"}.summary(), r.is_minimum);
   visit(ResultField{"peaks", "1", "Number of peaks between mean up-crossings, from t = 0"}.summary(), r.peaks);
   visit(ResultField{"observed", kVaries, "Largest (smallest) value of the run"}.summary(), r.observed);
   visit(ResultField{"estimate", kVaries, "Most probable largest (smallest) value in three hours"}.summary(),
         r.estimate);
   visit(ResultField{"low", kVaries, "Lower bound of it at 95 % confidence"}.summary(), r.low);
   visit(ResultField{"high", kVaries, "Upper bound of it at 95 % confidence"}.summary(), r.high);
-  visit(ResultField{"method", "1", "What it is made by"}.summary(), r.method);
-  visit(ResultField{"quality", "1", "good, uncertain, or none: no estimate is of use"}.summary(), r.quality);
-  visit(ResultField{"remark", "1", "Why it is not good"}.summary(), r.remark);
-  visit(ResultField{"weibull", kVaries, "By a Weibull fit; none where it does not describe the peaks"}.summary(
+  visit(ResultField{"method", "1", "Method of the estimate"}.summary(), r.method);
+  visit(ResultField{"quality", "1", "good, uncertain, or none: no reliable estimate"}.summary(), r.quality);
+  visit(ResultField{"remark", "1", "Reason if the quality is not good"}.summary(), r.remark);
+  visit(ResultField{"weibull", kVaries, "Weibull fit; none if it does not describe the peaks"}.summary(
             "weibull/estimate"),
         r.weibull);
   visit(ResultField{"weibull_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("weibull/low"),
         r.weibull_low);
   visit(ResultField{"weibull_high", kVaries, "Upper bound of it at 95 % confidence"}.summary("weibull/high"),
         r.weibull_high);
-  visit(ResultField{"gumbel", kVaries, "By a Gumbel fit"}.summary("gumbel/estimate"), r.gumbel);
+  visit(ResultField{"gumbel", kVaries, "Gumbel fit"}.summary("gumbel/estimate"), r.gumbel);
   visit(ResultField{"gumbel_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("gumbel/low"), r.gumbel_low);
   visit(ResultField{"gumbel_high", kVaries, "Upper bound of it at 95 % confidence"}.summary("gumbel/high"),
         r.gumbel_high);
-  visit(ResultField{"pareto", kVaries, "By a generalised Pareto fit; none where Weibull's serves"}.summary(
+  visit(ResultField{"pareto", kVaries, "Generalised Pareto fit; none if the Weibull fit is used"}.summary(
             "pareto/estimate"),
         r.pareto);
   visit(ResultField{"pareto_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("pareto/low"), r.pareto_low);
@@ -145,7 +146,8 @@ void visit_estimate(Row& r, Visit& visit) {
   visit(ResultField{"enough", "1", "0: too few peaks to fit"}.summary(), r.enough);
 }
 
-/// A quantity along the line over time, and its static values. Visitors with a member `over_time` get both together.
+/// A quantity along the line over time, and its static values. Visitors with a member `over_time` receive both
+/// together.
 template <class EnvelopeType, class List, class Visit>
 void visit_over_time(const ResultField& field, const ResultField& before, EnvelopeType& envelope, List& statics,
                      Visit& visit) {
@@ -157,11 +159,11 @@ void visit_over_time(const ResultField& field, const ResultField& before, Envelo
   }
 }
 
-/// Columns per station: visit(field, numbers) and visit(field, places).
+/// Columns by station: visit(field, numbers) and visit(field, places).
 template <class Results, class Visit>
 void visit_dynamic_stations(Results& r, Visit& visit) {
   visit(ResultField{"s", "m", "Unstressed arc length from the anchor"}.along().page().report(), r.station_s);
-  visit(ResultField{"static", "m", "Place in the static state", kWorldFrame}.page(kComponents), r.static_place);
+  visit(ResultField{"static", "m", "Position in the static state", kWorldFrame}.page(kComponents), r.static_place);
   visit_over_time(ResultField{"effective_tension", "N", "Effective tension"}.csv("tension").page().report(),
                   ResultField{"static_tension", "N", "Effective tension in the static state"}, r.effective_tension,
                   r.static_tension, visit);

@@ -1,35 +1,43 @@
-/// An operation on the line: its stages, the head, the cable and the anchor of a start-up; result_field.h has the idea.
+/// Fields of an operation on the line: its stages, the head, the cable and the start-up anchor; see result_field.h.
 #pragma once
 
 #include "results/fields/result_field.h"
 
 namespace overbend {
 
-/// Where the head is; `x` counts astern of the stern shoe, `z` from the mean water level.
+/// Position of the head: `x` astern of the stern shoe, `z` from the mean water level.
 template <class Row, class Visit>
 void visit_head(Row& r, Visit& visit) {
-  visit(
-      ResultField{"position", "m", "Axis of the head where the cable takes it", kWorldFrame}.summary().page().report(),
-      r.p_W);
+  visit(ResultField{"position", "m", "Attachment point of the cable on the head's axis", kWorldFrame}
+            .summary()
+            .page()
+            .report(),
+        r.p_W);
   visit(ResultField{"astern", "m", "Distance of the head astern of the stern shoe"}
             .csv("head astern")
             .summary("x")
             .page()
             .report(),
         r.astern);
-  visit(ResultField{"inclination", "rad", "Of the head where the cable takes it, positive dipping astern"}
+  visit(ResultField{"inclination", "rad", "Inclination of the head at the cable, positive dipping astern"}
             .csv("head inclination")
             .summary()
             .page()
             .report(),
         r.inclination);
-  visit(
-      ResultField{"cable_inclination", "rad", "Of the cable there"}.csv("cable inclination").summary().page().report(),
-      r.cable_inclination);
-  visit(
-      ResultField{"tension", "N", "Effective tension of the cable there"}.csv("head tension").summary().page().report(),
-      r.tension);
-  visit(ResultField{"clearance", "m", "Of the head's underside over the seabed, negative where it lies in it"}
+  visit(ResultField{"cable_inclination", "rad", "Inclination of the cable at the head"}
+            .csv("cable inclination")
+            .summary()
+            .page()
+            .report(),
+        r.cable_inclination);
+  visit(ResultField{"tension", "N", "Effective tension of the cable at the head"}
+            .csv("head tension")
+            .summary()
+            .page()
+            .report(),
+        r.tension);
+  visit(ResultField{"clearance", "m", "Clearance of the head's underside above the seabed, negative for penetration"}
             .csv("head clearance")
             .summary()
             .page()
@@ -47,11 +55,14 @@ void visit_cable(Row& r, Visit& visit) {
             .summary()
             .page()
             .report(),
-        r.largest_tension);
-  visit(
-      ResultField{"utilisation", "1", "That over the breaking load"}.csv("cable utilisation").summary().page().report(),
-      r.utilisation);
-  visit(ResultField{"winch_inclination", "rad", "Of the cable at the winch, positive dipping astern"}
+        r.max_tension);
+  visit(ResultField{"utilisation", "1", "Maximum tension over breaking load"}
+            .csv("cable utilisation")
+            .summary()
+            .page()
+            .report(),
+        r.utilisation);
+  visit(ResultField{"winch_inclination", "rad", "Inclination of the cable at the winch, positive dipping astern"}
             .summary()
             .page()
             .report(),
@@ -60,7 +71,7 @@ void visit_cable(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_far_anchor(Row& r, Visit& visit) {
-  visit(ResultField{"distance", "m", "Of the anchor astern of the stern shoe"}
+  visit(ResultField{"distance", "m", "Distance of the anchor astern of the stern shoe"}
             .csv("anchor distance")
             .summary()
             .page()
@@ -72,7 +83,7 @@ void visit_far_anchor(Row& r, Visit& visit) {
         r.uplift);
 }
 
-/// What was asked of a stage, and the tension that was found where it was sought.
+/// Input of a stage, and the tension if it was solved for.
 template <class Row, class Visit>
 void visit_lay_stage(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the stage"}.csv("stage").summary().page().report(), r.name);
@@ -94,7 +105,7 @@ void visit_lay_stage(Row& r, Visit& visit) {
             .page()
             .report(),
         r.passed);
-  visit(ResultField{"ahead", "m", "How far the vessel has moved ahead"}.csv("ahead").summary().page().report(),
+  visit(ResultField{"ahead", "m", "Distance that the vessel has moved ahead"}.csv("ahead").summary().page().report(),
         r.ahead);
   visit(ResultField{"tank_weight", "N", "Weight of the stinger's tank, empty"}
             .csv("tank weight")
@@ -110,22 +121,22 @@ void visit_lay_stage(Row& r, Visit& visit) {
         r.tank_ballast);
   visit(ResultField{"tension", "N", "Tension at the winch or tensioner"}.csv("tension").summary().page().report(),
         r.tension);
-  visit(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown that was asked for"}
+  visit(ResultField{"bottom_tension", "N", "Target horizontal tension at touchdown"}
             .summary("wanted_bottom_tension")
             .report("wanted_bottom_tension"),
         r.bottom_tension);
 }
 
-/// What a stage has besides.
+/// Further results of a stage.
 template <class Row, class Visit>
 void visit_stage_result(Row& r, Visit& visit) {
-  visit(ResultField{"barge_ahead", "m", "How far the vessel lies ahead of its place at the first stage"}
+  visit(ResultField{"barge_ahead", "m", "Distance of the vessel ahead of its position in the first stage"}
             .csv("barge ahead")
             .summary()
             .page()
             .report(),
         r.barge_ahead);
-  visit(ResultField{"governing", "1", "Limit that decides a sought tension; empty where none was sought"}
+  visit(ResultField{"governing", "1", "Limit that determines a solved tension; empty for a given tension"}
             .csv("decided by")
             .summary()
             .page()
@@ -134,17 +145,16 @@ void visit_stage_result(Row& r, Visit& visit) {
   visit(ResultField{"findings", "1", "Findings on the stage"}.summary().page().report(), r.findings);
 }
 
-/// Why a stage cannot be.
+/// Reason why a stage is infeasible.
 template <class Row, class Visit>
 void visit_stage_failure(Row& r, Visit& visit) {
   visit(ResultField{"what", "1", "What failed"}.summary().page().report(), r.what);
   visit(ResultField{"where", "1", "Where"}.summary().page().report(), r.where);
-  visit(ResultField{"why", "1", "Why, and what would help"}.summary().page().report(), r.why);
-  visit(ResultField{"least_tension", "N", "Tension at the top with which the stage can be"}.summary().page().report(),
-        r.least_tension);
+  visit(ResultField{"why", "1", "Reason, and a remedy"}.summary().page().report(), r.why);
+  visit(ResultField{"least_tension", "N", "Minimum feasible top tension"}.summary().page().report(), r.min_tension);
 }
 
-/// The operation as a whole.
+/// Results of the whole operation.
 template <class Row, class Visit>
 void visit_operation_heading(Row& r, Visit& visit) {
   visit(ResultField{"title", "1", "Title of the model"}.summary(), r.title);

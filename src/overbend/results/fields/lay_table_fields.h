@@ -1,4 +1,4 @@
-/// Columns of a lay table; result_field.h has the idea.
+/// Columns of a lay table; see result_field.h.
 #pragma once
 
 #include "results/fields/result_field.h"
@@ -7,40 +7,41 @@
 namespace overbend {
 
 template <>
-struct Words<LayRowKind> {
-  static constexpr WordList<LayRowKind, 3> list = {
-      {{LayRowKind::step, "step"}, {LayRowKind::least, "least"}, {LayRowKind::largest, "largest"}}};
+struct ResultEnumNames<LayRowKind> {
+  static constexpr ResultEnumNameList<LayRowKind, 3> list = {
+      {{LayRowKind::step, "step"}, {LayRowKind::minimum, "least"}, {LayRowKind::maximum, "largest"}}};
 };
 
 template <>
-struct Words<LayTableVary> {
-  static constexpr WordList<LayTableVary, 3> list = {
+struct ResultEnumNames<LayTableVary> {
+  static constexpr ResultEnumNameList<LayTableVary, 3> list = {
       {{LayTableVary::tension, "tension"}, {LayTableVary::lay_back, "lay_back"}, {LayTableVary::depth, "depth"}}};
 };
 
 template <>
-struct Words<RouteTension> {
-  static constexpr WordList<RouteTension, 2> list = {{{RouteTension::hold, "hold"}, {RouteTension::least, "least"}}};
+struct ResultEnumNames<RouteTension> {
+  static constexpr ResultEnumNameList<RouteTension, 2> list = {
+      {{RouteTension::hold, "hold"}, {RouteTension::minimum, "least"}}};
 };
 
-/// What the row is of. `vary` and `route` decide which of the columns there are.
+/// Input of the row. `vary` and `route` decide which of the columns exist.
 template <class Row, class Visit>
 void visit_lay_table_place(LayTableVary vary, bool route, Row& r, Visit& visit) {
-  visit(ResultField{"kind", "1", "step; or least, largest: a limit within which every governing check is passed"}
+  visit(ResultField{"kind", "1", "step; or least, largest: a limit within which every governing check passes"}
             .csv("row")
             .summary(),
         r.kind);
   if (route) {
-    visit(ResultField{"distance", "m", "Along the route"}.csv("distance").summary(), r.distance);
+    visit(ResultField{"distance", "m", "Distance along the route"}.csv("distance").summary(), r.distance);
   } else if (vary == LayTableVary::tension) {
-    visit(ResultField{"tension", "N", "Tension asked for at the tensioner"}.csv("tension").summary(), r.varied);
+    visit(ResultField{"tension", "N", "Requested tension at the tensioner"}.csv("tension").summary(), r.varied);
   } else if (vary == LayTableVary::lay_back) {
-    visit(ResultField{"lay_back_asked", "m", "Lay-back asked for"}.csv("lay-back asked").summary(), r.varied);
+    visit(ResultField{"lay_back_asked", "m", "Requested lay-back"}.csv("lay-back asked").summary(), r.varied);
   }
   visit(ResultField{"depth", "m", "Water depth at the stern shoe"}.csv("depth").summary(), r.depth);
 }
 
-/// The lay itself.
+/// Results of the lay.
 template <class Values, class Visit>
 void visit_lay_table_values(Values& r, Visit& visit) {
   visit(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.csv("top tension").summary(),
@@ -49,7 +50,9 @@ void visit_lay_table_values(Values& r, Visit& visit) {
         r.bottom_tension);
   visit(ResultField{"lay_back", "m", "Horizontal distance from the stern shoe to touchdown"}.csv("lay-back").summary(),
         r.lay_back);
-  visit(ResultField{"departure_angle", "rad", "From horizontal, at the last support in contact or the tensioner"}
+  visit(ResultField{"departure_angle", "rad",
+                    "Departure angle from horizontal, at the last support in contact or "
+                    "the tensioner"}
             .csv("departure angle")
             .summary(),
         r.departure_angle);
@@ -76,13 +79,12 @@ void visit_lay_table_values(Values& r, Visit& visit) {
             .summary(),
         r.sagbend_von_mises);
   visit(ResultField{"sagbend_strain", "1", "Largest strain there"}.csv("sagbend strain").summary(), r.sagbend_strain);
-  visit(ResultField{"largest_reaction", "N", "Of a single roller"}.csv("largest reaction").summary(),
-        r.largest_reaction);
-  visit(ResultField{"largest_reaction_support", "1", "Box of that roller"}.csv("at").summary(),
-        r.largest_reaction_support);
-  visit(ResultField{"utilisation", "1", "Of the governing check that is used most"}.csv("utilisation").summary(),
+  visit(ResultField{"largest_reaction", "N", "Maximum reaction of a single roller"}.csv("largest reaction").summary(),
+        r.max_reaction);
+  visit(ResultField{"largest_reaction_support", "1", "Box of that roller"}.csv("at").summary(), r.max_reaction_support);
+  visit(ResultField{"utilisation", "1", "Maximum utilisation of the governing checks"}.csv("utilisation").summary(),
         r.utilisation);
-  visit(ResultField{"worst_check", "1", "That check"}.csv("check").summary(), r.worst_check);
+  visit(ResultField{"worst_check", "1", "Name of that check"}.csv("check").summary(), r.find_governing_check);
 }
 
 }  // namespace overbend

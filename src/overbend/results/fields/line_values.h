@@ -1,4 +1,4 @@
-/// The values of lines by themselves; result_field.h has the idea.
+/// Fields of stand-alone lines; see result_field.h.
 #pragma once
 
 #include "results/fields/result_field.h"
@@ -6,45 +6,47 @@
 
 namespace overbend {
 
-/// A line at rest: a row of static.lines.
+/// Static results of a line: a row of static.lines.
 template <class Row, class Visit>
 void visit_line(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the line"}.summary().csv("line"), r.name);
   visit(ResultField{"length", "m", "Unstressed length"}.summary(), r.length);
   visit(ResultField{"elements", "1", "Number of elements"}.summary(), r.elements);
   visit(ResultField{"weight", "N", "Submerged weight of segments, clumps and buoys"}.summary(), r.weight);
-  visit(ResultField{"on_bed", "m", "Length that the bed bears"}.summary(), r.on_bed);
-  visit(ResultField{"largest_tension", "N", "Largest effective tension along the line"}.summary(), r.largest_tension);
-  visit(ResultField{"least_tension", "N", "Least effective tension along the line"}.summary(), r.least_tension);
+  visit(ResultField{"on_bed", "m", "Length in contact with the seabed"}.summary(), r.on_bed);
+  visit(ResultField{"largest_tension", "N", "Largest effective tension along the line"}.summary(), r.max_tension);
+  visit(ResultField{"least_tension", "N", "Minimum effective tension along the line"}.summary(), r.min_tension);
   visit(ResultField{"utilisation", "1", "Largest tension over the breaking load of its segment"}.summary(),
         r.utilisation);
   visit(ResultField{"residual", "1", "Largest unbalanced force over the weight in air"}.summary(), r.residual);
   visit(ResultField{"iterations", "1", "Iterations of Newton's method"}.summary(), r.iterations);
 }
 
-/// An end at rest: static.lines[].first and second.
+/// Static results of a line end: static.lines[].first and second.
 template <class Row, class Visit>
 void visit_line_end(Row& r, Visit& visit) {
-  visit(ResultField{"force", "N", "Force on the line by what holds its end", kWorldFrame}.summary(), r.force);
-  visit(ResultField{"tension", "N", "Size of that force"}.summary(), r.tension);
-  visit(ResultField{"declination", "rad", "Of the line at its end, positive where it hangs from it"}.summary(),
-        r.declination);
+  visit(ResultField{"force", "N", "Force on the line from its attachment", kWorldFrame}.summary(), r.force);
+  visit(ResultField{"tension", "N", "Magnitude of that force"}.summary(), r.tension);
+  visit(
+      ResultField{"declination", "rad", "Angle of the line below horizontal at its end, positive if suspended from it"}
+          .summary(),
+      r.declination);
 }
 
-/// A line in motion: a row of dynamic.lines.
+/// Results of a line over time: a row of dynamic.lines.
 template <class Row, class Visit>
 void visit_line_in_time(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the line"}.summary(), r.name);
-  visit(ResultField{"least_tension", "N", "Least effective tension along the line over time"}.summary(),
-        r.least_tension);
+  visit(ResultField{"least_tension", "N", "Minimum effective tension along the line over time"}.summary(),
+        r.min_tension);
   visit(ResultField{"largest_tension", "N", "Largest effective tension along the line over time"}.summary(),
-        r.largest_tension);
+        r.max_tension);
   visit(ResultField{"utilisation", "1", "Largest tension over time over the breaking load of its segment"}.summary(),
         r.utilisation);
-  visit_spread(ResultField{"first_tension", "N", "Tension at the first end, negative where it is pushed"}.summary(
+  visit_spread(ResultField{"first_tension", "N", "Tension at the first end, negative for compression"}.summary(
                    "first_tension/*"),
                r.first_tension, visit);
-  visit_spread(ResultField{"second_tension", "N", "Tension at the second end, negative where it is pushed"}.summary(
+  visit_spread(ResultField{"second_tension", "N", "Tension at the second end, negative for compression"}.summary(
                    "second_tension/*"),
                r.second_tension, visit);
 }
@@ -53,15 +55,15 @@ void visit_line_in_time(Row& r, Visit& visit) {
 template <class Row, class Visit>
 void visit_line_node(Row& r, Visit& visit) {
   visit(ResultField{"s", "m", "Unstressed length from the first end"}.csv("s"), r.s);
-  visit(ResultField{"place", "m", "Place at rest", kWorldFrame}.csv(kComponents), r.place);
-  visit(ResultField{"tension", "N", "Effective tension at rest"}.csv("tension"), r.tension);
+  visit(ResultField{"place", "m", "Position in equilibrium", kWorldFrame}.csv(kComponents), r.place);
+  visit(ResultField{"tension", "N", "Static effective tension"}.csv("tension"), r.tension);
 }
 
-/// The same over time; without a run the values at rest.
+/// Extremes over time; static values without a run.
 template <class Visit>
-void visit_line_node_in_time(double least, double largest, Visit& visit) {
-  visit(ResultField{"least_tension", "N", "Least over time"}.csv("least tension"), least);
-  visit(ResultField{"largest_tension", "N", "Largest over time"}.csv("largest tension"), largest);
+void visit_line_node_in_time(double min_tension, double max_tension, Visit& visit) {
+  visit(ResultField{"least_tension", "N", "Minimum over time"}.csv("least tension"), min_tension);
+  visit(ResultField{"largest_tension", "N", "Maximum over time"}.csv("largest tension"), max_tension);
 }
 
 }  // namespace overbend

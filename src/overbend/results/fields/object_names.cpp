@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 
 namespace overbend {
 namespace {
 
-using Parts = std::vector<NamePart>;
+using Parts = std::vector<PathPart>;
 
 constexpr std::string_view kSolveMembers = "balance iterations relaxation_steps wall_time method history";
 constexpr std::string_view kRunMembers =
@@ -68,37 +68,37 @@ constexpr std::array kLinks = {
     ObjectLink{"run/steps", "/dynamic/run"},
 };
 
-/// A row with its paths in parts.
+/// A row with its paths split into parts.
 struct ParsedRow {
   const ObjectRow* row;
   Parts object, path;
   std::vector<std::string_view> members;
 };
 
-std::vector<std::string_view> split_words(std::string_view text) {
-  std::vector<std::string_view> words;
+std::vector<std::string_view> split_names(std::string_view text) {
+  std::vector<std::string_view> member_names;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
-    words.push_back(text.substr(0, end));
+    member_names.push_back(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return words;
+  return member_names;
 }
 
 const std::vector<ParsedRow>& parsed_rows() {
   static const std::vector<ParsedRow> kParsed = [] {
     std::vector<ParsedRow> rows;
     for (const ObjectRow& row : kRows) {
-      rows.push_back({&row, name_parts(row.object).value_or(Parts{}), name_parts(row.path).value_or(Parts{}),
-                      split_words(row.members)});
+      rows.push_back({&row, split_result_path(row.object).value_or(Parts{}),
+                      split_result_path(row.path).value_or(Parts{}), split_names(row.members)});
     }
     return rows;
   }();
   return kParsed;
 }
 
-/// Whether an item of a pattern stands for that part, which in a path by object may follow a point as well.
-bool stands_for(const NamePart& pattern, const NamePart& part) {
+/// True if an item of a pattern matches the part; in a path by object the item may also follow a dot.
+bool matches_item(const PathPart& pattern, const PathPart& part) {
   if (!pattern.item) return !part.item && part.text == pattern.text;
   if (pattern.text == "*") return true;
   return part.item ? chooses_item(part.text, 0, pattern.text) : part.text == pattern.text;
@@ -107,16 +107,16 @@ bool stands_for(const NamePart& pattern, const NamePart& part) {
 bool begins_with(const Parts& parts, const Parts& pattern) {
   return parts.size() >= pattern.size() &&
          std::equal(pattern.begin(), pattern.end(), parts.begin(),
-                    [](const NamePart& whole, const NamePart& part) { return stands_for(whole, part); });
+                    [](const PathPart& expected, const PathPart& part) { return matches_item(expected, part); });
 }
 
-/// Of a row of items the list itself.
-bool is_list_of(const ParsedRow& row, const Parts& path) {
+/// True if the path is the list itself of a row of items.
+bool is_list_path(const ParsedRow& row, const Parts& path) {
   return row.path.back().item && path.size() + 1 == row.path.size() && begins_with(row.path, path);
 }
 
 bool holds(const ParsedRow& row, const Parts& path) {
-  if (is_list_of(row, path)) return true;
+  if (is_list_path(row, path)) return true;
   if (!begins_with(path, row.path)) return false;
   if (row.members.empty()) return true;
   return path.size() > row.path.size() &&
@@ -132,14 +132,14 @@ const ParsedRow* find_row(const Parts& path) {
   return found;
 }
 
-/// The path with `to` in the place of `from`; an item of both stays.
+/// Returns the path with `from` replaced by `to`; an item in both is kept.
 Parts replaced(const Parts& path, const Parts& from, const Parts& to) {
   std::string item;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from[i].item && from[i].text == "*") item = path[i].text;
   }
   Parts result = to;
-  for (NamePart& part : result) {
+  for (PathPart& part : result) {
     if (part.item && part.text == "*") part.text = item;
   }
   result.insert(result.end(), path.begin() + static_cast<std::ptrdiff_t>(from.size()), path.end());
@@ -147,21 +147,21 @@ Parts replaced(const Parts& path, const Parts& from, const Parts& to) {
 }
 
 const Parts& stage_pattern() {
-  static const Parts kPattern = *name_parts("operation.stages[*]");
+  static const Parts kPattern = *split_result_path("operation.stages[*]");
   return kPattern;
 }
 
-/// A stage has the members of `static`, and in the tree the objects of these.
+/// A stage has the members of `static`, and in the tree the objects of these members.
 std::optional<Parts> by_object(const Parts& path) {
   const ParsedRow* row = find_row(path);
-  if (row != nullptr && (row->object.empty() || is_list_of(*row, path))) return std::nullopt;
+  if (row != nullptr && (row->object.empty() || is_list_path(*row, path))) return std::nullopt;
   if (row != nullptr) return replaced(path, row->path, row->object);
   if (!begins_with(path, stage_pattern()) || path.size() == stage_pattern().size()) return std::nullopt;
   const std::optional<Parts> below = by_object(replaced(path, stage_pattern(), {{"static"}}));
   if (!below) return std::nullopt;
-  Parts whole = {{"stages"}, path[2]};
-  whole.insert(whole.end(), below->begin(), below->end());
-  return whole;
+  Parts full = {{"stages"}, path[2]};
+  full.insert(full.end(), below->begin(), below->end());
+  return full;
 }
 
 bool is_root(const std::string& name) {
@@ -171,14 +171,14 @@ bool is_root(const std::string& name) {
 
 std::vector<Parts> by_kind(const Parts& object);
 
-/// Below a stage the objects of a static analysis, and what the stage itself has.
+/// Paths below a stage: the objects of a static analysis and the stage's own members.
 std::vector<Parts> by_kind_in_stage(const Parts& object) {
-  const Parts whole = replaced(object, {{"stages"}, {"*", true}}, stage_pattern());
-  if (object.size() == 2 || !is_root(object[2].text)) return {whole};
+  const Parts full = replaced(object, {{"stages"}, {"*", true}}, stage_pattern());
+  if (object.size() == 2 || !is_root(object[2].text)) return {full};
   std::vector<Parts> paths;
   for (const Parts& path : by_kind({object.begin() + 2, object.end()})) {
     if (path.front().text == "static") {
-      paths.push_back(replaced(path, {{"static"}}, {whole.begin(), whole.begin() + 3}));
+      paths.push_back(replaced(path, {{"static"}}, {full.begin(), full.begin() + 3}));
     }
   }
   return paths;
@@ -195,7 +195,7 @@ std::vector<Parts> by_kind(const Parts& object) {
   return paths;
 }
 
-/// "static.supports[].reaction" -> "static.supports[*].reaction", and back.
+/// Converts "static.supports[].reaction" to "static.supports[*].reaction", and back.
 std::string with_items(std::string path, std::string_view from, std::string_view to) {
   for (std::size_t place = path.find(from); place != std::string::npos; place = path.find(from, place)) {
     path.replace(place, from.size(), to);
@@ -214,25 +214,25 @@ std::span<const ObjectLink> object_links() {
 }
 
 const ObjectRow* object_row(const std::string& path) {
-  const std::optional<Parts> parts = name_parts(path);
+  const std::optional<Parts> parts = split_result_path(path);
   const ParsedRow* row = parts ? find_row(*parts) : nullptr;
   return row != nullptr ? row->row : nullptr;
 }
 
 std::optional<std::string> object_path(const std::string& path) {
   const bool lists = path.find("[]") != std::string::npos;
-  const std::optional<Parts> parts = name_parts(lists ? with_items(path, "[]", "[*]") : path);
+  const std::optional<Parts> parts = split_result_path(lists ? with_items(path, "[]", "[*]") : path);
   const std::optional<Parts> object = parts ? by_object(*parts) : std::nullopt;
   if (!object) return std::nullopt;
-  return lists ? with_items(joined_name(*object), "[*]", "[]") : joined_name(*object);
+  return lists ? with_items(join_result_path(*object), "[*]", "[]") : join_result_path(*object);
 }
 
 std::vector<std::string> summary_paths(const std::string& path) {
-  std::optional<Parts> parts = name_parts(path);
+  std::optional<Parts> parts = split_result_path(path);
   if (parts && parts->size() > 1 && parts->front().text == "objects") parts->erase(parts->begin());
   if (!parts || !is_root(parts->front().text)) return {path};
   std::vector<std::string> names;
-  for (const Parts& found : by_kind(*parts)) names.push_back(joined_name(found));
+  for (const Parts& found : by_kind(*parts)) names.push_back(join_result_path(found));
   return names;
 }
 

@@ -1,4 +1,4 @@
-/// Rows of the tables of a static analysis; result_field.h has the idea. Their order is that of the tables of text.
+/// Fields of the tables of a static analysis; see result_field.h. Their order is that of the text tables.
 #pragma once
 
 #include <limits>
@@ -36,7 +36,8 @@ void visit_station(Row& r, Visit& visit) {
   visit(
       ResultField{"astern", "m", "Horizontal distance astern of the stern shoe along the vessel's axis"}.csv("astern"),
       r.astern);
-  visit(ResultField{"inclination", "rad", "Of the pipe from horizontal, positive dipping astern"}.csv("inclination"),
+  visit(ResultField{"inclination", "rad", "Inclination of the pipe from horizontal, positive dipping astern"}.csv(
+            "inclination"),
         r.inclination);
   visit(ResultField{"wall_tension", "N", "True wall tension"}.csv("wall tension").report(), r.wall_tension);
   visit(ResultField{"vertical_moment", "N m", "Bending moment in the vertical plane of the pipe, sagging positive"}
@@ -65,10 +66,10 @@ void visit_station(Row& r, Visit& visit) {
         r.current_tension);
 }
 
-/// What follows from an arc length from the anchor, of a line that ends at the tensioner at `top`.
+/// Fields derived from an arc length from the anchor, for a line that ends at the tensioner at `top` [m].
 template <class Visit>
 void visit_from_tensioner(double top, double s, Visit& visit) {
-  const double from = s < 0.0 ? std::numeric_limits<double>::quiet_NaN() : top - s;  // none where there is no s
+  const double from = s < 0.0 ? std::numeric_limits<double>::quiet_NaN() : top - s;  // NaN without an arc length
   visit(ResultField{"from_top", "m", "Distance along the pipe from the tensioner"}.csv("from tensioner"), from);
 }
 
@@ -81,7 +82,8 @@ void visit_support(Row& r, Visit& visit) {
             .report("p"),
         r.p_W);
   visit(ResultField{"astern", "m", "Distance of the box point astern of the stern shoe"}.summary(), r.astern);
-  visit(ResultField{"inclination", "rad", "Of the box axis from horizontal, positive dipping astern"}.report(),
+  visit(ResultField{"inclination", "rad", "Inclination of the box axis from horizontal, positive dipping astern"}
+            .report(),
         r.inclination);
   visit(ResultField{"length", "m", "Length of the box"}.report(), r.length);
   visit(ResultField{"s", "m", "Arc length of the pipe at the middle of the box"}.along().summary().page().report(),
@@ -125,7 +127,7 @@ void visit_row(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_roller(Row& r, Visit& visit) {
-  visit(ResultField{"position", "1", "Place in the row: bottom, port or starboard"}.csv("position").page().report(),
+  visit(ResultField{"position", "1", "Position in the row: bottom, port or starboard"}.csv("position").page().report(),
         r.position);
   visit(
       ResultField{"reaction", "N", "Normal contact force on the pipe"}.csv("reaction normal").summary().page().report(),
@@ -146,7 +148,7 @@ void visit_roller(Row& r, Visit& visit) {
       r.separation);
   visit(ResultField{"off_end", "m", "Distance of the closest point beyond the face; 0 on the face"}.report(),
         r.off_end);
-  visit(ResultField{"line_load", "N/m", "Of the reaction on the coating; 0 without one"}, r.line_load);
+  visit(ResultField{"line_load", "N/m", "Line load of the reaction on the coating; 0 without a coating"}, r.line_load);
   visit(ResultField{"", "m", "Reference point: middle of the face", kWorldFrame}.csv(kComponents).report("p"), r.p_W);
   visit(ResultField{"normal", "1", "Unit normal of the face towards the pipe", kWorldFrame}.report(), r.normal_W);
   visit(ResultField{"axis", "1", "Unit vector along the axis of the roller", kWorldFrame}.page().report(), r.axis_W);
@@ -182,21 +184,21 @@ void visit_structure_ends(Row& r, Visit& visit) {
         r.lower.strain);
 }
 
-/// What is built into the pipe.
+/// Structures built into the pipe.
 template <class Row, class Visit>
 void visit_structure(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the structure"}.summary(), r.name);
-  visit(ResultField{"from_top", "m", "Along the pipe from the tensioner to its middle"}.summary(), r.from_top);
-  visit(ResultField{"p", "m", "Its middle", kWorldFrame}.summary("place"), r.p_W);
+  visit(ResultField{"from_top", "m", "Distance along the pipe from the tensioner to its middle"}.summary(), r.from_top);
+  visit(ResultField{"p", "m", "Position of its middle", kWorldFrame}.summary("place"), r.p_W);
   visit(ResultField{"astern", "m", "Distance of its middle astern of the stern shoe"}.summary(), r.astern);
-  visit(ResultField{"inclination", "rad", "From horizontal, positive dipping astern"}.summary(), r.inclination);
+  visit(ResultField{"inclination", "rad", "Inclination from horizontal, positive dipping astern"}.summary(),
+        r.inclination);
   visit(ResultField{"bending_moment", "N m", "Largest bending moment in it"}.summary("max_bending_moment"),
         r.bending_moment);
   visit(ResultField{"effective_tension", "N", "Largest effective tension in it"}.summary("max_effective_tension"),
         r.effective_tension);
-  visit(ResultField{"reaction", "N", "Largest reaction of a roller under it; 0 where none carries it"}.summary(),
-        r.reaction);
-  visit(ResultField{"support", "1", "Box of that roller; empty where none carries it"}.summary(), r.support);
+  visit(ResultField{"reaction", "N", "Maximum reaction of a roller under it; 0 without contact"}.summary(), r.reaction);
+  visit(ResultField{"support", "1", "Box of that roller; empty without contact"}.summary(), r.support);
   visit_structure_ends(r, visit);
 }
 

@@ -1,4 +1,4 @@
-/// Tables whose columns are fields of results: what results/fields says of a quantity is its column everywhere.
+/// Tables whose columns are result fields: the definition in results/fields applies to every output.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace overbend {
 
-/// Which fields have a column.
-enum class TableFields {
-  files,   ///< Those with a heading: in CSV and XLSX.
-  people,  ///< Those that say with how many decimals they are shown: in terminal, report and page.
+/// Selection of fields that have a column.
+enum class TableAudience {
+  files,   ///< Fields with a heading: in CSV and XLSX.
+  people,  ///< Fields with a number of decimals: in terminal, report and page.
 };
 
-inline bool is_column(const ResultField& field, TableFields which) {
-  return which == TableFields::files ? !field.heading.empty() : field.decimals.has_value();
+/// True if the field has a column for this audience.
+inline bool is_column(const ResultField& field, TableAudience which) {
+  return which == TableAudience::files ? !field.heading.empty() : field.decimals.has_value();
 }
 
-/// The column of a field; `number`: its cells are numbers.
-inline TableColumn field_column(const ResultField& field, TableFields which, bool number) {
-  TableColumn column(std::string(which == TableFields::files ? field.heading : field.shown_title()));
+/// Returns the column of a field; `number`: its cells are numbers.
+inline TableColumn field_column(const ResultField& field, TableAudience which, bool number) {
+  TableColumn column(std::string(which == TableAudience::files ? field.heading : field.shown_title()));
   if (number) {
     const ShownUnit unit = shown_unit(field);
-    column = {column.title, unit, which == TableFields::people ? *field.decimals : unit.digits - unit.more};
+    column = {column.title, unit, which == TableAudience::people ? *field.decimals : unit.digits - unit.more};
   }
   column.key = field.name;
   column.description = field.description;
@@ -35,10 +36,10 @@ inline TableColumn field_column(const ResultField& field, TableFields which, boo
 template <class Value>
 inline constexpr bool kIsNumber = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>;
 
-/// Columns of the fields visited. Rows serve as examples: their values do not matter.
+/// Collects the columns of the visited fields. Rows are examples only: their values are ignored.
 struct FieldColumns {
   std::vector<TableColumn>& columns;
-  TableFields which = TableFields::files;
+  TableAudience which = TableAudience::files;
 
   template <class Value>
   void operator()(const ResultField& field, const Value&) {
@@ -46,15 +47,15 @@ struct FieldColumns {
   }
 };
 
-/// The cells of one row of those columns.
+/// Collects the cells of one row of these columns.
 struct FieldCells {
   std::vector<TableCell>& cells;
-  TableFields which = TableFields::files;
+  TableAudience which = TableAudience::files;
 
   template <class Value>
   void operator()(const ResultField& field, const Value& value) {
     if (!is_column(field, which)) return;
-    if constexpr (HasResultWords<Value>) {
+    if constexpr (HasResultEnumNames<Value>) {
       cells.emplace_back(word(value));
     } else if constexpr (std::is_constructible_v<TableCell, Value>) {
       cells.emplace_back(value);
@@ -62,9 +63,9 @@ struct FieldCells {
   }
 };
 
-/// A table with a row for each of `rows`; `visit_row(row, visitor)` hands the fields of a row to the visitor.
+/// Returns a table with a row for each of `rows`; `visit_row(row, visitor)` passes the fields of a row to the visitor.
 template <class Rows, class VisitRow>
-Table field_table(std::string title, const Rows& rows, TableFields which, const VisitRow& visit_row) {
+Table field_table(std::string title, const Rows& rows, TableAudience which, const VisitRow& visit_row) {
   Table table{std::move(title), {}};
   FieldColumns head{table.columns, which};
   visit_row(typename Rows::value_type{}, head);

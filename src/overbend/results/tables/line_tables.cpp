@@ -18,7 +18,7 @@ Table lines_at_rest(const std::vector<LineResult>& lines) {
               "dense summary"};
   table.groups({{"", 4}, {"Tension", 2}, {"", 3}});
   for (const LineResult& line : lines) {
-    table.row({line.name, line.length, line.on_bed, line.weight, line.least_tension, line.largest_tension,
+    table.row({line.name, line.length, line.on_bed, line.weight, line.min_tension, line.max_tension,
                or_dash(line.utilisation, 100.0), line.elements, fmt::format("{:.1e}", line.residual)});
   }
   return table;
@@ -39,7 +39,7 @@ Table line_ends(const std::vector<LineResult>& lines, const std::vector<LineDyna
   }
   table.groups({{"", 3}, {"Force on the line", 3}, {"", 1}, {"Tension over time", 4}});
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto add = [&](const char* name, const LineEndResult& end, const Spread* over_time) {
+    const auto add = [&](const char* name, const LineEndResult& end, const SummaryStatistics* over_time) {
       std::vector<TableCell> cells = {lines[i].name, name,          end.tension,    end.force.x(),
                                       end.force.y(), end.force.z(), end.declination};
       if (over_time != nullptr) {

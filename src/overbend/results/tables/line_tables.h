@@ -1,4 +1,4 @@
-/// Tables of lines by themselves.
+/// Tables of stand-alone lines.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace overbend {
 
+/// Returns the static results of the lines.
 Table lines_at_rest(const std::vector<LineResult>& lines);
 
-/// Tension and force at both ends of each, at rest; over time where `in_time`, which is of the same lines, is not
+/// Returns static tension and force at both ends of each line; over time if `in_time`, with the same lines, is not
 /// empty.
 Table line_ends(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time);
 

@@ -17,14 +17,14 @@ bool is_over(const std::optional<double>& use, const std::optional<double>& anch
   return use.value_or(0.0) > 1.0 || anchor_use.value_or(0.0) > 1.0;
 }
 
-/// Numbers that mean nothing any more, from a column on; what is empty stays so.
+/// Replaces numbers without meaning by dashes, from a column on; empty cells stay empty.
 void dash_numbers(TableRow& row, std::size_t from) {
   for (std::size_t i = from; i < row.cells.size(); ++i) {
     if (std::holds_alternative<double>(row.cells[i])) row.cells[i] = "-";
   }
 }
 
-/// Of quantities that waves and slow drift move together, each in its own unit.
+/// Table of quantities with low-frequency and wave-frequency motion, each in its own unit.
 Table motion_table(const std::string& title) {
   Table table{title, {TableColumn("Motion"), TableColumn("Unit")}, "dense summary"};
   table.columns[0].key = "name";
@@ -44,14 +44,16 @@ Table motion_table(const std::string& title) {
     table.column(TableColumn::texts(heading));
     table.columns.back().key = key;
   }
-  return table.groups({{"", 2}, {"Whole", 4}, {"Slow part", 3}, {"Wave part", 2}, {"Most probable in 3 h", 2}});
+  return table.groups(
+      {{"", 2}, {"Whole", 4}, {"Low-frequency part", 3}, {"Wave-frequency part", 2}, {"Most probable in 3 h", 2}});
 }
 
-void add_motion(Table& table, const std::string& name, std::string_view si, int digits, const MotionSpread& motion) {
-  const Spread &whole = motion.whole, &slow = motion.slow, &wave = motion.wave;
+void add_motion(Table& table, const std::string& name, std::string_view si, int digits,
+                const MotionStatistics& motion) {
+  const SummaryStatistics &total = motion.whole, &slow = motion.slow, &wave = motion.wave;
   std::vector<TableCell> cells = {name, shown_name(si)};
   for (const std::optional<double>& value : std::initializer_list<std::optional<double>>{
-           whole.min, whole.max, whole.mean, whole.std, slow.min, slow.max, slow.std, wave.max, wave.std,
+           total.min, total.max, total.mean, total.std, slow.min, slow.max, slow.std, wave.max, wave.std,
            motion.most_probable_min, motion.most_probable_max}) {
     cells.push_back(value ? shown_number(*value, si, digits) : "-");
   }
@@ -71,7 +73,7 @@ const char* course(const DynamicResults& results) {
 }
 
 Table moorings_at_rest(const std::vector<MooringLineResult>& lines) {
-  Table table = field_table("Mooring lines at rest", lines, TableFields::people, [](const auto& line, auto& visit) {
+  Table table = field_table("Mooring lines at rest", lines, TableAudience::people, [](const auto& line, auto& visit) {
     visit_mooring_line(line, visit);
     visit_mooring_use(line, visit);
   });
@@ -91,7 +93,7 @@ Table moorings_at_rest(const std::vector<MooringLineResult>& lines) {
 }
 
 Table vessel_motions(const VesselDynamics& v, const std::string& course) {
-  Table table = motion_table("Motion of the vessel: slow and wave part");
+  Table table = motion_table("Motion of the vessel: low-frequency and wave-frequency parts");
   add_motion(table, "Surge, forward", "m", 3, v.surge);
   add_motion(table, "Sway, to port", "m", 3, v.sway);
   add_motion(table, "Heave, up", "m", 3, v.heave);
@@ -105,7 +107,7 @@ Table vessel_motions(const VesselDynamics& v, const std::string& course) {
 }
 
 Table fairlead_tensions(const std::vector<MooringLineDynamics>& lines) {
-  Table table = motion_table("Tension at the fairleads: slow and wave part");
+  Table table = motion_table("Tension at the fairleads: low-frequency and wave-frequency parts");
   table.columns[0].title = "Line";
   for (const MooringLineDynamics& line : lines) add_motion(table, line.name, "N", 1, line.fairlead_tension);
   return table;
@@ -118,8 +120,8 @@ Table moorings_over_time(const std::vector<MooringLineDynamics>& lines) {
        keyed("fairlead_tension_max", {"largest", "N", 1}), keyed("utilisation", {"utilisation", "", 3}),
        keyed("most_probable_utilisation", {"most probable", "", 3}), keyed("anchor_tension_max", {"largest", "N", 1}),
        keyed("anchor_utilisation", {"utilisation", "", 3}), keyed("largest_uplift", {"uplift", "N", 1}),
-       keyed("least_on_bed", {"Least on bed", "m", 1}), keyed("time_slack", {"Slack for", "s", 1}),
-       keyed("brake_rendered", {"Brake let out", "m", 2}), keyed("anchor_slip", {"Anchor slip", "m", 2}),
+       keyed("least_on_bed", {"Min. on seabed", "m", 1}), keyed("time_slack", {"Time slack", "s", 1}),
+       keyed("brake_rendered", {"Brake rendered", "m", 2}), keyed("anchor_slip", {"Anchor slip", "m", 2}),
        keyed("clearance", {"Clearance", "m", 1}), keyed("nearest_object", TableColumn("to"))},
       "dense summary"};
   table.groups({{"", 1}, {"Tension at the fairlead", 4}, {"Anchor", 3}});
@@ -129,7 +131,7 @@ Table moorings_over_time(const std::vector<MooringLineDynamics>& lines) {
   for (const MooringLineDynamics& l : lines) {
     table.row(
         {l.name, l.start_fairlead_tension, l.fairlead_tension.whole.max, l.utilisation, l.most_probable_utilisation,
-         l.anchor_tension.whole.max, l.anchor_utilisation, l.largest_uplift, l.least_on_bed, l.time_slack,
+         l.anchor_tension.whole.max, l.anchor_utilisation, l.max_uplift, l.min_on_seabed, l.time_slack,
          slip(l.brake_rendered), slip(l.anchor_slip), l.clearance, l.nearest_object},
         is_over(l.utilisation, l.anchor_utilisation) ? RowMark::over : RowMark::none);
   }
@@ -142,7 +144,7 @@ Table thrust_over_time(const std::vector<ThrustDynamics>& all) {
                                                                            {"Std", "std"},
                                                                            {"Min", "min"},
                                                                            {"Max", "max"},
-                                                                           {"Most asked for", "largest_asked"},
+                                                                           {"Max. demand", "largest_asked"},
                                                                            {"Limit", "limit"}}};
   for (const auto& [heading, key] : kValues) table.column(keyed(key, TableColumn::texts(heading)));
   table.column(keyed("time_at_limit", {"At the limit", "s", 1})).column(keyed("unit", TableColumn("Unit")));
@@ -153,7 +155,7 @@ Table thrust_over_time(const std::vector<ThrustDynamics>& all) {
     const auto text = [&](double value) { return shown_number(value, si, i == 2 ? 0 : 1); };
     table.row(
         {kNames.at(i), text(thrust.given.mean), text(thrust.given.std), text(thrust.given.min), text(thrust.given.max),
-         text(thrust.largest_asked), thrust.limit ? text(*thrust.limit) : "none", thrust.time_at_limit, shown_name(si)},
+         text(thrust.max_demand), thrust.limit ? text(*thrust.limit) : "none", thrust.time_at_limit, shown_name(si)},
         thrust.time_at_limit > 0.0 ? RowMark::over : RowMark::none);
   }
   return table;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "results/fields/places.h"
-#include "results/result_words.h"
+#include "results/fields/location_names.h"
+#include "results/result_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -22,7 +22,7 @@ std::vector<TableCell> pipe_cells(const StaticResults& results, const Row& row) 
           row.von_mises,         yield_percent(results, row.s, row.von_mises)};
 }
 
-/// A row of the static summary: the pipe at a station; at a box, at its middle, with the largest over its length.
+/// A row of the static summary: the pipe at a station; for a box, at its middle, with the maxima over its length.
 void add_station(Table& table, const StaticResults& results, const Station& station, const std::string& name,
                  const std::string& part, const SupportResult* box = nullptr) {
   const Vec3 p = ship_point(results, station.p_W);
@@ -42,14 +42,14 @@ int rows_in_contact(const SupportResult& box) {
       std::count_if(box.rows.begin(), box.rows.end(), [](const RowResult& row) { return row.reaction > 0.0; }));
 }
 
-double largest_roller(const SupportResult& box) {
-  double largest = 0.0;
+double max_roller_reaction(const SupportResult& box) {
+  double max_reaction = 0.0;
   for (const RowResult& row : box.rows) {
     for (const RollerResult& roller : row.rollers) {
-      largest = std::max(largest, roller.reaction);
+      max_reaction = std::max(max_reaction, roller.reaction);
     }
   }
-  return largest;
+  return max_reaction;
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ Table roller_boxes(const StaticResults& results) {
   for (const SupportResult& box : results.supports) {
     const Vec3 p = ship_point(results, box.p_W);
     table.row({box.name, box.stinger ? "stinger" : "ramp", p.x(), p.z(), box.inclination, box.length, box.reaction,
-               box.vertical, box.longitudinal, box.lateral, largest_roller(box),
+               box.vertical, box.longitudinal, box.lateral, max_roller_reaction(box),
                fmt::format("{} of {}", rows_in_contact(box), box.rows.size()), box.separation, sides(box)});
   }
   return table;

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "results/result_words.h"
+#include "results/result_enum_names.h"
 
 namespace overbend {
 namespace {
@@ -15,7 +15,7 @@ std::string number_text(const TableColumn& column, double value) {
   return fixed(value * column.factor, column.digits);
 }
 
-/// In the unit of its column, with four decimals more than are shown.
+/// Number in the unit of its column, with four more decimals than shown.
 Json number_json(const TableColumn& column, double value) {
   if (!std::isfinite(value)) return "-";
   const double scale = std::pow(10.0, column.digits + 4);
@@ -27,7 +27,7 @@ Json number_json(const TableColumn& column, double value) {
 Json column_json(const TableColumn& column) {
   Json json = {{"title", column.title}};
   if (!column.unit.empty()) json["unit"] = column.unit;
-  if (column.words) {
+  if (column.is_text) {
     json["words"] = true;
   } else {
     json["digits"] = column.digits;
@@ -50,7 +50,7 @@ Json row_json(const Table& table, const TableRow& row) {
   return cells;
 }
 
-/// The heads above the columns with their spans; none where no column is in a group.
+/// Group headings above the columns with their spans; none without groups.
 Json groups_json(const Table& table) {
   Json groups = Json::array();
   bool any = false;
@@ -67,7 +67,7 @@ bool says_nothing(const TableCell& cell) {
   return std::holds_alternative<std::monostate>(cell) || (text != nullptr && text->empty());
 }
 
-/// Letters, not bytes: a character of UTF-8 has one byte that does not go on from another.
+/// Returns the number of characters, not bytes: continuation bytes of UTF-8 are not counted.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -89,7 +89,7 @@ TableColumn::TableColumn(std::string heading, std::string_view si, int decimals)
 TableColumn TableColumn::texts(std::string heading, std::string_view unit) {
   TableColumn column(std::move(heading));
   column.unit = unit;
-  column.words = false;
+  column.is_text = false;
   return column;
 }
 
@@ -184,8 +184,8 @@ std::string table_text(const Table& table, int indent) {
     std::string written(static_cast<std::size_t>(indent), ' ');
     for (std::size_t i = 0; i < count; ++i) {
       std::size_t width = 0;
-      for (const std::vector<std::string>& other : lines) width = std::max(width, letters(other[i]));
-      written += (i == 0 ? "" : "  ") + padded(line[i], width, table.columns[i].words);
+      for (const std::vector<std::string>& candidate : lines) width = std::max(width, letters(candidate[i]));
+      written += (i == 0 ? "" : "  ") + padded(line[i], width, table.columns[i].is_text);
     }
     text += written.substr(0, written.find_last_not_of(' ') + 1) + "\n";
   }

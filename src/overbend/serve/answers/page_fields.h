@@ -1,5 +1,5 @@
-/// The layout of what the page gets of results. Functions of a style, so that the page's types come from the same
-/// lines; see resultfiles/summary/json_fields.h.
+/// Layout of the results sent to the page. The functions take a style, so that values and TypeScript types come from
+/// the same code; see resultfiles/summary/json_fields.h.
 #pragma once
 
 #include <algorithm>
@@ -13,25 +13,25 @@
 
 namespace overbend {
 
-inline double yield_utilisation(double von_mises, const Station& at) {
-  return at.yield_stress > 0.0 ? von_mises / at.yield_stress : 0.0;
+inline double yield_utilisation(double von_mises, const Station& station) {
+  return station.yield_stress > 0.0 ? von_mises / station.yield_stress : 0.0;
 }
 
-/// Lists from the tensioner to the anchor. `wanted` as in JsonLists.
+/// Returns lists from the tensioner to the anchor. `wanted` as in JsonLists.
 template <class Style>
 auto page_pipe(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted) {
   JsonLists<Style> lists(style, wanted);
-  for (auto at = r.stations.rbegin(); at != r.stations.rend(); ++at) {
-    visit_station(*at, lists);
+  for (auto station = r.stations.rbegin(); station != r.stations.rend(); ++station) {
+    visit_station(*station, lists);
     lists(ResultField{"utilisation", "1", "von Mises stress over yield stress"}.page(),
-          yield_utilisation(at->von_mises, *at));
+          yield_utilisation(station->von_mises, *station));
     lists.end_row();
   }
   JsonLists<Style> checks(style, wanted);
   CheckAlong along = r.checks.along;
   std::reverse(along.governing.begin(), along.governing.end());
   for (const double governing : along.governing) {
-    checks(ResultField{"checks", "1", "Utilisation of the code check that decides at the station"}.page(), governing);
+    checks(ResultField{"checks", "1", "Utilisation of the governing code check at the station"}.page(), governing);
     checks.end_row();
   }
   auto pipe = lists.take();
@@ -46,11 +46,11 @@ template <class Style>
 auto page_region(const Style& style, const StaticResults& r, const RegionResult& region) {
   JsonWriter<Style> json(style);
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) { json(field, extreme.value); });
-  const Extreme& most = region.von_mises;
+  const Extreme& peak = region.von_mises;
   const auto nearest =
-      std::ranges::min_element(r.stations, {}, [&](const Station& at) { return std::abs(at.s - most.s); });
-  json["utilisation"] = style.number(nearest == r.stations.end() ? 0.0 : yield_utilisation(most.value, *nearest));
-  json["s"] = style.number(style.along(most.s));
+      std::ranges::min_element(r.stations, {}, [&](const Station& station) { return std::abs(station.s - peak.s); });
+  json["utilisation"] = style.number(nearest == r.stations.end() ? 0.0 : yield_utilisation(peak.value, *nearest));
+  json["s"] = style.number(style.along(peak.s));
   return style.named("Region", json.take());
 }
 
@@ -87,29 +87,29 @@ auto page_support(const Style& style, const SupportResult& box) {
   return style.named("Support", json.take());
 }
 
-/// A section of a stinger on hinges.
+/// Returns a section of a hinged stinger.
 template <class Style>
 auto page_stinger(const Style& style, const StingerSectionResult& section) {
   JsonWriter<Style> json(style);
   visit_stinger_section(section, json);
   json["tanks"] = style.rows(section.tanks, [&](const StingerTankResult& tank) {
-    return style.named("StingerTankState", object_of(style, [&](auto& one) { visit_stinger_tank(tank, one); }));
+    return style.named("StingerTankState", make_object(style, [&](auto& writer) { visit_stinger_tank(tank, writer); }));
   });
   return style.named("StingerSectionState", json.take());
 }
 
-/// The laid pipe on an uneven bed.
+/// Returns the laid pipe on an uneven seabed.
 template <class Style>
 auto page_laid_pipe(const Style& style, const BedResults& bed) {
   JsonWriter<Style> json(style);
   visit_laid_pipe(bed, json);
   json["free_spans"] = style.rows(bed.spans, [&](const FreeSpanResult& span) {
-    return style.named("FreeSpanState", object_of(style, [&](auto& one) { visit_free_span(span, one); }));
+    return style.named("FreeSpanState", make_object(style, [&](auto& writer) { visit_free_span(span, writer); }));
   });
   return style.named("LaidPipeState", json.take());
 }
 
-/// A check in brief, as summary.json has it in full.
+/// Returns a short form of a check; summary.json contains the full form.
 template <class Style>
 auto page_check(const Style& style, const CheckRow& row) {
   JsonWriter<Style> json(style);
@@ -121,14 +121,14 @@ auto page_check(const Style& style, const CheckRow& row) {
   return style.named("Check", json.take());
 }
 
-/// Where the pipe leaves the tensioner for, as a unit vector.
+/// Returns the direction of the pipe at the tensioner, pointing away from it, as a unit vector in frame W.
 inline Vec3 leaving(const StaticResults& r) {
   const std::size_t count = r.stations.size();
   if (count < 2) return Vec3::UnitX();
   return (r.stations[count - 2].p_W - r.stations[count - 1].p_W).normalized();
 }
 
-/// A static state. Without a pipe `r` has no stations, and what is told of a pipe is null.
+/// Returns a static state. Without a pipe, `r` has no stations, and the members about a pipe are null.
 template <class Style>
 auto page_statics(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted) {
   const bool laid = !r.stations.empty();
@@ -136,7 +136,8 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
   json["key"] = style.maybe(laid, [&] { return style.named("KeyResults", page_key(style, r)); });
   json["pipe"] = page_pipe(style, r, wanted);
   json["touchdown"] = style.maybe(laid, [&] {
-    return style.named("TouchdownPlace", object_of(style, [&](auto& one) { visit_touchdown(r.touchdown, one); }));
+    return style.named("TouchdownPlace",
+                       make_object(style, [&](auto& writer) { visit_touchdown(r.touchdown, writer); }));
   });
   json.part(r.bed.has_value(),
             [&](auto& members) { members["seabed"] = page_laid_pipe(style, r.bed.value_or(BedResults{})); });
@@ -144,7 +145,7 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return page_support(style, box); });
   json.part(!r.stinger.empty(), [&](auto& members) {
     members["stinger"] =
-        style.rows(r.stinger, [&](const StingerSectionResult& one) { return page_stinger(style, one); });
+        style.rows(r.stinger, [&](const StingerSectionResult& section) { return page_stinger(style, section); });
   });
   json["tensioner"] = style.maybe(laid, [&] {
     JsonWriter<Style> tensioner(style);
@@ -159,16 +160,16 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
   json["findings"] = style.findings(r.findings);
   const Verdict verdict = make_verdict(r.checks, r.findings);
   json["verdict"] = style.named("Verdict", Json{{"kind", style.word(verdict.kind)},
-                                                {"words", style.text(verdict.words)},
+                                                {"words", style.text(verdict.headline)},
                                                 {"because", style.text(verdict.because)}});
   return json.take();
 }
 
-/// Gathers the lists of envelopes, from the tensioner on.
+/// Collects the lists of envelopes, from the tensioner to the anchor.
 template <class Style>
 class EnvelopeLists {
  public:
-  /// `over_time`: false where there is the static state alone.
+  /// `over_time` is false if there is only the static state.
   EnvelopeLists(const Style& style, bool over_time) : style_(style), over_time_(over_time), json_(style) {}
 
   void operator()(const ResultField& f, const std::vector<double>& values) {
@@ -194,7 +195,7 @@ class EnvelopeLists {
     });
     json_[*key] = style_.named("Band", band.take());
   }
-  void spread(const ResultField&, const Envelope&) {}  // of places: nobody draws them
+  void spread(const ResultField&, const Envelope&) {}  // position ranges are not drawn
   Json take() { return json_.take(); }
 
  private:
@@ -215,7 +216,7 @@ auto page_envelopes(const Style& style, const DynamicResults& r, bool over_time)
   return style.named("Envelopes", lists.take());
 }
 
-/// `support`, `row` and `position` of the roller that was hit, and the impact.
+/// Returns an impact with `support`, `row` and `position` of the roller.
 template <class Style>
 auto page_impact(const Style& style, const DynamicResults& r, const Impact& impact) {
   JsonWriter<Style> json(style);

@@ -1,5 +1,5 @@
-/// The layout of what the page gets of hull, mooring lines and lines by themselves; as in page_fields.h. Members have
-/// the keys of summary.json.
+/// Layout of the results of hull, mooring lines and separate lines for the page; see page_fields.h. Members have the
+/// keys of summary.json.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// Values look as in Style, under the keys of summary.json.
+/// Style with the keys of summary.json.
 template <class Style>
 struct SummaryKeys : Style {
   static constexpr Output kOutput = Output::summary;
@@ -40,10 +40,10 @@ template <class Style>
 auto page_vessel(const Style& style, const VesselResult& vessel) {
   JsonWriter json(summary_keys(style));
   visit_vessel_offset(vessel, json);
-  json["natural_periods"] = style.rows(vessel.natural_periods, [&](const PeriodResult& one) {
+  json["natural_periods"] = style.rows(vessel.natural_periods, [&](const PeriodResult& natural_period) {
     JsonWriter<Style> period(style);
-    period["mode"] = style.text(one.mode);
-    period["period"] = style.number(one.period);
+    period["mode"] = style.text(natural_period.mode);
+    period["period"] = style.number(natural_period.period);
     return period.take();
   });
   return style.named("VesselOffset", json.take());
@@ -59,7 +59,7 @@ auto page_moored_state(const Style& style, const MooredState& state) {
   return style.named("MooredState", json.take());
 }
 
-/// The rest of the hull and the stages of its operation.
+/// Returns the equilibrium of the hull and the stages of its operation.
 template <class Style>
 auto page_moorings(const Style& style, const MooringResults& r) {
   JsonWriter<Style> json(style);
@@ -76,7 +76,7 @@ auto page_line_end(const Style& style, const LineEndResult& end) {
   return style.named("LineEnd", json.take());
 }
 
-/// A line by itself: its nodes from the first end on.
+/// Returns a separate line with its nodes from end A to end B.
 template <class Style>
 auto page_line(const Style& style, const LineResult& line) {
   JsonWriter json(summary_keys(style));

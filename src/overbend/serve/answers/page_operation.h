@@ -1,4 +1,4 @@
-/// The layout of what the page gets of an operation on the line; as in page_fields.h.
+/// Layout of the results of an operation for the page; see page_fields.h.
 #pragma once
 
 #include <string>
@@ -6,16 +6,16 @@
 
 #include "report/moored/line_parts.h"
 #include "report/stages/hold_points.h"
-#include "report/stages/stage_words.h"
+#include "report/stages/stage_labels.h"
 #include "resultfiles/summary/json_fields.h"
-#include "results/fields/places.h"
+#include "results/fields/location_names.h"
 #include "results/findings.h"
 #include "results/lift_brief.h"
 #include "results/sagbend.h"
 
 namespace overbend {
 
-/// Which stretch of the line is head and which cable, from the tensioner.
+/// Returns the ranges of pull head and cable along the line, as distances from the tensioner [m].
 template <class Style>
 auto page_line_parts(const Style& style, const StaticResults& lay, double head_length) {
   const LineParts parts = line_parts(lay, head_length).value_or(LineParts{});
@@ -27,29 +27,31 @@ auto page_line_parts(const Style& style, const StaticResults& lay, double head_l
   return style.named("LineParts", json.take());
 }
 
-/// The row of a stage that stands in the table: what is watched.
+/// Returns the monitored values of a stage that has an equilibrium.
 template <class Style>
 auto page_stage_values(const Style& style, const StageResult& stage) {
   const StaticResults& lay = *stage.lay;
   const HeadResult head = lay.head.value_or(HeadResult{});
-  const std::optional<StageUse> use = largest_use(stage);
+  const std::optional<StageUtilisation> use = find_max_utilisation(stage);
   const bool has_cable = lay.cable.has_value(), has_use = has_cable && lay.cable->utilisation.has_value();
   const bool has_head = lay.head.has_value(), has_boxes = !lay.supports.empty();
   JsonWriter<Style> json(style);
-  const auto maybe = [&](bool there, double value) { return style.maybe(there, [&] { return style.number(value); }); };
+  const auto maybe = [&](bool available, double value) {
+    return style.maybe(available, [&] { return style.number(value); });
+  };
   json["top_tension"] = maybe(lay.has_pipe(), lay.top_tension);
   json["bottom_tension"] = maybe(lay.has_pipe(), lay.bottom_tension);
   json["head_x"] = maybe(has_head, head.astern);
   json["head_z"] = maybe(has_head, head.p_W.z());
   json["head_clearance"] = maybe(has_head, head.clearance);
-  json["cable_tension"] = maybe(has_cable, has_cable ? lay.cable->largest_tension : 0.0);
+  json["cable_tension"] = maybe(has_cable, has_cable ? lay.cable->max_tension : 0.0);
   json["cable_utilisation"] = maybe(has_use, has_use ? *lay.cable->utilisation : 0.0);
   json["sagbend_von_mises"] = maybe(has_sagbend(lay), lay.sagbend.von_mises.value);
   json["sagbend_strain"] = maybe(has_sagbend(lay), lay.sagbend.strain.value);
   json["overbend_strain"] = maybe(lay.overbend.has_value(), lay.overbend ? lay.overbend->strain.value : 0.0);
   json["stinger_tip_clearance"] = maybe(lay.stinger_tip_clearance.has_value(), lay.stinger_tip_clearance.value_or(0.0));
-  json["largest_reaction"] = maybe(has_boxes, lay.largest_reaction);
-  json["largest_reaction_support"] = style.text(lay.largest_reaction_support);
+  json["largest_reaction"] = maybe(has_boxes, lay.max_reaction);
+  json["largest_reaction_support"] = style.text(lay.max_reaction_support);
   json["lay_back"] = maybe(lay.has_pipe(), lay.lay_back);
   const LiftBrief lift = lay.lift ? in_brief(*lay.lift) : LiftBrief{};
   json["end_height"] = maybe(lift.end_height.has_value(), lift.end_height.value_or(0.0));
@@ -58,7 +60,7 @@ auto page_stage_values(const Style& style, const StageResult& stage) {
   json["davit_tension"] = maybe(lay.lift.has_value(), lift.davit_tension);
   json["utilisation"] = maybe(use.has_value(), use ? use->utilisation : 0.0);
   json["check"] = style.text(use ? use->what : "");
-  json["verdict"] = style.text(stage_verdict(stage).words);
+  json["verdict"] = style.text(stage_verdict(stage).headline);
   return style.named("StageValues", json.take());
 }
 
@@ -69,15 +71,15 @@ auto page_stage_failure(const Style& style, const StageFailure& failure) {
   json["where"] = style.text(failure.where);
   json["why"] = style.text(failure.why);
   json["least_tension"] =
-      style.maybe(failure.least_tension.has_value(), [&] { return style.number(failure.least_tension.value_or(0.0)); });
+      style.maybe(failure.min_tension.has_value(), [&] { return style.number(failure.min_tension.value_or(0.0)); });
   return style.named("StageFailure", json.take());
 }
 
 template <class Style>
 auto page_stage(const Style& style, const StageResult& stage, double head_length) {
-  const std::optional<double> out = progress_of(stage.stage);
+  const std::optional<double> out = stage_progress(stage.stage);
   const std::optional<double>& tension = stage.stage.tension;
-  StageResult example;  // for the types of what is absent
+  StageResult example;  // provides the types of missing members
   example.lay = StaticResults{};
   JsonWriter<Style> json(style);
   json["name"] = style.text(stage.stage.name);
@@ -105,7 +107,7 @@ auto page_hold_point(const Style& style, const HoldPoint& point) {
   return style.named("HoldPoint", json.take());
 }
 
-/// The table of all stages; the line of each is asked for by itself.
+/// Returns the table of all stages; the shape of each line is requested separately.
 template <class Style>
 auto page_operation(const Style& style, const OperationResults& results, double head_length) {
   JsonWriter<Style> json(style);

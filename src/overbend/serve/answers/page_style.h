@@ -1,4 +1,4 @@
-/// How values look in what the page gets: seven digits, places as [x, y, z], arc lengths from the tensioner.
+/// Format of values sent to the page: seven digits, positions as [x, y, z], arc lengths from the tensioner.
 #pragma once
 
 #include "report/page/json_number.h"

@@ -12,12 +12,13 @@ namespace {
 using Type = Json;
 
 constexpr const char* kHead =
-    "// The types of what the program answers about results, and the units they are shown in. Made from the program's\n"
-    "// table of quantities: do not edit, run `overbend schema --types > web/src/api/results.ts`. SI units, frame W.\n"
+    "// Types of the results sent by the program, and the units they are shown in. Generated from the program's table "
+    "of\n"
+    "// quantities: do not edit, run `overbend schema --types > web/src/api/results.ts`. SI units, frame W.\n"
     "\n"
     "export type Vector = [number, number, number];\n";
 
-/// Results in which everything is there once.
+/// Returns results in which every optional part is present.
 StaticResults example_statics() {
   StaticResults r;
   r.stations.resize(1);
@@ -36,12 +37,12 @@ std::string unit_text(const ShownUnit& unit) {
                      unit.factor, unit.digits, unit.more);
 }
 
-/// Quantities along the pipe, named and shown as everywhere: rows of the table `quantities`.
+/// Rows of the table `quantities`: quantities along the pipe with their usual names and units.
 struct QuantityRows {
   std::string text;
 
   void over_time(const ResultField& f, const Envelope&, const std::vector<double>&) {
-    if (f.key(Output::page)) add(std::string(*f.key(Output::page)), name_of(f), std::string(f.units));
+    if (f.key(Output::page)) add(std::string(*f.key(Output::page)), quantity_label(f), std::string(f.units));
   }
   template <class Other>
   void operator()(const ResultField&, const Other&) {}
@@ -53,8 +54,8 @@ struct QuantityRows {
   }
 
  private:
-  /// The heading, with the kind of tension said.
-  static std::string name_of(const ResultField& f) {
+  /// Returns the heading, with "effective" for the tension.
+  static std::string quantity_label(const ResultField& f) {
     std::string name(f.name == "effective_tension" ? "effective tension" : f.heading);
     if (!name.starts_with("von Mises")) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
@@ -79,8 +80,8 @@ std::string unit_table(const char* system, std::span<const ShownUnit> units) {
 }
 
 std::string unit_tables() {
-  return "/** A unit in which values are shown: they times `factor`, with `digits` decimals, `more` than metric "
-         "values. */\n"
+  return "/** Unit in which values are shown: value times `factor`, with `digits` decimals, `more` than for metric "
+         "units. */\n"
          "export interface ShownUnit { unit: string; factor: number; digits: number; more: number }\n\n"
          "/** By system and SI unit. */\n"
          "export const shownUnits: Record<'metric' | 'us', Record<string, ShownUnit>> = {\n" +
@@ -91,7 +92,7 @@ std::string member(const std::string& key, const Type& type) {
   return "  " + key + ": " + type_text(type) + ";\n";
 }
 
-std::string interface_of(const std::string& name, const Type& members) {
+std::string interface_text(const std::string& name, const Type& members) {
   std::string text = "export interface " + name + " {\n";
   for (const auto& [key, type] : members.items()) text += member(key, type);
   return text + "}\n";
@@ -122,7 +123,7 @@ std::string page_types() {
   page_impact(page, dynamics, Impact{});
   summary.named("DynamicSummary", dynamic_part(summary, statics, dynamics));
   std::string text = kHead;
-  for (const auto& [name, members] : types) text += "\n" + interface_of(name, members);
+  for (const auto& [name, members] : types) text += "\n" + interface_text(name, members);
   return text + "\n" + unit_tables() + "\n" + quantity_table();
 }
 

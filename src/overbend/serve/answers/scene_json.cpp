@@ -4,19 +4,19 @@
 #include "dynamics/integrator/dynamics.h"
 #include "mechanics/sea.h"
 #include "model/bodies.h"
-#include "model/site/bed_shape.h"
-#include "model/vessel/station.h"
+#include "model/site/seabed_shape.h"
+#include "model/vessel/mooring_queries.h"
 #include "report/page/json_number.h"
 #include "serve/answers/static_json.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostWaves = 1000;
+constexpr std::size_t kMaxWaves = 1000;
 
-/// Null for what is not there.
-Json where(bool there, const Vec3& place) {
-  return there ? place_json(place) : Json(nullptr);
+/// Returns the position, or null if it does not exist.
+Json where(bool exists, const Vec3& place) {
+  return exists ? place_json(place) : Json(nullptr);
 }
 
 Json hull_box(const std::string& name, const VesselDescription& v, const VesselPose& pose) {
@@ -30,7 +30,7 @@ Json vessel(const Model& model) {
   return hull_box(v.name, v, model.mean_pose);
 }
 
-/// Those besides the vessel, as described.
+/// Returns the bodies other than the vessel in their nominal poses.
 Json bodies(const Model& model) {
   Json list = Json::array();
   for (const BodyDescription& body : model.description.bodies) {
@@ -60,21 +60,21 @@ Json current(const Model& model) {
   return rows;
 }
 
-/// The largest components of the sea of a dynamic run.
+/// Returns the largest wave components of the sea of a dynamic run.
 Json waves(const Model& model, std::uint64_t seed) {
   const Description& d = model.description;
   Sea sea;
   try {
     sea = make_sea(d.environment.waves, d.environment.water_depth, seed);
   } catch (const std::logic_error&) {
-    return Json::array();  // a dynamic run will report what is wrong; the picture has flat water
+    return Json::array();  // a dynamic run reports the error; the view shows still water
   }
-  std::vector<WaveComponent> largest = sea.components;
-  std::stable_sort(largest.begin(), largest.end(),
+  std::vector<WaveComponent> components = sea.components;
+  std::stable_sort(components.begin(), components.end(),
                    [](const WaveComponent& a, const WaveComponent& b) { return a.amplitude > b.amplitude; });
-  largest.resize(std::min(largest.size(), kMostWaves));
+  components.resize(std::min(components.size(), kMaxWaves));
   Json list = Json::array();
-  for (const WaveComponent& wave : largest) {
+  for (const WaveComponent& wave : components) {
     list.push_back({{"amplitude", seven_digits(wave.amplitude)},
                     {"number", seven_digits(wave.wave_number)},
                     {"frequency", seven_digits(wave.omega)},
@@ -84,7 +84,7 @@ Json waves(const Model& model, std::uint64_t seed) {
   return list;
 }
 
-/// Beside them the lines are looked at.
+/// Returns the seabed objects to which clearances are computed.
 Json objects(const Description& d) {
   Json list = Json::array();
   if (!d.moorings) return list;
@@ -96,20 +96,20 @@ Json objects(const Description& d) {
   return list;
 }
 
-/// Every so many of the knots that no more than `kMost` are drawn, the last among them.
+/// Returns evenly selected indices of at most about `kMaxKnots` knots, including the last.
 std::vector<std::size_t> drawn_knots(std::size_t count) {
-  constexpr std::size_t kMost = 150;
-  const std::size_t step = (count + kMost - 1) / kMost;
+  constexpr std::size_t kMaxKnots = 150;
+  const std::size_t step = (count + kMaxKnots - 1) / kMaxKnots;
   std::vector<std::size_t> drawn;
   for (std::size_t i = 0; i + 1 < count; i += step) drawn.push_back(i);
   drawn.push_back(count - 1);
   return drawn;
 }
 
-/// Heights of an uneven bed, linear in between for the eye: of a profile along a direction from a place, of a grid at
-/// its knots.
-Json bed_shape(const BedSurface& bed) {
-  const BedShape* shape = bed.shape();
+/// Returns heights of an uneven seabed for linear interpolation: along a profile with origin and direction, or at the
+/// knots of a grid.
+Json bed_shape(const SeabedSurface& bed) {
+  const SeabedShape* shape = bed.shape();
   if (shape == nullptr) return nullptr;
   Json json = {{"x", Json::array()}, {"z", Json::array()}};
   if (shape->y.empty()) {
@@ -137,7 +137,7 @@ Json bed_shape(const BedSurface& bed) {
   return json;
 }
 
-/// Without a pipe there is nothing to draw.
+/// Returns the outer radius of the pipe [m]; 0 without a pipe.
 double outer_radius(const Model& model) {
   return model.sections.empty() ? 0.0 : 0.5 * model.pipe_section().outer_diameter;
 }
@@ -148,7 +148,7 @@ Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
   const TensionerDescription& tensioner = model.description.tensioner;
   const Vec3 p_S(tensioner.x, 0.0, tensioner.z);
   const Vec3 shoe = point_from_ramp(model, model.mean_pose, Vec3::Zero());
-  const BedSurface& bed = model.seabed.surface;
+  const SeabedSurface& bed = model.seabed.surface;
   return {{"status", "ok"},
           {"vessel", vessel(model)},
           {"bodies", bodies(model)},

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "results/tables/result_tables.h"
+#include "results/tables/named_tables.h"
 #include "serve/answers/page_fields.h"
 #include "serve/answers/page_style.h"
 
 namespace overbend {
 namespace {
 
-/// Of a place or a direction: what rounding leaves of a zero is zero.
+/// Rounds a coordinate to seven digits and removes round-off near zero.
 double visible(double value) {
   return std::abs(value) < 1e-9 ? 0.0 : seven_digits(value);
 }
@@ -30,7 +30,9 @@ Json static_json(const StaticResults& results, const std::vector<std::string>* l
   PageStyle style;
   if (!results.stations.empty()) style.top = results.stations.back().s;
   Json answer = page_statics(style, results, lists);
-  if (lists == nullptr) answer["tables"] = tables_json(static_tables(results));  // not while a value is dragged
+  if (lists == nullptr) {
+    answer["tables"] = tables_json(static_tables(results));
+  }  // tables are omitted while a value is dragged
   return answer;
 }
 

@@ -1,4 +1,4 @@
-/// A static state as the page draws it.
+/// A static state for the page.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace overbend {
 
-/// `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `warnings` of POST /api/static. Lists
-/// run from the tensioner to the anchor. Without a pipe what is told of one is null. `lists`: which of `pipe` are
-/// wanted beside s, x, y and z; all when null, and then `tables` as well (results/tables/result_tables.h).
+/// Returns `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `findings` of POST /api/static.
+/// Lists run from the tensioner to the anchor. Without a pipe, its members are null. `lists` selects the members of
+/// `pipe` in addition to s, x, y and z; if null, all are returned, and `tables` too (results/tables/csv_tables.h).
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
-/// Everything that does not move, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the
+/// Returns all fixed objects and the sea: GET /api/scene. `seed` is the seed of the sea; default: that of a run of the
 /// model.
 Json scene_json(const Model& model, std::optional<std::uint64_t> seed = std::nullopt);
 
-/// [x, y, z] in W.
+/// Returns [x, y, z] in frame W [m].
 Json place_json(const Vec3& p_W);
 
-/// Twelve numbers: place of the vessel's origin, then R_WV row by row.
+/// Returns twelve numbers: position of the vessel's origin [m], then R_WV row by row.
 Json pose_json(const Vec3& p_WV, const Mat3& R_WV);
 
 }  // namespace overbend

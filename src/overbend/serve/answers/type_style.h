@@ -1,4 +1,4 @@
-/// Writes TypeScript types where other styles write values; see resultfiles/summary/json_fields.h.
+/// Style that writes TypeScript types instead of values; see resultfiles/summary/json_fields.h.
 #pragma once
 
 #include <map>
@@ -11,13 +11,14 @@
 
 namespace overbend {
 
-/// Types that have a name, in the order in which they came up.
+/// Named types in order of their first use.
 using NamedTypes = std::vector<std::pair<std::string, Json>>;
 
-/// As TypeScript writes it. An object is given by the types of its members, a list by that of its first element.
+/// Returns a type in TypeScript syntax. An object is given by the types of its members, a list by that of its first
+/// element.
 std::string type_text(const Json& type);
 
-/// What is absent or empty in the results at hand is looked at all the same.
+/// Visits also members that are missing or empty in the results at hand.
 template <Output kWhere>
 struct TypeStyle {
   static constexpr Output kOutput = kWhere;
@@ -44,10 +45,10 @@ struct TypeStyle {
   Json count(Integer) const {
     return "number";
   }
-  template <HasResultWords Enum>
+  template <HasResultEnumNames Enum>
   Json word(Enum) const {
     std::string all;
-    for (const auto& [value, text] : Words<Enum>::list) {
+    for (const auto& [value, text] : ResultEnumNames<Enum>::list) {
       all.append(all.empty() ? "" : " | ").append("'").append(text).append("'");
     }
     return all;
@@ -73,12 +74,12 @@ struct TypeStyle {
     return type_text(make()) + " | null";
   }
   template <class Row, class Make>
-  Json rows(const std::vector<Row>&, Make json_of) const {
-    return Json::array({json_of(Row{})});
+  Json rows(const std::vector<Row>&, Make make_json) const {
+    return Json::array({make_json(Row{})});
   }
 };
 
-/// web/src/api/results.ts: the types of all that the page gets of results, and the units they are shown in.
+/// Returns the text of web/src/api/results.ts: types of all results sent to the page, and the units they are shown in.
 std::string page_types();
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Bytes as text for JSON.
+/// Base64 encoding for JSON.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Base64 (RFC 4648, padded) of the numbers as little-endian float32.
+/// Returns the numbers as little-endian float32 in base64 (RFC 4648, padded).
 std::string base64_floats(std::span<const float> numbers);
 
 }  // namespace overbend

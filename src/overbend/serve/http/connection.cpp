@@ -11,9 +11,9 @@ namespace overbend {
 namespace {
 
 constexpr std::chrono::milliseconds kDrained{2000};
-constexpr std::size_t kMostDrained = 8U << 20U;  // [bytes]
+constexpr std::size_t kMaxDrained = 8U << 20U;  // [bytes]
 
-void address_of(const sockaddr_in& address, std::string& ip, int& port) {
+void read_address(const sockaddr_in& address, std::string& ip, int& port) {
   std::array<char, INET_ADDRSTRLEN> text{};
   if (inet_ntop(AF_INET, &address.sin_addr, text.data(), text.size()) != nullptr) ip = text.data();
   port = ntohs(address.sin_port);
@@ -36,7 +36,7 @@ bool Connection::wait(short event, Clock::time_point until) const {
 bool Connection::wait_for_request() {
   if (next_ == filled_ && !wait(POLLIN, Clock::now() + bounds_.idle)) return false;
   until_ = Clock::now() + bounds_.head;
-  allowed_ = bounds_.largest_head;
+  allowed_ = bounds_.max_head;
   return true;
 }
 
@@ -49,7 +49,7 @@ void Connection::drain() {
   ::shutdown(socket_, SHUT_WR);
   const Clock::time_point until = Clock::now() + kDrained;
   std::size_t taken = 0;
-  while (taken < kMostDrained && wait(POLLIN, until)) {
+  while (taken < kMaxDrained && wait(POLLIN, until)) {
     const ssize_t count = ::recv(socket_, buffer_.data(), buffer_.size(), 0);
     if (count <= 0) return;
     taken += static_cast<std::size_t>(count);
@@ -89,13 +89,13 @@ ssize_t Connection::write(const char* from, std::size_t size) {
 void Connection::get_remote_ip_and_port(std::string& ip, int& port) const {
   sockaddr_in address{};
   socklen_t length = sizeof address;
-  if (getpeername(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) address_of(address, ip, port);
+  if (getpeername(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) read_address(address, ip, port);
 }
 
 void Connection::get_local_ip_and_port(std::string& ip, int& port) const {
   sockaddr_in address{};
   socklen_t length = sizeof address;
-  if (getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) address_of(address, ip, port);
+  if (getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) read_address(address, ip, port);
 }
 
 }  // namespace overbend

@@ -1,8 +1,8 @@
-/// One connection of the HTTP library, with bounds on time and size.
+/// Connection of the HTTP library with limits on time and size.
 #pragma once
 
 #include <httplib.h>
-#undef _res  // <resolv.h> has it as a macro, Eigen as a name
+#undef _res  // a macro in <resolv.h> and a name in Eigen
 
 #include <array>
 #include <chrono>
@@ -12,26 +12,26 @@ namespace overbend {
 
 /// Limits of a request.
 struct RequestBounds {
-  std::chrono::milliseconds idle{5000};   ///< Between requests.
-  std::chrono::milliseconds head{10000};  ///< From the first byte to the end of the headers.
+  std::chrono::milliseconds idle{5000};   ///< Maximum time between requests.
+  std::chrono::milliseconds head{10000};  ///< Maximum time from the first byte to the end of the headers.
   std::chrono::milliseconds body{30000};
-  std::chrono::milliseconds write{5000};  ///< For the other side to take some of an answer.
-  std::size_t largest_head = 64U << 10U;  ///< [bytes]
+  std::chrono::milliseconds write{5000};  ///< Maximum time for the client to accept part of an answer.
+  std::size_t max_head = 64U << 10U;      ///< [bytes]
 };
 
-/// A socket as the library's stream. Reading ends with a fault when the request takes longer or is larger than it may.
+/// A socket as a stream of the library. Reading fails if the request takes too long or is too large.
 class Connection : public httplib::Stream {
  public:
   /// Does not own the socket.
   Connection(int socket, const RequestBounds& bounds);
 
-  /// Waits for the first byte of a request; false when none comes. The head may be read then.
+  /// Waits for the first byte of a request, after which the head may be read. Returns false if none arrives.
   bool wait_for_request();
-  /// The head is read; a body of that size may be read now.
+  /// To be called after the head: allows reading a body of this size [bytes].
   void expect_body(std::uint64_t size);
-  /// What of the body has not been read [bytes].
+  /// Returns the number of bytes of the body that have not been read.
   std::uint64_t unread() const { return allowed_; }
-  /// Takes what the other side still sends, for a while: closing before would destroy the answer on its way.
+  /// Reads remaining input for up to 2 s: closing the socket earlier would discard the answer in transit.
   void drain();
 
   bool is_readable() const override;
@@ -50,9 +50,9 @@ class Connection : public httplib::Stream {
   int socket_;
   RequestBounds bounds_;
   std::array<char, 4096> buffer_{};
-  std::size_t next_ = 0, filled_ = 0;  ///< What of the buffer is not read yet.
+  std::size_t next_ = 0, filled_ = 0;  ///< Range of the buffer that has not been read.
   Clock::time_point until_;
-  std::uint64_t allowed_ = 0;  ///< That may still be read [bytes].
+  std::uint64_t allowed_ = 0;  ///< Number of bytes that may still be read.
 };
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Files that the build puts into the program (serve/embedded/CMakeLists.txt).
+/// Files embedded in the program at build time (serve/embedded/CMakeLists.txt).
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace overbend {
 
 struct EmbeddedFile {
   std::string_view path;   ///< "page/index.html", "examples/bgl1.yaml", "data/bgl1/rao.csv".
-  std::string_view bytes;  ///< Lives as long as the program.
+  std::string_view bytes;  ///< Valid for the lifetime of the program.
 };
 
 const std::vector<EmbeddedFile>& embedded_files();

@@ -5,7 +5,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostKept = 200;
+constexpr std::size_t kMaxKeptEvents = 200;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ void EventHub::send(const std::string& name, const Json& data, const std::string
   const std::lock_guard<std::mutex> hold(mutex_);
   if (!topic.empty()) std::erase_if(events_, [&](const Event& event) { return event.topic == topic; });
   events_.push_back({++newest_, topic, text});
-  if (events_.size() > kMostKept) events_.pop_front();
+  if (events_.size() > kMaxKeptEvents) events_.pop_front();
   changed_.notify_all();
 }
 

@@ -1,4 +1,4 @@
-/// Events that the server sends to its pages.
+/// Events sent by the server to open pages.
 #pragma once
 
 #include <condition_variable>
@@ -11,20 +11,19 @@
 
 namespace overbend {
 
-/// The last events, for any number of listeners, each at its own pace. All functions may be called from any thread.
+/// Keeps the latest events for any number of independent listeners. All functions may be called from any thread.
 class EventHub {
  public:
-  /// Sends an event; `topic`, where given, takes the place of earlier ones of the same topic that a listener has not
-  /// heard yet: progress is worth telling only as it is now.
+  /// Sends an event. With a `topic`, it replaces pending events of the same topic: only the latest progress matters.
   void send(const std::string& name, const Json& data, const std::string& topic = "");
 
-  /// Number of the newest event: where a new listener begins.
+  /// Returns the number of the newest event, from which a new listener starts.
   std::uint64_t newest() const;
 
-  /// Events after number `last` as text of an event stream, waiting up to a second for one. Moves `last` on.
+  /// Returns the events after number `last` as text of an event stream, waiting up to 1 s. Updates `last`.
   std::string wait(std::uint64_t& last);
 
-  /// Nobody waits any more, and whoever comes leaves at once.
+  /// Ends all waits, including later ones.
   void close();
   bool closed() const;
 

@@ -14,8 +14,8 @@
 namespace overbend {
 namespace {
 
-/// Levels of a body of JSON. Whoever goes through it goes down level by level.
-constexpr int kDeepest = 64;
+/// Maximum nesting depth of a JSON body, because its traversal is recursive.
+constexpr int kMaxNesting = 64;
 
 std::vector<std::string_view> split(std::string_view path) {
   std::vector<std::string_view> parts;
@@ -27,7 +27,7 @@ std::vector<std::string_view> split(std::string_view path) {
   return parts;
 }
 
-/// The parts matched by '*'; nothing when the path is another.
+/// Returns the parts matched by '*'; nothing if the path does not match.
 std::optional<std::vector<std::string>> match(const std::string& pattern, const std::string& path) {
   const std::vector<std::string_view> wanted = split(pattern), found = split(path);
   if (wanted.size() != found.size()) return std::nullopt;
@@ -42,8 +42,8 @@ std::optional<std::vector<std::string>> match(const std::string& pattern, const 
   return parts;
 }
 
-/// Levels of a text of JSON. The library's parser looks through all of a list after each of its items where it is given
-/// a function that could see them.
+/// Returns the nesting depth of a JSON text. Not done with a callback of the JSON library, whose parser then takes
+/// quadratic time in the length of a list.
 int nesting_depth(std::string_view text) {
   int depth = 0, deepest = 0;
   bool quoted = false;
@@ -63,11 +63,11 @@ int nesting_depth(std::string_view text) {
   return deepest;
 }
 
-/// Of this thread.
+/// Returns the processor time of this thread.
 std::chrono::nanoseconds processor_time() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
@@ -76,19 +76,19 @@ HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
     return route.handler(request);
   } catch (const Interrupted&) {
     return error_answer(503, fmt::format("the request takes more than {} s", route.limit.count()),
-                        "make the model smaller, or start a run, which takes as long as it needs");
-  } catch (const HttpFault& fault) {
-    Json error = {{"message", fault.what()}, {"hint", fault.hint}};
-    error.update(fault.more);
+                        "make the model smaller, or start a run, which has no time limit");
+  } catch (const HttpError& rejection) {
+    Json error = {{"message", rejection.what()}, {"hint", rejection.hint}};
+    error.update(rejection.more);
     Json answer = {{"error", error}};
-    answer.update(fault.beside);
-    return json_answer(answer, fault.status);
+    answer.update(rejection.top_level);
+    return json_answer(answer, rejection.status);
   } catch (const Json::exception&) {
     return error_answer(400, "the request does not have the required form", "see docs/api.md");
-  } catch (const FileFault& fault) {
-    return error_answer(507, fault.what(), "the disk may be full");
-  } catch (const std::exception& fault) {
-    return error_answer(500, fault.what(), "this is an error of the program");
+  } catch (const FileError& error) {
+    return error_answer(507, error.what(), "the disk may be full");
+  } catch (const std::exception& error) {
+    return error_answer(500, error.what(), "this is an internal error of the program");
   }
 }
 
@@ -103,20 +103,20 @@ double HttpRequest::number(const std::string& name, double fallback) const {
   const std::string text = parameter(name);
   if (text.empty()) return fallback;
   const std::optional<double> value = parse_number(text);
-  if (!value) throw HttpFault(400, "the parameter " + name + " is not a number");
+  if (!value) throw HttpError(400, "the parameter " + name + " is not a number");
   return *value;
 }
 
 Json HttpRequest::json() const {
-  if (nesting_depth(body) > kDeepest) throw HttpFault(400, "the body of the request is nested too deeply");
+  if (nesting_depth(body) > kMaxNesting) throw HttpError(400, "the body of the request is nested too deeply");
   Json read = Json::parse(body.empty() ? "{}" : body, nullptr, false);
-  if (!read.is_object()) throw HttpFault(400, "the body of the request is not a JSON object");
+  if (!read.is_object()) throw HttpError(400, "the body of the request is not a JSON object");
   return read;
 }
 
 HttpAnswer json_answer(const Json& json, int status) {
-  // Bytes of a model that are no UTF-8 become the replacement character. The charset keeps the library from compressing
-  // what never leaves the machine.
+  // Bytes of a model that are not UTF-8 become the replacement character. The charset keeps the library from
+  // compressing local answers.
   return {status, "application/json; charset=utf-8", json_text(json), ""};
 }
 
@@ -124,7 +124,7 @@ HttpAnswer error_answer(int status, const std::string& message, const std::strin
   return json_answer({{"error", {{"message", message}, {"hint", hint}}}}, status);
 }
 
-HttpFault::HttpFault(int code, const std::string& message, std::string advice)
+HttpError::HttpError(int code, const std::string& message, std::string advice)
     : std::runtime_error(message), status(code), hint(std::move(advice)) {}
 
 HttpAnswer answer_by_routes(const std::vector<HttpRoute>& routes, HttpRequest request) {
@@ -137,7 +137,7 @@ HttpAnswer answer_by_routes(const std::vector<HttpRoute>& routes, HttpRequest re
     request.parts = std::move(*parts);
     return answer_guarded(route, request);
   }
-  return known ? error_answer(405, "this address does not take " + request.method)
+  return known ? error_answer(405, "this address does not accept " + request.method)
                : error_answer(404, "there is nothing at " + request.path);
 }
 

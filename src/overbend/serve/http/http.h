@@ -1,4 +1,4 @@
-/// Requests and answers as the handlers see them; the library behind stays in serve/http/http_server.cpp.
+/// Requests and answers for handlers, independent of the HTTP library (serve/http/http_server.cpp).
 #pragma once
 
 #include <chrono>
@@ -18,34 +18,34 @@ struct HttpRequest {
   std::string body;
   std::vector<std::string> parts;  ///< The parts matched by '*' in the route's pattern.
 
-  /// First value of a parameter of the address; empty where there is none.
+  /// Returns the first value of a query parameter; empty if missing.
   std::string parameter(const std::string& name) const;
-  /// The same as a number, `fallback` where there is none; 400 when it is no number.
+  /// The same as a number; `fallback` if missing. HttpError 400 if it is not a number.
   double number(const std::string& name, double fallback) const;
-  /// The body as a JSON object; 400 when it is none.
+  /// Returns the body as a JSON object; HttpError 400 if it is not one.
   Json json() const;
 };
 
 struct HttpAnswer {
   int status = 200;
   std::string type, body;
-  std::string download;  ///< File name under which a browser saves the body; empty: it shows it.
+  std::string download;  ///< File name under which a browser saves the body; empty: it is displayed.
 };
 
 HttpAnswer json_answer(const Json& json, int status = 200);
 HttpAnswer error_answer(int status, const std::string& message, const std::string& hint = "");
 
-/// A request that cannot be fulfilled; becomes an error answer.
-class HttpFault : public std::runtime_error {
+/// Error of a request; becomes an error answer.
+class HttpError : public std::runtime_error {
  public:
-  HttpFault(int status, const std::string& message, std::string hint = "");
+  HttpError(int status, const std::string& message, std::string hint = "");
   int status;
   std::string hint;
-  Json more = Json::object();    ///< In `error`, with the message.
-  Json beside = Json::object();  ///< Beside `error`.
+  Json more = Json::object();       ///< Additional members of `error`.
+  Json top_level = Json::object();  ///< Additional members next to `error`.
 };
 
-/// Processor time that an answer may take: of most routes, and of those that search or solve again and again.
+/// Limits of processor time per request: of most routes, and of routes that search or solve repeatedly.
 inline constexpr std::chrono::seconds kShortLimit{10}, kLongLimit{600};
 
 struct HttpRoute {
@@ -54,8 +54,8 @@ struct HttpRoute {
   std::chrono::seconds limit = kShortLimit;
 };
 
-/// Answers a request by the first route that fits: 404 where none does, 405 where only the method does not; faults and
-/// exceptions become error answers. 503 where it takes more than its limit, or shall end otherwise.
+/// Answers a request by the first matching route: 404 if none matches, 405 if only the method does not match.
+/// Exceptions become error answers. 503 if the request exceeds its time limit or is interrupted.
 HttpAnswer answer_by_routes(const std::vector<HttpRoute>& routes, HttpRequest request);
 
 }  // namespace overbend

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include "base/interruption.h"
-#include "serve/http/door_server.h"
+#include "serve/http/listener.h"
 #include "serve/http/page_files.h"
-#include "serve/http/peer.h"
+#include "serve/http/peer_uid.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::size_t kLongestPath = 1000;  ///< The library's pattern matching goes deeper with every letter.
+constexpr std::size_t kMaxPathLength = 1000;  ///< The library's pattern matching recurses for every character.
 
-HttpRequest request_of(const httplib::Request& from) {
+HttpRequest make_request(const httplib::Request& from) {
   return {from.method, from.path, {from.params.begin(), from.params.end()}, from.body, {}};
 }
 
@@ -25,15 +25,15 @@ void fill(httplib::Response& to, HttpAnswer answer) {
     to.set_content("", answer.type);
     return;
   }
-  // As a provider of known length, for the library would compress texts, slowly and for nothing on one machine.
+  // A provider of known length keeps the library from compressing texts, which is useless on the same machine.
   const auto body = std::make_shared<std::string>(std::move(answer.body));
   to.set_content_provider(body->size(), answer.type,
-                          [body](std::size_t at, std::size_t count, httplib::DataSink& sink) {
-                            return sink.write(body->data() + at, count);
+                          [body](std::size_t offset, std::size_t count, httplib::DataSink& sink) {
+                            return sink.write(body->data() + offset, count);
                           });
 }
 
-const char* words(int status) {
+const char* status_message(int status) {
   switch (status) {
     case 413:
       return "the request is larger than 2 MB";
@@ -49,9 +49,9 @@ bool bears_token(const httplib::Request& request, const std::string& token) {
   return same_token(header.empty() ? request.get_param_value("token") : header, token);
 }
 
-/// Why the body, announced by the head, is not read; nothing where it is or where there is none. Only what is counted
-/// beforehand and comes as it is can be kept within the limit.
-HttpAnswer body_refusal(const httplib::Request& request) {
+/// Returns an error answer if the body announced by the head cannot be accepted; an empty answer otherwise. Only a body
+/// with a known length and without encoding can be limited in size.
+HttpAnswer find_body_error(const httplib::Request& request) {
   if (request.has_header("Transfer-Encoding")) {
     return error_answer(411, "the request does not state the length of its body", "send it with Content-Length");
   }
@@ -64,52 +64,52 @@ HttpAnswer body_refusal(const httplib::Request& request) {
   if (!number || request.get_header_value_count("Content-Length") > 1) {
     return error_answer(400, "the length of the request body is ambiguous");
   }
-  if (length.size() > 12 || std::stoull(length) > HttpServer::kLargestBody) return error_answer(413, words(413));
+  if (length.size() > 12 || std::stoull(length) > HttpServer::kMaxBody) return error_answer(413, status_message(413));
   const bool takes_body = request.method == "PUT" || request.method == "POST";
   if (takes_body || length.find_first_not_of('0') == std::string::npos) return {};
   return error_answer(400, "a request of this kind has no body");
 }
 
-HttpAnswer refusal(const httplib::Request& request, int port, const std::string& token) {
+HttpAnswer find_request_error(const httplib::Request& request, int port, const std::string& token) {
   if (!own_host(request.get_header_value("Host"), port) || !own_origin(request.get_header_value("Origin"), port)) {
     return error_answer(403, "this server accepts requests from its own page only",
                         "open the address that the program printed");
   }
-  if (request.path.size() > kLongestPath) return error_answer(414, "the address is too long");
-  if (HttpAnswer answer = body_refusal(request); !answer.type.empty()) return answer;
+  if (request.path.size() > kMaxPathLength) return error_answer(414, "the address is too long");
+  if (HttpAnswer answer = find_body_error(request); !answer.type.empty()) return answer;
   if (!request.path.starts_with("/api") || bears_token(request, token)) return {};
   return error_answer(401, "the token of the address is missing or from an earlier session",
                       "open the address that the program printed");
 }
 
-DoorServer::Standing standing(const httplib::Request& request, int port, const std::string& token) {
-  if (!refusal(request, port, token).type.empty()) return DoorServer::Standing::refused;
-  return bears_token(request, token) ? DoorServer::Standing::known : DoorServer::Standing::stranger;
+LimitedServer::Standing standing(const httplib::Request& request, int port, const std::string& token) {
+  if (!find_request_error(request, port, token).type.empty()) return LimitedServer::Standing::rejected;
+  return bears_token(request, token) ? LimitedServer::Standing::known : LimitedServer::Standing::unauthenticated;
 }
 
 }  // namespace
 
 struct HttpServer::Library {
-  DoorServer server;
+  LimitedServer server;
 };
 
 HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port)
     : routes_(std::move(routes)), events_(events), token_(random_token()) {
-  library_.reset(new Library{DoorServer([this](const httplib::Request& r) { return standing(r, port_, token_); })});
-  DoorServer& server = library_->server;
-  server.set_payload_max_length(kLargestBody);
-  // Without the library's SO_REUSEPORT, under which two programs would share a port.
+  library_.reset(new Library{LimitedServer([this](const httplib::Request& r) { return standing(r, port_, token_); })});
+  LimitedServer& server = library_->server;
+  server.set_payload_max_length(kMaxBody);
+  // Omits the library's SO_REUSEPORT, with which two programs could share a port.
   server.set_socket_options([](socket_t socket) {
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(1U << 20U);  // sent to the client: a slider makes thousands of requests
+  server.set_keep_alive_max_count(1U << 20U);  // announced to the client; a slider makes thousands of requests
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (port_ <= 0) {
-    throw PortFault(fmt::format("the port {} on 127.0.0.1 is not available; another program may be using it", port));
+    throw PortError(fmt::format("the port {} on 127.0.0.1 is not available; another program may be using it", port));
   }
-  server.widen();
+  server.set_backlog();
   guard();
   serve_opening();
   serve_events();
@@ -120,7 +120,7 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
 HttpServer::~HttpServer() {
   closing_ = true;
   events_.close();
-  while (!library_->server.is_running()) std::this_thread::yield();  // stop() before the start would be lost
+  while (!library_->server.is_running()) std::this_thread::yield();  // stop() before the start would have no effect
   library_->server.stop();
   library_->server.close();
   thread_.join();
@@ -134,14 +134,15 @@ std::string HttpServer::one_time_url() {
   return fmt::format("http://127.0.0.1:{}/open/{}", port_, code_.make());
 }
 
-/// The token goes on in the page's address: a cookie would reach the servers of others at other ports of this machine.
+/// Redirects to the page with the token in its address. A cookie would also be sent to servers of other users at other
+/// ports of this machine.
 void HttpServer::serve_opening() {
   library_->server.Get("/open/.*", [this](const httplib::Request& request, httplib::Response& response) {
     const std::string code = request.path.substr(std::string("/open/").size());
     if (request.method == "GET" && code_.take(code, owner_of_connection(request.remote_port, port_))) {
       response.set_redirect("/?token=" + token_);
     } else {
-      fill(response, error_answer(403, "this address has been used, or is not yours",
+      fill(response, error_answer(403, "this address has already been used, or belongs to another user",
                                   "open the address that the program printed"));
     }
   });
@@ -153,14 +154,14 @@ void HttpServer::guard() {
     response.set_header("X-Content-Type-Options", "nosniff");
     response.set_header("Referrer-Policy", "no-referrer");
     response.set_header("Cache-Control", "no-store");
-    HttpAnswer answer = refusal(request, port_, token_);
+    HttpAnswer answer = find_request_error(request, port_, token_);
     if (answer.type.empty()) return httplib::Server::HandlerResponse::Unhandled;
     fill(response, std::move(answer));
     return httplib::Server::HandlerResponse::Handled;
   });
   server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
     if (response.get_header_value("Content-Type").empty()) {
-      const HttpAnswer answer = error_answer(response.status, words(response.status));
+      const HttpAnswer answer = error_answer(response.status, status_message(response.status));
       response.set_content(answer.body, answer.type);
     }
   });
@@ -170,7 +171,7 @@ void HttpServer::serve_routes() {
   httplib::Server& server = library_->server;
   const auto by_routes = [this](const httplib::Request& request, httplib::Response& response) {
     const InterruptionScope scope([this] { return closing_.load(); });
-    fill(response, answer_by_routes(routes_, request_of(request)));
+    fill(response, answer_by_routes(routes_, make_request(request)));
   };
   server.Get("/api/.*", by_routes);
   server.Put("/api/.*", by_routes);
@@ -193,7 +194,7 @@ void HttpServer::serve_events() {
                                               sink.done();
                                               return false;
                                             }
-                                            // A comment now and then finds out whether anybody still listens.
+                                            // A periodic comment detects closed connections.
                                             if (text.empty()) text = ":\n\n";
                                             return sink.write(text.data(), text.size());
                                           });

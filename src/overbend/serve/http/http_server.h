@@ -1,4 +1,4 @@
-/// HTTP on the loopback address: guards the door, hands requests to routes, sends events and the page's files.
+/// HTTP server on the loopback address: controls access, dispatches requests to routes, sends events and page files.
 #pragma once
 
 #include <atomic>
@@ -7,34 +7,34 @@
 #include <thread>
 #include <vector>
 
+#include "serve/http/access_token.h"
 #include "serve/http/events.h"
-#include "serve/http/guard.h"
 #include "serve/http/http.h"
 
 namespace overbend {
 
-/// A port that cannot be had.
-class PortFault : public std::runtime_error {
+/// Thrown if a port is not available.
+class PortError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 class HttpServer {
  public:
-  static constexpr std::size_t kLargestBody = 2U << 20U;
+  static constexpr std::size_t kMaxBody = 2U << 20U;
 
-  /// Takes the port (0: any that is free) and serves from a thread of its own. Throws PortFault.
+  /// Binds the port (0: any free port) and serves in its own thread. Throws PortError.
   HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port);
-  /// Ends all connections, events too.
+  /// Ends all connections, including event streams.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
   int port() const { return port_; }
   const std::string& token() const { return token_; }
-  /// Where the page opens, with the token.
+  /// Returns the address of the page with the token.
   std::string url() const;
-  /// The same for a command line, which others can read: it opens the page once (OneTimeCode).
+  /// Returns an address for a command line, which other users can read: it opens the page once (OneTimeCode).
   std::string one_time_url();
 
  private:
@@ -51,7 +51,7 @@ class HttpServer {
   OneTimeCode code_;
   int port_ = 0;
   std::unique_ptr<Library> library_;
-  std::atomic<bool> closing_{false};  ///< Answers shall end.
+  std::atomic<bool> closing_{false};  ///< True if running requests must end.
   std::thread thread_;
 };
 

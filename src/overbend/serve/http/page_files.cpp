@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-/// By extension. The charset also keeps the library from compressing.
+/// Returns the media type by extension. The charset also keeps the library from compressing.
 std::string media_type(const std::string& path) {
   static const std::vector<std::pair<std::string, std::string>> kTypes = {
       {".html", "text/html; charset=utf-8"},
@@ -30,7 +30,7 @@ std::string media_type(const std::string& path) {
   return "application/octet-stream";
 }
 
-std::string title_of(std::string_view text) {
+std::string find_title(std::string_view text) {
   Diagnostics ignored;
   const std::optional<YamlNode> root = parse_yaml(std::string(text), "", ignored);
   if (root) {
@@ -45,12 +45,12 @@ std::vector<Example> find_examples() {
   std::vector<Example> found;
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.path.starts_with("examples/")) continue;
-    found.push_back({std::filesystem::path(file.path).stem().string(), title_of(file.bytes), file.bytes});
+    found.push_back({std::filesystem::path(file.path).stem().string(), find_title(file.bytes), file.bytes});
   }
   return found;
 }
 
-/// The page learns from its first element in which units values are shown.
+/// Sets the system of units in the root element of the page.
 std::string in_units_in_use(std::string page) {
   constexpr std::string_view kElement = "<html ";
   const std::size_t element = page.find(kElement);
@@ -72,7 +72,7 @@ std::string_view embedded_text(const std::string& path) {
 std::string licence_texts() {
   const std::string line = "\n" + std::string(78, '-') + "\n\n";
   return "Overbend\n\n" + std::string(embedded_text("LICENSE")) + line +
-         "The page of overbend serve and the HTML report hold these packages, whole or in parts.\n" + line +
+         "The page of overbend serve and the HTML report contain these packages, in whole or in part.\n" + line +
          std::string(embedded_text("licences.txt"));
 }
 

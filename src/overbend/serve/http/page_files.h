@@ -1,4 +1,4 @@
-/// The files of the page, and the examples, from within the program.
+/// Embedded files of the page, and the examples.
 #pragma once
 
 #include <string>
@@ -9,26 +9,27 @@
 
 namespace overbend {
 
-/// Resources that the page may load: its own files, and images and workers that it makes itself.
+/// Content security policy: the page may load its own files and images and workers that it creates.
 inline constexpr const char* kPagePolicy =
     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
     "worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// The file at an address; "/" is index.html.
+/// Returns the file at an address; "/" is index.html.
 HttpAnswer page_file(const std::string& path);
 
 struct Example {
   std::string name;   ///< "bgl1"
-  std::string title;  ///< The model's own.
+  std::string title;  ///< Title of the model.
   std::string_view text;
 };
 
+/// Returns the example models.
 const std::vector<Example>& examples();
 
-/// An embedded file by its path in the repository; empty when it is not there.
+/// Returns an embedded file by its path in the repository; empty if it does not exist.
 std::string_view embedded_text(const std::string& path);
 
-/// The program's own licence and those of the packages that its page and report bring along.
+/// Returns the licence of the program and of the packages bundled with page and report.
 std::string licence_texts();
 
 }  // namespace overbend

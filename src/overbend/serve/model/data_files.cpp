@@ -12,10 +12,10 @@ namespace overbend {
 namespace fs = std::filesystem;
 namespace {
 
-/// Folders below the program's that are looked into.
-constexpr int kDeepest = 3;
+/// Maximum depth of subfolders that are searched.
+constexpr int kMaxFolderDepth = 3;
 
-/// Files of text, which the page may send: tables, RAOs, hydrodynamics of a hull in WAMIT's layout.
+/// True for text files that the page may upload: tables, RAOs, hydrodynamics of a hull in WAMIT format.
 bool text_data(const fs::path& file) {
   constexpr std::array kEndings = {".csv", ".4", ".yml", ".1", ".3", ".8", ".hst"};
   return std::ranges::find(kEndings, file.extension().string()) != kEndings.end();
@@ -25,7 +25,7 @@ bool data_name(const fs::path& file) {
   return text_data(file) || file.extension() == ".nc";
 }
 
-/// Neither what is hidden nor the results of runs.
+/// True for hidden files and folders of run results, which are skipped.
 bool passed_over(const fs::path& place) {
   const std::string name = place.filename().string();
   return name.starts_with('.') || name == "runs" || name == "node_modules";
@@ -33,15 +33,15 @@ bool passed_over(const fs::path& place) {
 
 Json data_files(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code fault;
+  std::error_code error;
   const auto quietly = fs::directory_options::skip_permission_denied;
-  for (auto at = fs::recursive_directory_iterator(folder, quietly, fault); !fault && at != end(at);
-       at.increment(fault)) {
+  for (auto position = fs::recursive_directory_iterator(folder, quietly, error); !error && position != end(position);
+       position.increment(error)) {
     std::error_code none;
-    if (at->is_directory(none) && (passed_over(at->path()) || at.depth() >= kDeepest)) {
-      at.disable_recursion_pending();
-    } else if (at->is_regular_file(none) && !passed_over(at->path()) && data_name(at->path())) {
-      names.push_back(at->path().lexically_relative(folder).generic_string());
+    if (position->is_directory(none) && (passed_over(position->path()) || position.depth() >= kMaxFolderDepth)) {
+      position.disable_recursion_pending();
+    } else if (position->is_regular_file(none) && !passed_over(position->path()) && data_name(position->path())) {
+      names.push_back(position->path().lexically_relative(folder).generic_string());
     }
   }
   std::ranges::sort(names);
@@ -53,12 +53,12 @@ std::string file_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// A bare name, so that nothing outside the folder is written.
+/// Returns the path of a data file. Only plain names are accepted, so that nothing outside the folder is written.
 fs::path place(const fs::path& folder, const std::string& name) {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
                     std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (bare && text_data(name)) return folder / name;
-  throw HttpFault(422, "'" + name + "' is not a valid name for a data file",
+  throw HttpError(422, "'" + name + "' is not a valid name for a data file",
                   "a plain name that ends in .csv, .4, .yml, .1, .3, .8 or .hst");
 }
 
@@ -73,17 +73,17 @@ HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {
 
 void write_data_file(const fs::path& folder, const std::string& name, const std::string& text) {
   const fs::path file = place(folder, name);
-  std::error_code fault;
-  if (fs::exists(fs::symlink_status(file, fault)) && file_text(file) != text) {
-    throw HttpFault(409, "the folder has another file " + name + " already", "give this one another name");
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error)) && file_text(file) != text) {
+    throw HttpError(409, "the folder already contains a different file " + name, "choose another name");
   }
-  const fs::path beside = file.string() + ".part";
+  const fs::path part_file = file.string() + ".part";
   try {
-    write_text(beside, text);
-    fs::rename(beside, file);
+    write_text(part_file, text);
+    fs::rename(part_file, file);
   } catch (const std::exception& why) {
-    fs::remove(beside, fault);
-    throw HttpFault(422, why.what());
+    fs::remove(part_file, error);
+    throw HttpError(422, why.what());
   }
 }
 

@@ -9,27 +9,27 @@
 namespace overbend {
 namespace {
 
-std::string message_of(const Diagnostic& diagnostic) {
+std::string diagnostic_message(const Diagnostic& diagnostic) {
   std::string text = diagnostic.expected.empty() ? diagnostic.found
                                                  : "found " + diagnostic.found + ", expected " + diagnostic.expected;
   if (!diagnostic.hint.empty()) text += "; " + diagnostic.hint;
   return text;
 }
 
-/// Column of the value with that path, if it is in that line.
+/// Returns the column of the value at `path` if it is in this line.
 std::optional<int> column_of_value(const YamlNode& root, const std::string& path, int line) {
   std::string rest;
   const std::vector<YamlSpot> spots = follow_path(root, path, rest);
   if (!rest.empty() || spots.size() < 2) return std::nullopt;
-  const YamlSpot& at = spots.back();
-  if (at.node->kind != YamlNode::Kind::null && at.node->line == line) return at.node->column;
-  if (at.parent->kind == YamlNode::Kind::map && at.parent->entries[at.index].line == line) {
-    return at.parent->entries[at.index].column;
+  const YamlSpot& spot = spots.back();
+  if (spot.node->kind != YamlNode::Kind::null && spot.node->line == line) return spot.node->column;
+  if (spot.parent->kind == YamlNode::Kind::map && spot.parent->entries[spot.index].line == line) {
+    return spot.parent->entries[spot.index].column;
   }
   return std::nullopt;
 }
 
-/// Places in a text by line and column.
+/// Line positions in a text.
 class Lines {
  public:
   explicit Lines(const std::string& text) : text_(text) {
@@ -38,12 +38,12 @@ class Lines {
     }
   }
 
-  /// First column of a line that is not blank.
+  /// Returns the first non-blank column of a line.
   int first_column(int line) const {
     const auto number = static_cast<std::size_t>(line - 1);
     if (number >= begins_.size()) return 1;
-    const std::size_t at = text_.find_first_not_of(' ', begins_[number]);
-    return at == std::string::npos || text_[at] == '\n' ? 1 : static_cast<int>(at - begins_[number]) + 1;
+    const std::size_t first = text_.find_first_not_of(' ', begins_[number]);
+    return first == std::string::npos || text_[first] == '\n' ? 1 : static_cast<int>(first - begins_[number]) + 1;
   }
 
  private:
@@ -67,7 +67,7 @@ Json listed(const Diagnostics& diagnostics, const std::string& text, const YamlN
                    {"line", line},
                    {"column", column.value_or(lines.first_column(line))},
                    {"key", diagnostic.key},
-                   {"message", message_of(diagnostic)}});
+                   {"message", diagnostic_message(diagnostic)}});
   }
   const std::size_t count = std::max(sorted.size(), static_cast<std::size_t>(diagnostics.error_count()));
   if (count > kMaxShown) {

@@ -1,4 +1,4 @@
-/// A model text read, with its faults as the page shows them.
+/// Diagnostics of a model text for the page.
 #pragma once
 
 #include "modelfile/reading/yaml_reader.h"
@@ -6,11 +6,11 @@
 
 namespace overbend {
 
-/// `[{severity, line, column, key, message}]`, lines and columns from 1. `text` is the text read, from which the
-/// columns follow. The first 200, and how many there are besides.
+/// Returns `[{severity, line, column, key, message}]` with lines and columns from 1. `text` is the text read, from
+/// which columns are found. Contains the first 200 diagnostics and the number of further ones.
 Json diagnostics_json(const Diagnostics& diagnostics, const std::string& text);
 
-/// The same of a model's text that was read; parses nothing again.
+/// The same for a model text that was read, without parsing it again.
 Json diagnostics_json(const ModelReading& reading, const std::string& text);
 
 }  // namespace overbend

@@ -14,7 +14,7 @@
 #include "results/fields/lay_table_fields.h"
 #include "runstore/append_file.h"
 #include "serve/model/diagnose.h"
-#include "statics/solver/static_obstacle.h"
+#include "statics/solver/unsupported_statics.h"
 #include "study/lay_table/lay_table.h"
 #include "study/lay_table/lay_table_range.h"
 
@@ -23,27 +23,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-LayTableVary vary_of(const Json& request) {
+LayTableVary read_vary(const Json& request) {
   LayTableVary vary = LayTableVary::tension;
   const auto word = request.find("vary");
   if (word == request.end()) return vary;
-  if (!word->is_string() || !from_word(word->get<std::string>(), vary)) {
-    throw HttpFault(400, "'vary' is one of tension, lay_back, depth");
+  if (!word->is_string() || !from_enum_name(word->get<std::string>(), vary)) {
+    throw HttpError(400, "'vary' must be tension, lay_back or depth");
   }
   return vary;
 }
 
-/// What the request asks for; the model's own where it says nothing.
+/// Returns the requested table; members that are missing are taken from the model.
 LayTableDescription asked(const Description& description, const Json& request) {
   LayTableDescription table = description.lay_table.value_or(LayTableDescription{});
-  const LayTableVary vary = vary_of(request);  // a faulty word is refused also where it is not needed
+  const LayTableVary vary = read_vary(request);  // an invalid value is rejected even if it is not used
   const auto range = request.find("range");
   if (range == request.end()) return table;
-  if (!range->is_string()) throw HttpFault(400, "'range' is a text such as '200 kN..400 kN/20'");
+  if (!range->is_string()) throw HttpError(400, "'range' must be a text such as '200 kN..400 kN/20'");
   try {
     take_range(vary, range->get<std::string>(), table);
-  } catch (const std::invalid_argument& fault) {
-    throw HttpFault(422, fault.what());
+  } catch (const std::invalid_argument& error) {
+    throw HttpError(422, error.what());
   }
   return table;
 }
@@ -75,12 +75,12 @@ Json table_json(const LayTable& table) {
           {"wall_time", table.wall_time}};
 }
 
-/// A file of its own that goes with its folder.
+/// A temporary file that is removed with its folder.
 class ScratchFile {
  public:
   ScratchFile() {
     std::string pattern = (fs::temp_directory_path() / "overbend-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw FileFault("no temporary folder can be made");
+    if (mkdtemp(pattern.data()) == nullptr) throw FileError("a temporary folder cannot be created");
     folder_ = pattern;
   }
   ~ScratchFile() {
@@ -102,7 +102,9 @@ Json LayTables::make(const ModelText& model, const Json& request) {
   if (!reading.description) {
     return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, model.text)}};
   }
-  if (const auto obstacle = pipe_obstacle(*reading.description, "a lay table")) throw HttpFault(422, *obstacle);
+  if (const auto unsupported = missing_pipe_message(*reading.description, "a lay table")) {
+    throw HttpError(422, *unsupported);
+  }
   const LayTableDescription wanted = asked(*reading.description, request);
   const std::uint64_t mine = ++asked_;
   const std::lock_guard one_at_a_time(work_);
@@ -112,7 +114,7 @@ Json LayTables::make(const ModelText& model, const Json& request) {
     table = std::make_shared<const LayTable>(make_lay_table(*reading.description, wanted));
   } catch (const Interrupted&) {
     if (asked_ == mine) throw;
-    throw HttpFault(409, "another lay table has been asked for since");
+    throw HttpError(409, "a newer lay table has been requested");
   }
   const std::lock_guard lock(mutex_);
   last_ = table;
@@ -121,7 +123,7 @@ Json LayTables::make(const ModelText& model, const Json& request) {
 
 std::shared_ptr<const LayTable> LayTables::last() const {
   const std::lock_guard lock(mutex_);
-  if (!last_) throw HttpFault(404, "no lay table has been made yet");
+  if (!last_) throw HttpError(404, "no lay table has been made yet");
   return last_;
 }
 
@@ -138,9 +140,10 @@ HttpAnswer LayTables::xlsx() const {
 }
 
 void add_lay_table_routes(std::vector<HttpRoute>& routes, OpenModel& model, LayTables& tables) {
-  routes.push_back({"POST", "/api/lay-table",
-                    [&](const HttpRequest& request) { return json_answer(tables.make(model.now(), request.json())); },
-                    kLongLimit});
+  routes.push_back(
+      {"POST", "/api/lay-table",
+       [&](const HttpRequest& request) { return json_answer(tables.make(model.snapshot(), request.json())); },
+       kLongLimit});
   routes.push_back({"GET", "/api/lay-table.csv", [&](const HttpRequest&) { return tables.csv(); }});
   routes.push_back({"GET", "/api/lay-table.xlsx", [&](const HttpRequest&) { return tables.xlsx(); }});
 }

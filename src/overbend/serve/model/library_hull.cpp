@@ -11,22 +11,22 @@
 namespace overbend {
 namespace {
 
-constexpr HullDimensions kBarge{120.0, 30.0};  ///< Of data/bgl1, see its README.md.
+constexpr HullDimensions kBarge{120.0, 30.0};  ///< Length and beam of the barge of data/bgl1, see its README.md.
 constexpr const char* kBargeFile = "data/bgl1/rao.csv";
-constexpr double kBargeDepth = 89.0;  ///< Of water, in which they were computed [m].
+constexpr double kBargeDepth = 89.0;  ///< Water depth of its RAOs [m].
 
 RaoTable barge_raos() {
-  Diagnostics faults;
+  Diagnostics errors;
   const std::string text(embedded_text(kBargeFile));
-  std::optional<RaoTable> table = read_rao_text(text, kBargeFile, {}, kBargeDepth, faults);
-  if (!table) throw HttpFault(422, "the program has no hull to scale");
+  std::optional<RaoTable> table = read_rao_text(text, kBargeFile, {}, kBargeDepth, errors);
+  if (!table) throw HttpError(422, "the library hull cannot be read");
   return std::move(*table);
 }
 
 double dimension(const Json& body, const char* key, double min, double max) {
   const double value = body.contains(key) && body[key].is_number() ? body[key].get<double>() : 0.0;
   if (value >= min && value <= max) return value;
-  throw HttpFault(422, fmt::format("{}: expected {} to {}", key, shown(min, "m", 0), shown(max, "m", 0)));
+  throw HttpError(422, fmt::format("{}: expected {} to {}", key, shown(min, "m", 0), shown(max, "m", 0)));
 }
 
 std::string size_text(const HullDimensions& size) {
@@ -36,10 +36,8 @@ std::string size_text(const HullDimensions& size) {
 std::string assumption_text(const HullDimensions& size) {
   return fmt::format(
       "The vessel's motion response is that of the box barge BGL-1, {}, scaled to {} by Froude's law: sway and roll "
-      "with "
-      "the beam, all other motions with the length; draught and loading are taken in proportion. It is an estimate "
-      "that "
-      "the vessel's own RAOs should replace.",
+      "with the beam, all other motions with the length; draught and loading are assumed in proportion. Replace this "
+      "estimate by the vessel's own RAOs.",
       size_text(kBarge), size_text(size));
 }
 

@@ -15,15 +15,15 @@
 namespace overbend {
 namespace {
 
-Json progress_json(const StageResult& stage, std::size_t done, std::size_t of) {
-  return {{"done", done}, {"of", of}, {"name", stage.stage.name}, {"stands", stage.lay.has_value()}};
+Json progress_json(const StageResult& stage, std::size_t done, std::size_t total) {
+  return {{"done", done}, {"of", total}, {"name", stage.stage.name}, {"stands", stage.lay.has_value()}};
 }
 
-std::size_t number_of(const std::string& text) {
+std::size_t parse_stage_number(const std::string& text) {
   std::size_t number = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (fault != std::errc() || end != text.data() + text.size()) {
-    throw HttpFault(404, "found stage '" + text + "', expected its number from 0 on");
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw HttpError(404, "found stage '" + text + "', expected its number, starting from 0");
   }
   return number;
 }
@@ -38,15 +38,15 @@ Json LiveOperation::solve(const ModelText& model) {
   }
   const Description& description = *reading.description;
   if (lay_stages(description).empty()) {
-    throw HttpFault(422, "the model has no operation on the line", "give operation.type and operation.stages");
+    throw HttpError(422, "the model has no operation on the line", "set operation.type and operation.stages");
   }
   const std::lock_guard<std::mutex> hold(solving_);
   const InterruptionScope scope([&] { return asked_ != mine; });
   std::size_t done = 0;
   OperationResults results;
   try {
-    results = solve_operation(description, [&](const StageResult& stage, std::size_t of) {
-      events_.send("stage", progress_json(stage, ++done, of), "stage");
+    results = solve_operation(description, [&](const StageResult& stage, std::size_t total) {
+      events_.send("stage", progress_json(stage, ++done, total), "stage");
       return asked_ == mine;
     });
   } catch (const Interrupted&) {
@@ -54,7 +54,7 @@ Json LiveOperation::solve(const ModelText& model) {
   }
   if (asked_ != mine) return {{"status", "overtaken"}};
   Json answer = {{"status", "solved"}, {"revision", model.revision}};
-  answer.update(page_operation(PageStyle{}, results, head_length_of(description.operation.lay)));
+  answer.update(page_operation(PageStyle{}, results, find_head_length(description.operation.lay)));
   const std::lock_guard<std::mutex> keep(mutex_);
   solved_ = std::move(results);
   solved_text_ = model.text;
@@ -63,9 +63,11 @@ Json LiveOperation::solve(const ModelText& model) {
 
 Json LiveOperation::stage(std::size_t number) const {
   const std::lock_guard<std::mutex> hold(mutex_);
-  if (!solved_ || number >= solved_->stages.size()) throw HttpFault(404, "there is no such stage", "solve them first");
+  if (!solved_ || number >= solved_->stages.size()) {
+    throw HttpError(404, "there is no such stage", "solve the operation first");
+  }
   const std::optional<StaticResults>& lay = solved_->stages[number].lay;
-  if (!lay) throw HttpFault(404, "the stage has no equilibrium");
+  if (!lay) throw HttpError(404, "the stage has no equilibrium");
   Json answer = {{"status", "converged"}};
   answer.update(static_json(*lay));
   return answer;
@@ -73,15 +75,15 @@ Json LiveOperation::stage(std::size_t number) const {
 
 std::string LiveOperation::report() const {
   const std::lock_guard<std::mutex> hold(mutex_);
-  if (!solved_) throw HttpFault(404, "the stages are not solved");
+  if (!solved_) throw HttpError(404, "the operation has not been solved");
   return page_text(operation_report_document(*solved_, solved_text_));
 }
 
 void add_operation_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveOperation& operation) {
   routes.push_back({"POST", "/api/operation",
-                    [&](const HttpRequest&) { return json_answer(operation.solve(model.now())); }, kLongLimit});
+                    [&](const HttpRequest&) { return json_answer(operation.solve(model.snapshot())); }, kLongLimit});
   routes.push_back({"GET", "/api/operation/stages/*", [&](const HttpRequest& request) {
-                      return json_answer(operation.stage(number_of(request.parts[0])));
+                      return json_answer(operation.stage(parse_stage_number(request.parts[0])));
                     }});
   routes.push_back({"GET", "/api/operation/report.html", [&](const HttpRequest& request) {
                       const char* name = request.parameter("show").empty() ? "operation.html" : "";

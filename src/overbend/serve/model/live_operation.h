@@ -1,4 +1,4 @@
-/// The stages of the open model's operation on the line, solved when the page asks for them.
+/// Stages of the open model's operation, solved on request of the page.
 #pragma once
 
 #include <atomic>
@@ -13,32 +13,32 @@
 
 namespace overbend {
 
-/// Keeps the stages of the last solution. One solution at a time; may be called from any thread.
+/// Keeps the stages of the last solution. Solves one operation at a time; may be called from any thread.
 class LiveOperation {
  public:
   explicit LiveOperation(EventHub& events) : events_(events) {}
 
-  /// The answer of POST /api/operation. Every stage that is done is told as an event `stage`; a newer request ends the
-  /// one that is going on, which answers with the status "overtaken". HttpFault 422 where the model has no operation.
+  /// Returns the answer to POST /api/operation. Sends an event `stage` for every solved stage. A newer request ends
+  /// this one, which answers with the status "overtaken". HttpError 422 if the model has no operation.
   Json solve(const ModelText& model);
 
-  /// The answer of GET /api/operation/stages/N, as POST /api/static. HttpFault 404 where there is no such stage, or it
-  /// has no equilibrium.
+  /// Returns the answer to GET /api/operation/stages/N, like POST /api/static. HttpError 404 if there is no such stage
+  /// or it has no equilibrium.
   Json stage(std::size_t number) const;
 
-  /// The report of the stages, with the procedure sheet. HttpFault 404 before they are solved.
+  /// Returns the report of the stages with the procedure sheet. HttpError 404 before they are solved.
   std::string report() const;
 
  private:
   EventHub& events_;
   std::atomic<std::uint64_t> asked_{0};  ///< Number of the newest request.
   std::mutex solving_;
-  mutable std::mutex mutex_;  ///< Of what follows.
+  mutable std::mutex mutex_;  ///< Guards the members below.
   std::optional<OperationResults> solved_;
-  std::string solved_text_;  ///< Of the model.
+  std::string solved_text_;  ///< Text of the model.
 };
 
-/// Adds both routes; what they are given must outlive them.
+/// Adds the routes; `model` and `operation` must outlive them.
 void add_operation_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveOperation& operation);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Statics while a value is being dragged.
+/// Statics for the page while the user edits values.
 #pragma once
 
 #include <atomic>
@@ -18,57 +18,59 @@
 
 namespace overbend {
 
-struct StaticWish {
-  bool full = false;                              ///< From nothing.
-  std::optional<std::vector<std::string>> lists;  ///< Of `pipe`; all when not said.
+struct StaticRequest {
+  bool full = false;                              ///< Solve without a warm start.
+  std::optional<std::vector<std::string>> lists;  ///< Lists of `pipe` to return; default: all.
   bool probe = false;                             ///< Background request: any newer request ends it.
 };
 
-/// Keeps the last solution, from which the next one, a little further on, is found in few iterations. May be called
-/// from any thread: none waits for another.
+/// Keeps the last solution as a warm start for the next one. May be called from any thread; threads do not wait for
+/// each other.
 class LiveStatics {
  public:
-  /// The answer of POST /api/static: the model with changes on top, from the last solution or (`full`) from nothing.
-  Json solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
+  /// Returns the answer to POST /api/static: solves the model with changes, from the last solution or, with `full`,
+  /// without a warm start.
+  Json solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticRequest& request);
 
  private:
-  /// A text as it was parsed last.
+  /// The text parsed last.
   struct Parsed {
     std::string text;
-    std::shared_ptr<const YamlNode> tree;        ///< Null where the text is no YAML.
-    Diagnostics faults;                          ///< Of parsing.
-    std::optional<CoupledHullDescription> hull;  ///< Of that text, with the contents of its files.
-    /// Of these files as they were read: another program may write them while this one runs.
+    std::shared_ptr<const YamlNode> tree;        ///< Null if the text is not YAML.
+    Diagnostics errors;                          ///< Errors of parsing.
+    std::optional<CoupledHullDescription> hull;  ///< Coupled hull of the text, with the contents of its files.
+    /// Time and size of these files when they were read, because another program may change them.
     std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> hull_stamps;
   };
-  /// A solution with what tells whether another lay is close by.
-  struct Last {
+  /// A solution with the data to decide whether it is a suitable warm start.
+  struct LastSolution {
     StaticSolution solution;
-    std::string file;  ///< Of the model that it is a solution of.
+    std::string file;  ///< Model file of the solution.
     std::size_t rollers = 0;
   };
 
-  Json answer(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
-  Json probe(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish,
+  Json answer(const ModelText& model, const std::vector<YamlChange>& changes, const StaticRequest& request);
+  Json probe(const ModelText& model, const std::vector<YamlChange>& changes, const StaticRequest& request,
              std::uint64_t number);
-  Json solve(Model model, const StaticWish& wish);
-  static bool close_by(const Last& last, const Model& model);
-  static bool is_sound(const Parsed& text);
+  Json solve(Model model, const StaticRequest& request);
+  static bool is_suitable_warm_start(const LastSolution& last, const Model& model);
+  static bool is_valid_tree(const Parsed& text);
   static std::optional<Description> read_changed(const Parsed& text, const ModelText& model,
                                                  const std::vector<YamlChange>& changes);
   std::shared_ptr<const Parsed> parsed(const ModelText& model);
 
-  std::mutex mutex_;  ///< On the pointers.
+  std::mutex mutex_;  ///< Guards the pointers.
   std::shared_ptr<const Parsed> parsed_;
-  std::shared_ptr<const Last> last_;
-  std::shared_ptr<const Last> last_probe_;  ///< Probes may be far from the state shown, which has a start of its own.
-  std::atomic<std::uint64_t> newest_{0};    ///< Number of the newest request.
+  std::shared_ptr<const LastSolution> last_;
+  std::shared_ptr<const LastSolution>
+      last_probe_;                        ///< Separate warm start, because probes may be far from the state shown.
+  std::atomic<std::uint64_t> newest_{0};  ///< Number of the newest request.
 };
 
-/// GET /api/scene of a model's text.
-Json scene_of(const ModelText& model);
+/// Returns the answer to GET /api/scene for a model text.
+Json make_scene_answer(const ModelText& model);
 
-/// Adds both routes; what they are given must outlive them.
+/// Adds both routes; `model` and `statics` must outlive them.
 void add_static_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveStatics& statics);
 
 }  // namespace overbend

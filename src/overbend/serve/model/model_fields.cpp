@@ -15,7 +15,7 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
-/// The value in SI, where it is a number that reads.
+/// Returns the value in SI units; null if it is not a valid number.
 Json value_in_si(const YamlNode& node, const Field& row) {
   const ScalarReading reading = read_scalar(node, row);
   if (!reading.value) return nullptr;
@@ -23,10 +23,10 @@ Json value_in_si(const YamlNode& node, const Field& row) {
   return reading.value->kind == FieldValue::Kind::number ? Json(seven_digits(reading.value->number)) : Json(nullptr);
 }
 
-constexpr std::size_t kMaxItems = 200;     ///< Of a list; of longer ones the first are fields.
-constexpr std::size_t kMaxFields = 20000;  ///< Altogether.
+constexpr std::size_t kMaxItems = 200;     ///< Maximum number of items of a list.
+constexpr std::size_t kMaxFields = 20000;  ///< Maximum number of fields in total.
 
-/// Walks the table of fields and the text in parallel.
+/// Traverses the table of fields and the text in parallel.
 class Lister {
  public:
   Json take() { return std::move(list_); }
@@ -55,8 +55,8 @@ class Lister {
     return found == map.entries.end() ? nullptr : &*found;
   }
 
-  /// The row of the shape used in the text, else the first.
-  static const Field& row_of(const FieldNode& field, const YamlNode* node) {
+  /// Returns the row for the shape used in the text, or the first row.
+  static const Field& find_field_row(const FieldNode& field, const YamlNode* node) {
     const Field* row = nullptr;
     if (node != nullptr && node->kind == Kind::scalar) row = field.scalar;
     if (node != nullptr && node->kind == Kind::map) row = field.map;
@@ -70,10 +70,10 @@ class Lister {
 
   void value(const FieldNode& field, const YamlNode* node, int line, const std::string& path) {
     if (list_.size() >= kMaxFields) return;
-    const Field& row = row_of(field, node);
+    const Field& row = find_field_row(field, node);
     add(row, node, line, path);
     if (node == nullptr) {
-      // The members of a group that could only be a group are offered as well.
+      // The members of a missing group are offered if it can only be a group.
       if (field.map != nullptr && field.scalar == nullptr && field.list == nullptr) members(field, nullptr, path);
     } else if (node->kind == Kind::map && field.map != nullptr) {
       members(field, node, path);
@@ -87,7 +87,7 @@ class Lister {
   void add(const Field& row, const YamlNode* node, int line, const std::string& path) {
     const bool scalar = node != nullptr && node->kind == Kind::scalar;
     Json item = {{"path", path},
-                 {"kind", word_of(row.kind)},
+                 {"kind", enum_name(row.kind)},
                  {"value", scalar ? Json(node->text) : Json(nullptr)},
                  {"si", scalar ? value_in_si(*node, row) : Json(nullptr)},
                  {"unit", text_or_null(row.show)},
@@ -98,7 +98,7 @@ class Lister {
                  {"choices", row.choices},
                  {"required", row.required},
                  {"left_out", row.fallback_text},
-                 {"range", range_words(row, row.range)}};
+                 {"range", field_range_label(row, row.range)}};
     if (node != nullptr && node->kind == Kind::list) item["count"] = node->items.size();
     list_.push_back(std::move(item));
   }

@@ -1,4 +1,4 @@
-/// The keys of a model as a form shows them.
+/// Keys of a model for the form of the page.
 #pragma once
 
 #include "base/yaml_document.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Every key that the model has or could have next, from the table of fields; see `fields` in docs/api.md. Of long
-/// lists the first 200 items. Empty without a tree, of a text that is no YAML.
+/// Returns every key that the model has or may have, from the table of fields; see `fields` in docs/api.md. Only the
+/// first 200 items of long lists are included. Empty without a tree (text is not YAML).
 Json model_fields(const YamlNode* root);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The model files of the folder that the program was started in.
+/// Model files of the folder that the program was started in.
 #pragma once
 
 #include <filesystem>
@@ -9,24 +9,25 @@
 
 namespace overbend {
 
-/// Files by their bare names: nothing outside the folder is reached. Faults are HttpFault.
+/// Accesses files by plain names, so that nothing outside the folder is reached. Errors are HttpError.
 class ModelFolder {
  public:
   explicit ModelFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   const std::filesystem::path& path() const { return folder_; }
-  /// `[{name, modified}]` of the *.yaml and *.yml, by name; `modified` in seconds since 1970.
+  /// Returns `[{name, modified}]` of the *.yaml and *.yml files, sorted by name; `modified` in seconds since 1970.
   Json files() const;
+  /// Returns the text of a file; HttpError 404 if it does not exist.
   std::string read(const std::string& name) const;
-  /// Which content a file has: equal for equal texts, and in practice for no others.
+  /// Returns a hash of a text that identifies the contents of a file.
   static std::string version(const std::string& text);
-  /// The file of that name gets the text (replace_file). Where it has meanwhile another content than the `expected`
-  /// version (nothing: it is not there yet) nothing is written: 409 with the file's own text. A file that has gone, or
-  /// has this very text already, contradicts nobody.
+  /// Writes the text to a file (replace_file). If the file differs from the `expected` version (nothing: no file
+  /// expected), nothing is written: HttpError 409 with the text of the file. A file that was deleted or already has
+  /// this text is not a conflict.
   void write(const std::string& name, const std::string& text, const std::optional<std::string>& expected) const;
-  /// The same whatever the file holds.
+  /// The same regardless of the contents of the file.
   void overwrite(const std::string& name, const std::string& text) const;
-  /// Puts the data that an example names into the folder, where the text names it and it is not there.
+  /// Copies data of the examples into the folder if the text refers to them and they do not exist.
   void provide_data(const std::string& text) const;
 
  private:

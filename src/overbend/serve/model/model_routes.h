@@ -1,4 +1,4 @@
-/// Requests about the model: text, keys, files, examples, start dialogue.
+/// Requests about the open model: text, keys, files, examples, start dialogue.
 #pragma once
 
 #include "serve/model/open_model.h"

@@ -10,8 +10,8 @@
 namespace overbend {
 namespace {
 
-/// Walls of a size that are neither paper nor solid: D/t from 10 to 60.
-Json walls_of(double diameter) {
+/// Returns the API 5L wall thicknesses [m] with D/t from 10 to 60.
+Json find_walls(double diameter) {
   Json walls = Json::array();
   for (const double millimetres : api_walls()) {
     const double slenderness = diameter / (1e-3 * millimetres);
@@ -27,12 +27,12 @@ Json pipes() {
     if (!diameter) continue;
     list.push_back({{"name", std::to_string(inches)},
                     {"outside_diameter", seven_digits(*diameter)},
-                    {"walls", walls_of(*diameter)}});
+                    {"walls", find_walls(*diameter)}});
   }
   return list;
 }
 
-/// API 5L line pipe with its yield stress [MPa].
+/// Returns API 5L grades with their yield stress; the table is in MPa.
 Json grades() {
   constexpr std::array<std::pair<const char*, int>, 7> kGrades = {
       {{"X42", 290}, {"X52", 359}, {"X56", 386}, {"X60", 414}, {"X65", 450}, {"X70", 485}, {"X80", 555}}};
@@ -56,7 +56,7 @@ Json vessels() {
   return list;
 }
 
-/// Takes an answer as a text or a number.
+/// Reads an answer given as a text or a number.
 void take(const Json& answers, const char* key, std::string& into) {
   const auto found = answers.find(key);
   if (found == answers.end() || found->is_null()) return;
@@ -71,26 +71,27 @@ void take_boxes(const Json& answers, int& boxes) {
   const bool number = text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
   boxes = number ? std::stoi(text) : -1;
   if (boxes < 1 || boxes > 100) {
-    HttpFault fault(422, "boxes: found '" + text + "', expected a whole number from 1 to 100");
-    fault.more["key"] = "boxes";
-    throw fault;
+    HttpError error(422, "boxes: found '" + text + "', expected a whole number from 1 to 100");
+    error.more["key"] = "boxes";
+    throw error;
   }
 }
 
-/// "--wall: found ..." of the command names its flag; here it is the answer's key.
-[[noreturn]] void refuse(std::string why) {
+/// Throws HttpError 422. A message that names an option of the command, "--wall: found ...", gets the key of the
+/// answer.
+[[noreturn]] void throw_answer_error(std::string why) {
   std::string key;
   if (why.starts_with("--")) {
     why.erase(0, 2);
     key = why.substr(0, why.find_first_of(": "));
     for (char& c : key) c = c == '-' ? '_' : c;
   }
-  HttpFault fault(422, why);
-  fault.more["key"] = key;
-  throw fault;
+  HttpError error(422, why);
+  error.more["key"] = key;
+  throw error;
 }
 
-NewOptions options_of(const Json& answers) {
+NewOptions read_options(const Json& answers) {
   NewOptions options;
   take(answers, "pipe", options.pipe);
   take(answers, "depth", options.depth);
@@ -104,9 +105,11 @@ NewOptions options_of(const Json& answers) {
   take(answers, "tension", options.tension);
   take(answers, "title", options.title);
   take_boxes(answers, options.boxes);
-  if (options.lay != "s" && options.lay != "j") refuse("--lay: found '" + options.lay + "', expected s or j");
+  if (options.lay != "s" && options.lay != "j") {
+    throw_answer_error("--lay: found '" + options.lay + "', expected s or j");
+  }
   if (!options.vessel.empty() && options.vessel != "barge" && options.vessel != "BGL-1" && options.vessel != "ship") {
-    refuse("--vessel: found '" + options.vessel + "', expected barge, BGL-1 or ship");
+    throw_answer_error("--vessel: found '" + options.vessel + "', expected barge, BGL-1 or ship");
   }
   return options;
 }
@@ -119,7 +122,7 @@ Json new_dialogue() {
           {"grades", grades()},
           {"vessels", vessels()},
           {"defaults",
-           {{"pipe", kUsualPipe},
+           {{"pipe", kDefaultPipe},
             {"depth", kUsualDepth},
             {"lay", defaults.lay},
             {"yield", defaults.yield},
@@ -127,8 +130,8 @@ Json new_dialogue() {
 }
 
 std::string new_text(const Json& answers) {
-  const std::variant<NewLay, std::string> chosen = choose_lay(options_of(answers));
-  if (const auto* why = std::get_if<std::string>(&chosen)) refuse(*why);
+  const std::variant<NewLay, std::string> chosen = choose_lay(read_options(answers));
+  if (const auto* why = std::get_if<std::string>(&chosen)) throw_answer_error(*why);
   return std::get<NewLay>(chosen).text;
 }
 

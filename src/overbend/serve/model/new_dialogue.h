@@ -1,4 +1,4 @@
-/// The start dialogue: what it offers, and the model made from its answers.
+/// Start dialogue: choices, and the model made from its answers.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace overbend {
 
-/// Pipes, grades, vessels and what is taken where nothing is said; sizes in m and Pa.
+/// Returns pipes, grades, vessels and defaults; sizes in m and Pa.
 Json new_dialogue();
 
-/// The text of a model from answers as typed ("16", "89 m"). HttpFault 422 names the answer that is wrong.
+/// Returns the text of a model made from answers as typed ("16", "89 m"). HttpError 422 names the invalid answer.
 std::string new_text(const Json& answers);
 
 }  // namespace overbend

@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-/// JSON as YAML in flow style, scalars in quotes only where they need them.
+/// Converts JSON to YAML in flow style, quoting scalars only if needed.
 std::string flow_text(const Json& value) {
   if (value.is_string()) return yaml_scalar(value.get<std::string>());
   if (!value.is_structured()) return json_text(value);
@@ -20,7 +20,7 @@ std::string flow_text(const Json& value) {
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-YamlChange change_of(const Json& request) {
+YamlChange read_change(const Json& request) {
   const std::string path = request.at("path").get<std::string>();
   const Json& value = request.at("value");
   if (value.is_null()) return {path, YamlChange::Kind::remove, ""};
@@ -28,7 +28,7 @@ YamlChange change_of(const Json& request) {
   return {path, YamlChange::Kind::scalar, value.is_string() ? value.get<std::string>() : json_text(value)};
 }
 
-/// Whether the text is that of its file, also when undo has led back to it.
+/// True if the text equals its file, also after undo.
 bool is_saved(const ModelText& model) {
   return model.disk && *model.disk == ModelFolder::version(model.text);
 }
@@ -40,24 +40,23 @@ OpenModel::OpenModel(ModelFolder folder, std::function<void(std::int64_t)> chang
   model_.path = (folder_.path() / "model.yaml").string();
 }
 
-ModelText OpenModel::now() const {
+ModelText OpenModel::snapshot() const {
   const std::lock_guard<std::mutex> hold(mutex_);
   return model_;
 }
 
-/// Called with the mutex held, which is given back before the model is read for the answer.
+/// To be called with the mutex held. On error, the mutex is released before the answer is made.
 void OpenModel::require(std::int64_t revision, std::unique_lock<std::mutex>& hold) const {
   if (revision == model_.revision) return;
   const ModelText model = model_;
   hold.unlock();
-  HttpFault fault(409, "the model has been changed elsewhere since",
-                  "take the newer version, or replace it with yours");
-  fault.more["reason"] = "revision";
-  fault.beside = model_json(model);
-  throw fault;
+  HttpError error(409, "the model has been changed elsewhere", "use the newer version, or replace it with yours");
+  error.more["reason"] = "revision";
+  error.top_level = model_json(model);
+  throw error;
 }
 
-/// Called with the mutex held.
+/// To be called with the mutex held.
 ModelText OpenModel::take(ModelText next) {
   next.revision = model_.revision + 1;
   next.path = (folder_.path() / (next.name.empty() ? "model.yaml" : next.name)).string();
@@ -84,11 +83,11 @@ ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t re
   std::unique_lock<std::mutex> hold(mutex_);
   require(revision, hold);
   ModelText next = model_;
-  hold.unlock();  // many changes of a long text take seconds
+  hold.unlock();  // many changes of a long text may take seconds
   try {
     next.text = edit_yaml(next.text, changes);
-  } catch (const YamlEditFault& fault) {
-    throw HttpFault(422, fault.what());
+  } catch (const YamlEditError& error) {
+    throw HttpError(422, error.what());
   }
   hold.lock();
   require(revision, hold);
@@ -125,13 +124,13 @@ Json model_json(const ModelText& model) {
           {"fields", model_fields(reading.tree.get())}};
 }
 
-std::vector<YamlChange> changes_of(const Json& request) {
+std::vector<YamlChange> read_changes(const Json& request) {
   constexpr std::size_t kMaxChanges = 1000;
   if (request.size() > kMaxChanges) {
-    throw HttpFault(422, fmt::format("found {} changes, expected at most {}", request.size(), kMaxChanges));
+    throw HttpError(422, fmt::format("found {} changes, expected at most {}", request.size(), kMaxChanges));
   }
   std::vector<YamlChange> changes;
-  for (const Json& change : request) changes.push_back(change_of(change));
+  for (const Json& change : request) changes.push_back(read_change(change));
   return changes;
 }
 

@@ -1,4 +1,4 @@
-/// The model that is open: kept by the program, so that it outlives a reload of the page.
+/// Open model, kept by the program so that it survives a reload of the page.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ namespace overbend {
 
 /// Snapshot of the open model.
 struct ModelText {
-  std::string text, name;  ///< `name` is that of its file, empty where it has none.
+  std::string text, name;  ///< `name`: name of its file; empty if it has none.
   bool saved = true;
   std::int64_t revision = 0;
-  std::optional<std::string> disk;  ///< Version of the file as last read or written; none for one that has no file.
-  std::string path;  ///< Of the file, or where it would lie: in messages, and the folder of the files it mentions.
+  std::optional<std::string> disk;  ///< Version of the file as last read or written; nothing without a file.
+  std::string path;                 ///< Path of the file, or of a new file: for messages and for relative paths.
 };
 
-/// Text that a page wants to save, and the content it expects in the file.
+/// Request to save the open model, with the expected contents of the file.
 struct SaveRequest {
   std::string name;
-  bool force = false;                              ///< Whatever the file holds.
-  bool knows = false;                              ///< Whether `disk` is the page's word; else what was last read.
-  std::optional<std::string> disk = std::nullopt;  ///< Version of the file; nothing: it is not there yet.
+  bool force = false;  ///< Overwrite the file regardless of its contents.
+  bool knows = false;  ///< True if the page sent `disk`; otherwise the version last read is expected.
+  std::optional<std::string> disk = std::nullopt;  ///< Expected version of the file; nothing: no file expected.
 };
 
 /// All functions may be called from any thread.
@@ -36,11 +36,13 @@ class OpenModel {
   /// `changed` is called with the new revision after every change.
   OpenModel(ModelFolder folder, std::function<void(std::int64_t)> changed);
 
-  ModelText now() const;
+  /// Returns a snapshot of the open model.
+  ModelText snapshot() const;
   const ModelFolder& folder() const { return folder_; }
 
-  /// Puts a text in the place of the open one. A `revision` that is not the open one's is 409.
+  /// Replaces the open text. HttpError 409 if `revision` is not that of the open model.
   ModelText put(const std::string& text, std::int64_t revision, const std::string* name);
+  /// Sets keys of the open model. HttpError 409 likewise, 422 if a key cannot be set.
   ModelText set(const std::vector<YamlChange>& changes, std::int64_t revision);
   ModelText open(const std::string& name);
   ModelText save(const SaveRequest& request);
@@ -55,10 +57,10 @@ class OpenModel {
   ModelText model_;
 };
 
-/// The open model as GET /api/model gives it, with diagnostics and fields.
+/// Returns the model as answered by GET /api/model, with diagnostics and fields.
 Json model_json(const ModelText& model);
 
-/// Changes as the page sends them: `[{path, value}]`.
-std::vector<YamlChange> changes_of(const Json& request);
+/// Parses changes sent by the page: `[{path, value}]`.
+std::vector<YamlChange> read_changes(const Json& request);
 
 }  // namespace overbend

@@ -12,8 +12,8 @@ namespace {
 std::string with_seek(const ModelText& model, const Json& wanted) {
   try {
     return edit_yaml(model.text, {{"seek", YamlChange::Kind::flow, json_text(wanted)}});
-  } catch (const YamlEditFault& fault) {
-    throw HttpFault(422, fault.what());
+  } catch (const YamlEditError& error) {
+    throw HttpError(422, error.what());
   }
 }
 
@@ -39,8 +39,8 @@ Json seek_answer(const ModelText& model, const Json& wanted) {
     answer["changes"] =
         changes_json(results.found ? answer_changes(*reading.description, asked, results) : std::vector<YamlChange>{});
     return answer;
-  } catch (const SeekFault& fault) {
-    throw HttpFault(422, fault.what());
+  } catch (const SeekError& error) {
+    throw HttpError(422, error.what());
   }
 }
 
@@ -48,7 +48,7 @@ void add_seek_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
   routes.push_back({"POST", "/api/seek",
                     [&](const HttpRequest& request) {
                       const Json body = request.json();
-                      return json_answer(seek_answer(model.now(), body.at("seek")));
+                      return json_answer(seek_answer(model.snapshot(), body.at("seek")));
                     },
                     kLongLimit});
 }

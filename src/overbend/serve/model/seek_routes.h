@@ -1,4 +1,4 @@
-/// Goal seek for the page.
+/// Requests for a goal seek.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-/// The answer of POST /api/seek: what `wanted`, written as the key `seek` of a model, finds in the model as it is open.
+/// Returns the answer to POST /api/seek: goal seek of the open model. `wanted` has the form of the model key `seek`.
 Json seek_answer(const ModelText& model, const Json& wanted);
 
 /// Adds the route; the model must outlive it.

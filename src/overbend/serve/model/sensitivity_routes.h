@@ -1,4 +1,4 @@
-/// POST /api/sensitivities: what the key results hang on.
+/// Requests for sensitivities of the key results.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace overbend {
 
-/// The answer: of each key result the inputs whose tolerance moves it most.
-Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& changes);
+/// Returns the answer to POST /api/sensitivities: for each key result, the inputs whose tolerance has the largest
+/// effect.
+Json sensitivities_answer(const ModelText& model, const std::vector<YamlChange>& changes);
 
 /// Adds the route; `model` must outlive it.
 void add_sensitivity_routes(std::vector<HttpRoute>& routes, OpenModel& model);

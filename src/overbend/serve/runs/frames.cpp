@@ -7,7 +7,8 @@
 namespace overbend {
 namespace {
 
-/// The stations of every frame from the tensioner on, as float32 in base64. `parts` are interleaved.
+/// Returns values at the stations of every frame, from the tensioner to the anchor, as float32 in base64. `parts` are
+/// interleaved.
 std::string stations(const SnapshotBlock& block, std::initializer_list<const std::vector<double>*> parts) {
   std::vector<float> numbers;
   const auto count = static_cast<std::size_t>(block.stations);
@@ -27,36 +28,36 @@ Json pose(const SnapshotBlock& block, std::size_t frame) {
   return numbers;
 }
 
-/// A line whose points are in the snapshots.
-struct FilmedLine {
+/// A line stored in the snapshots.
+struct SnapshotLine {
   std::string name;
   std::size_t points = 0;
-  bool backwards = false;  ///< Its points run from the other end in the file.
+  bool backwards = false;  ///< The page uses the reverse order of the file.
 };
 
-/// Mooring lines, which the page has from the fairlead on and the file from the anchor; lines that stand by themselves
-/// from their first end on.
-std::vector<FilmedLine> filmed_lines(const DynamicResults& results) {
-  std::vector<FilmedLine> lines;
+/// Returns the mooring lines (from the fairlead on the page, from the anchor in the file) and the separate lines (from
+/// end A).
+std::vector<SnapshotLine> snapshot_lines(const DynamicResults& results) {
+  std::vector<SnapshotLine> lines;
   for (const MooringLineDynamics& line : results.moorings) lines.push_back({line.name, line.points.size(), true});
-  for (const LineDynamics& line : results.lines) lines.push_back({line.name, line.least_at_nodes.size(), false});
+  for (const LineDynamics& line : results.lines) lines.push_back({line.name, line.min_tension_at_nodes.size(), false});
   return lines;
 }
 
-Json lines_json(const std::vector<FilmedLine>& lines) {
+Json lines_json(const std::vector<SnapshotLine>& lines) {
   Json list = Json::array();
-  for (const FilmedLine& line : lines) list.push_back({{"name", line.name}, {"points", line.points}});
+  for (const SnapshotLine& line : lines) list.push_back({{"name", line.name}, {"points", line.points}});
   return list;
 }
 
-/// The points of the lines of every frame, line by line, as float32 in base64.
-std::string line_places(const SnapshotBlock& block, const std::vector<FilmedLine>& lines) {
+/// Returns the points of all lines of every frame, line by line, as float32 in base64.
+std::string line_places(const SnapshotBlock& block, const std::vector<SnapshotLine>& lines) {
   std::vector<float> numbers;
   const auto count = static_cast<std::size_t>(block.line_points);
   numbers.reserve(3 * block.time.size() * count);
   for (std::size_t frame = 0; frame < block.time.size(); ++frame) {
     std::size_t first = frame * count;
-    for (const FilmedLine& line : lines) {
+    for (const SnapshotLine& line : lines) {
       for (std::size_t i = 0; i < line.points; ++i) {
         const std::size_t point = first + (line.backwards ? line.points - 1 - i : i);
         for (const auto* part : {&block.line_x, &block.line_y, &block.line_z}) {
@@ -87,7 +88,7 @@ Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64
                  {"effective_tension", stations(block, {&block.effective_tension})},
                  {"von_mises", stations(block, {&block.von_mises})}};
   if (block.line_points > 0) {
-    const std::vector<FilmedLine> lines = filmed_lines(read_dynamic_results(h5).results);
+    const std::vector<SnapshotLine> lines = snapshot_lines(read_dynamic_results(h5).results);
     answer["lines"] = lines_json(lines);
     answer["line_place"] = line_places(block, lines);
   }

@@ -1,4 +1,4 @@
-/// Histories of the run that is running, as far as it has come.
+/// Histories of the active run so far.
 #pragma once
 
 #include <mutex>
@@ -10,16 +10,16 @@
 
 namespace overbend {
 
-/// Written by the run's thread, read by others. A row of it costs what a row of the store on disk does; it lives as
-/// long as the run is running.
+/// Written by the thread of the run, read by others; cleared at the end of the run. A row takes as much memory as a row
+/// of the store on disk.
 class LiveHistory {
  public:
   void add(const std::vector<HistoryColumn>& columns, std::span<const double> values);
   void clear();
 
-  /// With the time, the first of all; empty before the first row.
+  /// Returns the columns, time first; empty before the first row.
   std::vector<HistoryColumn> columns() const;
-  /// Values so far, empty for a name that there is none of.
+  /// Returns the values so far; empty for an unknown name.
   std::vector<double> values(const std::string& name) const;
 
  private:

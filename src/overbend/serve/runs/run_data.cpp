@@ -7,24 +7,24 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "numerics/welch.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
-#include "results/tables/result_tables.h"
+#include "results/tables/named_tables.h"
 #include "serve/answers/page_fields.h"
 #include "serve/answers/page_style.h"
 
 namespace overbend {
 namespace {
 
-/// The static state as envelopes that nothing has moved yet.
-DynamicResults still(const StaticResults& statics) {
+/// Returns the static state in the form of envelopes.
+DynamicResults static_envelopes(const StaticResults& statics) {
   DynamicResults r;
-  for (const Station& at : statics.stations) {
-    r.station_s.push_back(at.s);
-    r.static_place.push_back(at.p_W);
-    r.static_tension.push_back(at.effective_tension);
-    r.static_moment.push_back(at.bending_moment);
-    r.static_bending_stress.push_back(at.bending_stress);
-    r.static_von_mises.push_back(at.von_mises);
-    r.static_strain.push_back(at.strain);
+  for (const Station& station : statics.stations) {
+    r.station_s.push_back(station.s);
+    r.static_place.push_back(station.p_W);
+    r.static_tension.push_back(station.effective_tension);
+    r.static_moment.push_back(station.bending_moment);
+    r.static_bending_stress.push_back(station.bending_stress);
+    r.static_von_mises.push_back(station.von_mises);
+    r.static_strain.push_back(station.strain);
   }
   return r;
 }
@@ -47,10 +47,10 @@ Json series_json(std::span<const double> time, std::span<const double> values, c
   Json t = Json::array(), low = Json::array(), high = Json::array();
   for (std::size_t i = 0; i < points; ++i) {
     const std::size_t first = begin + i * count / points, last = begin + (i + 1) * count / points;
-    const auto [least, greatest] = std::ranges::minmax(values.subspan(first, last - first));
+    const auto [min_value, max_value] = std::ranges::minmax(values.subspan(first, last - first));
     t.push_back(seven_digits(time[first]));
-    low.push_back(seven_digits(least));
-    high.push_back(seven_digits(greatest));
+    low.push_back(seven_digits(min_value));
+    high.push_back(seven_digits(max_value));
   }
   return {{"t", t}, {"min", low}, {"max", high}};
 }
@@ -85,7 +85,7 @@ Json columns_json(const std::vector<HistoryColumn>& columns) {
 }
 
 Json envelopes_json(const std::filesystem::path& h5) {
-  if (!has_dynamic(h5)) return envelopes(still(read_static_results(h5).results), false);
+  if (!has_dynamic(h5)) return envelopes(static_envelopes(read_static_results(h5).results), false);
   const StoredDynamics stored = read_dynamic_results(h5);
   return envelopes(stored.results, stored.statics.results.has_pipe());
 }
@@ -107,12 +107,12 @@ Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
   std::optional<std::uint64_t> seed;
   if (has_dynamic(h5)) seed = read_dynamic_results(h5).results.seed;
   std::optional<Description> description = read_model_text(text, file).description;
-  if (!description) {  // a file that it mentions may have gone
-    Diagnostics faults;
-    const std::optional<YamlNode> root = parse_yaml(text, file, faults);
-    if (root) description = read_still_model(*root, file).description;
+  if (!description) {  // a file it refers to may no longer exist
+    Diagnostics errors;
+    const std::optional<YamlNode> root = parse_yaml(text, file, errors);
+    if (root) description = read_statics_inputs(*root, file).description;
   }
-  if (!description) throw HttpFault(422, "the model of the run can no longer be read");
+  if (!description) throw HttpError(422, "the model of the run can no longer be read");
   return scene_json(build_model(*description), seed);
 }
 

@@ -14,19 +14,19 @@ namespace fs = std::filesystem;
 namespace {
 
 double modified(const fs::path& file) {
-  std::error_code fault;
-  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, fault));
+  std::error_code error;
+  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, error));
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
 }
 
-/// Results beside a checkpoint are those of a cancelled run.
-bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
-  std::error_code fault;
-  return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
+/// True if the results are those of a cancelled run, which still has a checkpoint.
+bool was_cancelled(const RunInfo& run, const fs::path& folder) {
+  std::error_code error;
+  return run.state == RunState::cancelled && fs::exists(folder / ".run", error);
 }
 
-/// A record of an older program, or of none, does not say of what the study is.
-void learn(RunInfo& run, const Json& summary) {
+/// Completes the record from the summary, for folders without a record or with that of an older program.
+void complete_from_summary(RunInfo& run, const Json& summary) {
   run.title = summary.value("title", "");
   run.kind = summary.contains("comparison") ? "comparison"
              : summary.contains("seeds")    ? "seeds"
@@ -53,10 +53,10 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
   run.id = folder.filename().string();
   if (record) static_cast<RunRecord&>(run) = *record;
   if (summary.is_object()) {
-    if (!run.is_matrix()) learn(run, summary);
+    if (!run.is_campaign()) complete_from_summary(run, summary);
     run.has_results = true;
     add_verdict(run, summary);
-    if (!cancelled_on_the_way(run, folder)) {
+    if (!was_cancelled(run, folder)) {
       run.state = RunState::done;
       run.progress = 1.0;
     }
@@ -69,44 +69,44 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
   return run;
 }
 
-/// The cases as their own folders say how they stand.
+/// Returns the cases with the state found in their folders.
 std::vector<RunInfo> find_cases(const RunInfo& study, const fs::path& runs) {
-  std::vector<RunInfo> cases = cases_of(study);
-  for (RunInfo& one : cases) {
-    one.state = RunState::cancelled;
-    std::optional<RunInfo> found = find_run(folder_of(one, runs));
+  std::vector<RunInfo> cases = make_study_cases(study);
+  for (RunInfo& case_run : cases) {
+    case_run.state = RunState::cancelled;
+    std::optional<RunInfo> found = find_run(find_run_folder(case_run, runs));
     if (!found) continue;
-    found->id = one.id;
-    found->parent = one.parent;
-    found->title = one.title;
-    found->model_path = one.model_path;
-    found->started = one.started;
-    found->resumable = false;  // the study is
-    one = std::move(*found);
+    found->id = case_run.id;
+    found->parent = case_run.parent;
+    found->title = case_run.title;
+    found->model_path = case_run.model_path;
+    found->started = case_run.started;
+    found->resumable = false;  // only the study can be resumed
+    case_run = std::move(*found);
   }
   return cases;
 }
 
 bool has_checkpoint(const fs::path& folder) {
   const std::optional<StoredRun> stored = RunStore::find(folder);
-  return stored && stored->fault.empty();
+  return stored && stored->error.empty();
 }
 
 }  // namespace
 
-std::vector<RunInfo> cases_of(const RunInfo& study) {
+std::vector<RunInfo> make_study_cases(const RunInfo& study) {
   std::vector<Case> cases;
   if (study.kind == "seeds") cases = seed_cases(study.seeds);
   if (study.kind == "comparison") {
-    cases = variants_of(from_word<ComparisonOf>(study.of).value_or(ComparisonOf::tensioner));
+    cases = make_variants(from_enum_name<ComparisonType>(study.of).value_or(ComparisonType::tensioner));
   }
   std::vector<RunInfo> list;
-  for (const Case& one : cases) {
+  for (const Case& study_case : cases) {
     RunInfo run;
-    run.id = study.id + "~" + one.name;
+    run.id = study.id + "~" + study_case.name;
     run.parent = study.id;
     run.kind = "dynamic";
-    run.title = one.words;
+    run.title = study_case.label;
     run.model_path = study.model_path;
     run.started = study.started;
     list.push_back(std::move(run));
@@ -114,7 +114,7 @@ std::vector<RunInfo> cases_of(const RunInfo& study) {
   return list;
 }
 
-fs::path folder_of(const RunInfo& run, const fs::path& runs) {
+fs::path find_run_folder(const RunInfo& run, const fs::path& runs) {
   return run.parent.empty() ? runs / run.id : runs / run.parent / run.id.substr(run.parent.size() + 1);
 }
 
@@ -136,11 +136,11 @@ Json run_json(const RunInfo& run) {
                {"duration", seven_digits(run.duration)}};
   if (!run.verdict.empty()) json["verdict"] = {{"kind", run.verdict}, {"words", run.verdict_text}};
   if (run.utilisation) json["utilisation"] = seven_digits(*run.utilisation);
-  if (run.now) {
-    json["time"] = seven_digits(run.now->time);
-    json["end"] = seven_digits(run.now->end);
-    json["top_tension"] = seven_digits(run.now->top_tension);
-    json["worst_stress"] = seven_digits(run.now->worst_stress);
+  if (run.live_progress) {
+    json["time"] = seven_digits(run.live_progress->time);
+    json["end"] = seven_digits(run.live_progress->end);
+    json["top_tension"] = seven_digits(run.live_progress->top_tension);
+    json["worst_stress"] = seven_digits(run.live_progress->worst_stress);
   }
   return json;
 }
@@ -162,26 +162,26 @@ void read_verdict(RunInfo& run, const fs::path& folder) {
 
 bool can_be_resumed(const RunInfo& run, const fs::path& runs) {
   std::error_code ignored;
-  if (!fs::exists(folder_of(run, runs) / kModelCopy, ignored)) return false;
-  if (run.is_matrix()) return fs::exists(folder_of(run, runs) / kStudyFolder, ignored);
-  if (!run.is_study()) return has_checkpoint(folder_of(run, runs));
-  return std::ranges::any_of(cases_of(run), [&](const RunInfo& one) {
-    const fs::path folder = folder_of(one, runs);
+  if (!fs::exists(find_run_folder(run, runs) / kModelCopy, ignored)) return false;
+  if (run.is_campaign()) return fs::exists(find_run_folder(run, runs) / kStudyFolder, ignored);
+  if (!run.is_study()) return has_checkpoint(find_run_folder(run, runs));
+  return std::ranges::any_of(make_study_cases(run), [&](const RunInfo& case_run) {
+    const fs::path folder = find_run_folder(case_run, runs);
     const std::optional<RunRecord> record = read_record(folder);
     return has_checkpoint(folder) || (record && !record->input.empty());
   });
 }
 
 double seconds_since_1970() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
+  const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(since_epoch).count());
 }
 
 void keep_record(const RunInfo& run, const fs::path& folder) {
   change_record(folder, [&](RunRecord& record) {
     const std::string input = std::move(record.input), program = std::move(record.program);
-    const RunRecord& now = run;
-    record = now;
+    const RunRecord& current = run;
+    record = current;
     record.input = input;
     record.program = program;
   });
@@ -189,10 +189,10 @@ void keep_record(const RunInfo& run, const fs::path& folder) {
 
 std::vector<RunInfo> find_runs(const fs::path& folder) {
   std::vector<RunInfo> runs;
-  std::error_code fault;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
-    if (!entry.is_directory(fault)) continue;
-    clear_leftovers(entry.path());  // of a program that was killed: nobody writes into an old run again
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_directory(error)) continue;
+    clear_leftovers(entry.path());  // of a killed program; no program writes into an old run
     try {
       const std::optional<RunInfo> run = find_run(entry.path());
       if (!run) continue;
@@ -200,7 +200,7 @@ std::vector<RunInfo> find_runs(const fs::path& folder) {
       runs.push_back(*run);
       runs.insert(runs.end(), cases.begin(), cases.end());
     } catch (const std::exception&) {
-      continue;  // a file that only looks like ours
+      continue;  // not a valid results file
     }
   }
   return runs;

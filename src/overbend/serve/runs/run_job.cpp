@@ -1,15 +1,15 @@
-// Execution of a run by the queue: the same as the commands `static`, `dynamic` and `compare`.
+// Execution of a run by the queue, equivalent to the commands `static`, `dynamic` and `compare`.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "base/interruption.h"
-#include "dynamics/setup/dynamic_obstacle.h"
+#include "dynamics/setup/unsupported_in_dynamics.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "serve/runs/run_queue.h"
 #include "study/run/case.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 #include "study/seeds/compare_variants.h"
 #include "study/seeds/study.h"
 #include "study/stages/stage_choice.h"
@@ -19,12 +19,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Progress is reported this often at most.
-constexpr auto kTold = std::chrono::milliseconds(100);
-/// A killed run continues from a checkpoint no older than this [s].
+/// Minimum interval between progress reports.
+constexpr auto kProgressInterval = std::chrono::milliseconds(100);
+/// Interval between checkpoints [s].
 constexpr double kCheckpoint = 30.0;
 
-/// Largest of the columns of von Mises stress of a row.
+/// Returns the maximum of the von Mises stress columns of a row [Pa].
 double worst_stress(const std::vector<HistoryColumn>& columns, std::span<const double> values) {
   double worst = 0.0;
   for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
@@ -33,29 +33,30 @@ double worst_stress(const std::vector<HistoryColumn>& columns, std::span<const d
   return worst;
 }
 
-/// Of the lay as such, or at the stage of its operation that the run is of.
-Description description_of(const ModelText& model, const std::string& stage) {
+/// Returns the description of the normal lay, or of the given stage of the operation.
+Description read_description(const ModelText& model, const std::string& stage) {
   ModelReading reading = read_model_text(model.text, model.path);
-  if (!reading.description) throw HttpFault(422, "the model has errors");
+  if (!reading.description) throw HttpError(422, "the model has errors");
   if (stage.empty()) return std::move(*reading.description);
-  std::variant<Description, RunEnd> chosen = choose_stage(*reading.description, stage);
-  if (const RunEnd* end = std::get_if<RunEnd>(&chosen)) throw HttpFault(422, end->why);
+  std::variant<Description, RunResult> chosen = choose_stage(*reading.description, stage);
+  if (const RunResult* end = std::get_if<RunResult>(&chosen)) throw HttpError(422, end->why);
   return std::get<Description>(std::move(chosen));
 }
 
-StudyPlan plan_of(const RunInfo& run, const Description& description) {
+StudyPlan make_run_plan(const RunInfo& run, const Description& description) {
   const std::optional<double> duration = run.duration > 0.0 ? std::optional(run.duration) : std::nullopt;
   if (!run.is_study()) return plan_single(duration);
   std::variant<StudyPlan, std::string> plan =
-      run.kind == "seeds"
-          ? plan_seeds(run.seeds, duration)
-          : plan_comparison(from_word<ComparisonOf>(run.of).value_or(ComparisonOf::tensioner), description, duration);
-  if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);
+      run.kind == "seeds" ? plan_seeds(run.seeds, duration)
+                          : plan_comparison(from_enum_name<ComparisonType>(run.of).value_or(ComparisonType::tensioner),
+                                            description, duration);
+  if (const auto* error = std::get_if<std::string>(&plan)) throw HttpError(422, *error);
   return std::get<StudyPlan>(plan);
 }
 
-/// Command line that continues a run; empty if the model as run is not in a file, or the command would run other seeds.
-std::string command_of(const ModelText& model, const RunInfo& run, const std::string& folder) {
+/// Returns the command line that continues a run; empty if the model of the run is not in a file, or if the command
+/// would run other seeds.
+std::string resume_command(const ModelText& model, const RunInfo& run, const std::string& folder) {
   if (!model.saved || model.name.empty() || run.kind == "seeds") return "";
   const std::string command = run.kind == "comparison" ? "compare --of " + run.of : "dynamic";
   const std::string stage = run.stage.empty() ? "" : fmt::format(" --stage '{}'", run.stage);
@@ -63,21 +64,21 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
   return fmt::format(", also with: overbend {} '{}' -o '{}'{}{} --resume", command, model.path, folder, stage, time);
 }
 
-/// One core is left for the page: its statics are solved while a study runs.
+/// Leaves one core for the page, whose statics are solved while a study runs.
 int study_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
 }
 
-RunState state_of(RunEnding ending) {
-  return ending == RunEnding::done          ? RunState::done
-         : ending == RunEnding::interrupted ? RunState::cancelled
+RunState run_state(RunStatus ending) {
+  return ending == RunStatus::done          ? RunState::done
+         : ending == RunStatus::interrupted ? RunState::cancelled
                                             : RunState::failed;
 }
 
 }  // namespace
 
-/// Tells the page of a study: of its cases as of runs, of a single run as of itself.
-class RunQueue::Watch : public CaseWatch {
+/// Reports the progress of a study and its cases, or of a single run, to the page.
+class RunQueue::Watch : public CaseObserver {
  public:
   Watch(RunQueue& queue, const Job& job) : queue_(queue), study_(job.run.id) {}
 
@@ -86,7 +87,7 @@ class RunQueue::Watch : public CaseWatch {
   void begin(const std::vector<CaseRun>& runs) override {
     const DynamicSettings& settings = *runs.front().prepared->description.dynamics;
     build_up_ = settings.build_up;
-    whole_ = settings.build_up + settings.duration;
+    total_time_ = settings.build_up + settings.duration;
     for (const CaseRun& run : runs) {
       cases_.push_back({run.name.empty() ? study_ : study_ + "~" + run.name, part(run.from), 0.0, {}});
       if (run.ended) queue_.end(cases_.back().id, RunState::done, "");
@@ -96,24 +97,24 @@ class RunQueue::Watch : public CaseWatch {
   void started(std::size_t run) override {
     if (is_single()) return;
     queue_.update(
-        cases_[run].id, [](RunInfo& one) { one.state = RunState::running; }, false);
+        cases_[run].id, [](RunInfo& info) { info.state = RunState::running; }, false);
   }
 
-  void progress(std::size_t run, const DynamicProgress& at) override {
+  void progress(std::size_t run, const DynamicProgress& state) override {
     const std::lock_guard<std::mutex> hold(mutex_);
-    Followed& one = cases_[run];
-    one.progress = part(at.time);
-    const Clock::time_point now = Clock::now();
-    if (now - one.told < kTold) return;
-    one.told = now;
+    CaseProgress& followed = cases_[run];
+    followed.progress = part(state.time);
+    const Clock::time_point time = Clock::now();
+    if (time - followed.last_report < kProgressInterval) return;
+    followed.last_report = time;
     queue_.update(
-        one.id,
+        followed.id,
         [&](RunInfo& info) {
-          info.progress = one.progress;
-          info.now = RunNow{at.time, at.end, at.top_tension, one.worst_stress};
+          info.progress = followed.progress;
+          info.live_progress = RunProgress{state.time, state.end, state.top_tension, followed.worst_stress};
         },
         false);
-    if (!is_single()) tell_whole();
+    if (!is_single()) report_study_progress();
   }
 
   void row(std::size_t run, const std::vector<HistoryColumn>& columns, std::span<const double> values) override {
@@ -122,30 +123,32 @@ class RunQueue::Watch : public CaseWatch {
     cases_[run].worst_stress = worst_stress(columns, values);
   }
 
-  /// Results of one that was cancelled are written as far as it went; when the program ends there is no time for that.
+  /// Writes the partial results of a cancelled run, but not when the program ends, for lack of time.
   void ended(std::size_t run, const CaseRun& how) override {
     const std::string& id = cases_[run].id;
-    std::string fault;
-    if (how.end.ending == RunEnding::interrupted && how.end.results && !queue_.closing()) fault = keep_so_far(id, how);
-    if (!is_single()) return queue_.end(id, state_of(how.end.ending), fault.empty() ? how.end.why : fault);
-    fault_ = fault;
+    std::string error;
+    if (how.end.ending == RunStatus::interrupted && how.end.results && !queue_.closing()) {
+      error = keep_partial_results(id, how);
+    }
+    if (!is_single()) return queue_.end(id, run_state(how.end.ending), error.empty() ? how.end.why : error);
+    write_error_ = error;
   }
 
-  /// Why what a single run computed could not be kept; empty where it was.
-  const std::string& fault() const { return fault_; }
+  /// Returns the reason why the partial results of a single run could not be written; empty if they were.
+  const std::string& write_error() const { return write_error_; }
 
  private:
-  struct Followed {
+  struct CaseProgress {
     std::string id;
     double progress = 0.0, worst_stress = 0.0;  ///< [-], [Pa]
-    Clock::time_point told;
+    Clock::time_point last_report;
   };
 
-  std::string keep_so_far(const std::string& id, const CaseRun& how) {
+  std::string keep_partial_results(const std::string& id, const CaseRun& how) {
     try {
-      write_so_far(*how.prepared, *how.end.results, how.folder, queue_.files_);
-    } catch (const std::exception& fault) {  // of this case's disk
-      return fault.what();
+      write_partial_results(*how.prepared, *how.end.results, how.folder, queue_.files_);
+    } catch (const std::exception& error) {  // disk error of this case
+      return error.what();
     }
     queue_.update(
         id, [](RunInfo& info) { info.has_results = true; }, false);
@@ -153,20 +156,20 @@ class RunQueue::Watch : public CaseWatch {
   }
 
   bool is_single() const { return cases_.size() == 1 && cases_.front().id == study_; }
-  double part(double time) const { return std::clamp((time + build_up_) / whole_, 0.0, 1.0); }
+  double part(double time) const { return std::clamp((time + build_up_) / total_time_, 0.0, 1.0); }
 
-  void tell_whole() {
+  void report_study_progress() {
     double sum = 0.0;
-    for (const Followed& one : cases_) sum += one.progress;
+    for (const CaseProgress& followed : cases_) sum += followed.progress;
     queue_.update(
         study_, [&](RunInfo& info) { info.progress = sum / static_cast<double>(cases_.size()); }, false);
   }
 
   RunQueue& queue_;
-  std::string study_, fault_;
-  double build_up_ = 0.0, whole_ = 1.0;  ///< [s]
-  std::mutex mutex_;                     ///< Of what follows, but for the number of cases and their names.
-  std::vector<Followed> cases_;
+  std::string study_, write_error_;
+  double build_up_ = 0.0, total_time_ = 1.0;  ///< [s]
+  std::mutex mutex_;                          ///< Guards the members below, except the number and names of cases.
+  std::vector<CaseProgress> cases_;
 };
 
 void RunQueue::run(const Job& job) {
@@ -176,26 +179,26 @@ void RunQueue::run(const Job& job) {
     const InterruptionScope scope([this] { return stop_.load(); });
     if (job.run.kind == "static") {
       run_static(job);
-    } else if (job.run.is_matrix()) {
-      run_matrix(job);
+    } else if (job.run.is_campaign()) {
+      run_campaign(job);
     } else {
       run_dynamic(job);
     }
   } catch (const Interrupted&) {
     end_interrupted(job);
-  } catch (const std::exception& fault) {
-    end(job.run.id, RunState::failed, fault.what());
+  } catch (const std::exception& error) {
+    end(job.run.id, RunState::failed, error.what());
   }
 }
 
 void RunQueue::run_static(const Job& job) {
   const std::string& id = job.run.id;
-  const Description description = description_of(job.model, job.run.stage);
+  const Description description = read_description(job.model, job.run.stage);
   Model model = build_model(description);
   StaticRun found = run_statics(model);
   if (found.failure) return end(id, RunState::failed, failure_line(*found.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
-  tell_hull(model, *found.results);
+  add_hull_results(model, *found.results);
   {
     const std::lock_guard hold(files_);
     write_static_run(*found.results, description, folder(job.run));
@@ -204,25 +207,26 @@ void RunQueue::run_static(const Job& job) {
 }
 
 void RunQueue::run_dynamic(const Job& job) {
-  const Description description = description_of(job.model, job.run.stage);
+  const Description description = read_description(job.model, job.run.stage);
   Watch watch(*this, job);
-  const StudyEnd ended = run_study(description, plan_of(job.run, description), folder(job.run),
-                                   {job.resume, kCheckpoint, study_threads()}, watch, files_);
-  if (!watch.fault().empty()) return end(job.run.id, RunState::failed, watch.fault());
-  if (ended.ending == RunEnding::interrupted) return end_interrupted(job);
-  if (ended.seeds && !ended.seeds->runs.empty()) {  // those that failed are listed among its cases
+  const StudyOutcome ended = run_study(description, make_run_plan(job.run, description), folder(job.run),
+                                       {job.resume, kCheckpoint, study_threads()}, watch, files_);
+  if (!watch.write_error().empty()) return end(job.run.id, RunState::failed, watch.write_error());
+  if (ended.ending == RunStatus::interrupted) return end_interrupted(job);
+  if (ended.seeds && !ended.seeds->runs.empty()) {  // failed seeds are listed among the cases
     const std::string failed =
         ended.failed.empty() ? "" : fmt::format("{} of {} seeds failed", ended.failed.size(), job.run.seeds.size());
     return end(job.run.id, RunState::done, failed);
   }
-  end(job.run.id, state_of(ended.ending), ended.why);
+  end(job.run.id, run_state(ended.ending), ended.why);
 }
 
 void RunQueue::end_interrupted(const Job& job) {
   const std::string& id = job.run.id;
-  if (closing()) {  // not what the user wanted
-    return end(id, RunState::cancelled,
-               "the program ended; the run can be resumed" + command_of(job.model, job.run, folder(job.run).string()));
+  if (closing()) {  // not cancelled by the user
+    return end(
+        id, RunState::cancelled,
+        "the program ended; the run can be resumed" + resume_command(job.model, job.run, folder(job.run).string()));
   }
   if (job.run.kind == "static") return end(id, RunState::cancelled, "cancelled");
   if (job.run.is_study()) return end(id, RunState::cancelled, "cancelled; results computed by its cases are kept");

@@ -14,47 +14,47 @@ namespace overbend {
 namespace fs = std::filesystem;
 namespace {
 
-/// "20261121-134500-dynamic"
-std::string name_of(const std::string& kind, int attempt) {
-  const std::time_t now = std::time(nullptr);
+/// Returns a name such as "20261121-134500-dynamic".
+std::string make_run_name(const std::string& kind, int attempt) {
+  const std::time_t time = std::time(nullptr);
   std::tm local{};
-  localtime_r(&now, &local);
+  localtime_r(&time, &local);
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S-", &local);
   return text.data() + kind + (attempt > 1 ? "-" + std::to_string(attempt) : "");
 }
 
-/// Empty where there is no such file.
+/// Returns the text of a file; empty if it does not exist.
 std::string file_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Makes a folder for a new run and returns its name.
+/// Creates a folder for a new run and returns its name.
 std::string make_folder(const fs::path& folder, const std::string& kind) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  for (int attempt = 1; !fault && attempt < 1000; ++attempt) {
-    std::string name = name_of(kind, attempt);
-    if (fs::create_directory(folder / name, fault)) return name;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  for (int attempt = 1; !error && attempt < 1000; ++attempt) {
+    std::string name = make_run_name(kind, attempt);
+    if (fs::create_directory(folder / name, error)) return name;
   }
-  throw HttpFault(422, "the folder '" + folder.string() + "' cannot be written: " + fault.message());
+  throw HttpError(422, "the folder '" + folder.string() + "' cannot be written: " + error.message());
 }
 
-/// "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty where there is none.
-std::string changes_in_words(const std::vector<DifferingKey>& keys) {
+/// Returns a text such as "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty without changes.
+std::string changes_text(const std::vector<DifferingKey>& keys) {
   constexpr std::size_t kShown = 2;
-  std::string words;
+  std::string text;
   for (std::size_t i = 0; i < std::min(kShown, keys.size()); ++i) {
     const std::string& value = keys[i].values[1];
-    words += (i ? ", " : "") + keys[i].key + (value.empty() ? " removed" : " " + value);
+    text += (i ? ", " : "") + keys[i].key + (value.empty() ? " removed" : " " + value);
   }
   const std::size_t more = keys.size() - std::min(kShown, keys.size());
-  return more == 0 ? words : words + " and " + std::to_string(more) + (more == 1 ? " more key" : " more keys");
+  return more == 0 ? text : text + " and " + std::to_string(more) + (more == 1 ? " more key" : " more keys");
 }
 
-/// Keys that name a model or choose runs: results of a run do not depend on them.
-bool has_no_results(const std::string& key) {
+/// True for keys that do not affect the results of a run: titles, report settings and seeds.
+bool does_not_affect_results(const std::string& key) {
   return key == "title" || key.starts_with("report") || key.starts_with("analysis.dynamic.seeds");
 }
 
@@ -66,8 +66,7 @@ RunQueue::RunQueue(fs::path folder, EventHub& events)
 RunQueue::~RunQueue() {
   try {
     close();
-  } catch (
-      const std::exception&) {  // a record that cannot be written stays as it was: the run is then found as waiting
+  } catch (const std::exception&) {  // the old record remains: the run is then listed as waiting
   }
 }
 
@@ -93,9 +92,9 @@ RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std:
   run.model_path = model.path;
   run.changed = changed_since_last(run.title, model.text);
   write_text(folder(run) / kModelCopy, model.text);
-  if (run.is_matrix()) write_text(folder(run) / kStudyCopy, study);
+  if (run.is_campaign()) write_text(folder(run) / kStudyCopy, study);
   keep_record(run, folder(run));
-  const std::vector<RunInfo> cases = cases_of(run);
+  const std::vector<RunInfo> cases = make_study_cases(run);
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     runs_.push_back(run);
@@ -104,7 +103,7 @@ RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std:
   }
   changed_.notify_all();
   events_.send("run", run_json(run), run.id);
-  for (const RunInfo& one : cases) events_.send("run", run_json(one), one.id);
+  for (const RunInfo& case_run : cases) events_.send("run", run_json(case_run), case_run.id);
   return run;
 }
 
@@ -113,17 +112,17 @@ std::string RunQueue::changed_since_last(const std::string& title, const std::st
   for (const RunInfo& run : list()) {
     if (run.parent.empty() && run.title == title && (!last || run.id > last->id)) last = run;
   }
-  return last ? changes_in_words(differing_keys(std::array{file_text(folder(*last) / kModelCopy), text})) : "";
+  return last ? changes_text(differing_keys(std::array{file_text(folder(*last) / kModelCopy), text})) : "";
 }
 
 std::string RunQueue::changes_since(const std::string& id, const std::string& text) const {
   RunInfo run = find(id);
-  if (!run.parent.empty()) run = find(run.parent);  // a study has one copy for all cases
+  if (!run.parent.empty()) run = find(run.parent);  // a study has one copy of the model for all cases
   const std::string before = file_text(folder(run) / kModelCopy);
-  if (before.empty()) throw HttpFault(404, "the run has no copy of its model");
+  if (before.empty()) throw HttpError(404, "the run has no copy of its model");
   std::vector<DifferingKey> keys = differing_keys(std::array{before, text});
-  std::erase_if(keys, [](const DifferingKey& key) { return has_no_results(key.key); });
-  return changes_in_words(keys);
+  std::erase_if(keys, [](const DifferingKey& key) { return does_not_affect_results(key.key); });
+  return changes_text(keys);
 }
 
 RunInfo RunQueue::cancel(const std::string& id) {
@@ -154,16 +153,16 @@ void RunQueue::remove(const std::string& id) {
   const RunInfo run = find_whole(id);
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    if (!at(id).ended()) throw HttpFault(409, "the run is still in progress", "cancel it first");
-    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id || one.parent == id; });
+    if (!at(id).ended()) throw HttpError(409, "the run is still in progress", "cancel it first");
+    std::erase_if(runs_, [&](const RunInfo& listed) { return listed.id == id || listed.parent == id; });
   }
-  std::error_code fault;
+  std::error_code error;
   {
-    const std::lock_guard hold(files_);  // somebody may be reading them
-    fs::remove_all(folder(run), fault);
+    const std::lock_guard hold(files_);  // another thread may be reading them
+    fs::remove_all(folder(run), error);
   }
   events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
-  if (fault) throw HttpFault(422, "the folder of the run cannot be removed: " + fault.message());
+  if (error) throw HttpError(422, "the folder of the run cannot be removed: " + error.message());
 }
 
 RunInfo RunQueue::resume(const std::string& id) {
@@ -173,24 +172,24 @@ RunInfo RunQueue::resume(const std::string& id) {
   job.model.path = run.model_path;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    RunInfo& now = at(id);
-    if (!now.ended() || !now.resumable || job.model.text.empty()) {
-      throw HttpFault(409, "the run cannot be resumed", "it has no checkpoint to continue from");
+    RunInfo& listed = at(id);
+    if (!listed.ended() || !listed.resumable || job.model.text.empty()) {
+      throw HttpError(409, "the run cannot be resumed", "it has no checkpoint to continue from");
     }
-    now.state = RunState::queued;
-    now.resumable = false;
-    now.message.clear();
-    for (RunInfo& one : runs_) {
-      if (one.parent != id || one.state == RunState::done) continue;
-      one.state = RunState::queued;
-      one.message.clear();
+    listed.state = RunState::queued;
+    listed.resumable = false;
+    listed.message.clear();
+    for (RunInfo& case_run : runs_) {
+      if (case_run.parent != id || case_run.state == RunState::done) continue;
+      case_run.state = RunState::queued;
+      case_run.message.clear();
     }
     waiting_.push_back(std::move(job));
   }
   changed_.notify_all();
-  for (const RunInfo& one : cases_of(run)) {
+  for (const RunInfo& case_run : make_study_cases(run)) {
     update(
-        one.id, [](RunInfo&) {}, false);
+        case_run.id, [](RunInfo&) {}, false);
   }
   update(
       id, [](RunInfo&) {}, true);
@@ -202,11 +201,11 @@ std::vector<RunInfo> RunQueue::list() const {
   std::vector<RunInfo> runs(runs_.rbegin(), runs_.rend());
   std::erase_if(runs, [](const RunInfo& run) { return !run.parent.empty(); });
   std::stable_sort(runs.begin(), runs.end(), [](const RunInfo& a, const RunInfo& b) { return a.started > b.started; });
-  for (std::size_t i = 0; i < runs.size(); ++i) {  // each study's cases behind it, in their order
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // inserts the cases of each study after it, in order
     if (!runs[i].is_study()) continue;
     std::vector<RunInfo> cases;
     std::ranges::copy_if(runs_, std::back_inserter(cases),
-                         [&](const RunInfo& one) { return one.parent == runs[i].id; });
+                         [&](const RunInfo& candidate) { return candidate.parent == runs[i].id; });
     runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, cases.begin(), cases.end());
   }
   return runs;
@@ -217,12 +216,12 @@ RunInfo RunQueue::find(const std::string& id) const {
   for (const RunInfo& run : runs_) {
     if (run.id == id) return run;
   }
-  throw HttpFault(404, "there is no run " + id);
+  throw HttpError(404, "there is no run " + id);
 }
 
 RunInfo RunQueue::find_whole(const std::string& id) const {
   RunInfo run = find(id);
-  if (!run.parent.empty()) throw HttpFault(409, "the run is a case of " + run.parent, "the study goes as a whole");
+  if (!run.parent.empty()) throw HttpError(409, "the run is a case of " + run.parent, "select the study itself");
   return run;
 }
 
@@ -235,47 +234,47 @@ RunInfo& RunQueue::at(const std::string& id) {
   return *std::find_if(runs_.begin(), runs_.end(), [&](const RunInfo& run) { return run.id == id; });
 }
 
-void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting) {
-  RunInfo now;
+void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>& change, bool persistent) {
+  RunInfo snapshot;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     RunInfo& run = at(id);
     change(run);
-    now = run;
+    snapshot = run;
   }
-  if (lasting) {
+  if (persistent) {
     try {
       const std::lock_guard hold(files_);
-      now = find(id);  // not what was true before another thread's turn
-      keep_record(now, folder(now));
+      snapshot = find(id);  // the state may have changed while waiting for the lock
+      keep_record(snapshot, folder(snapshot));
     } catch (const std::exception&) {
-      // The disk is full or the folder gone; the list of this start still knows.
+      // The disk is full or the folder was deleted; the run stays in the list of this session.
     }
   }
-  events_.send("run", run_json(now), id);
+  events_.send("run", run_json(snapshot), id);
 }
 
 void RunQueue::end(const std::string& id, RunState state, const std::string& message) {
   const RunInfo run = find(id);
-  for (const RunInfo& one : cases_of(run)) {  // those that have not come to an end of their own
-    if (!find(one.id).ended()) end(one.id, state == RunState::done ? state : RunState::cancelled, "");
+  for (const RunInfo& case_run : make_study_cases(run)) {  // cases that have not ended
+    if (!find(case_run.id).ended()) end(case_run.id, state == RunState::done ? state : RunState::cancelled, "");
   }
   const bool resumable = state != RunState::done && run.parent.empty() && can_be_resumed(run, folder_);
   RunInfo judged = run;
   read_verdict(judged, folder(run));
   update(
       id,
-      [&](RunInfo& now) {
-        now.verdict = judged.verdict;
-        now.verdict_text = judged.verdict_text;
-        now.utilisation = judged.utilisation;
-        now.state = state;
-        now.message = message;
-        now.resumable = resumable;
-        now.now.reset();
+      [&](RunInfo& info) {
+        info.verdict = judged.verdict;
+        info.verdict_text = judged.verdict_text;
+        info.utilisation = judged.utilisation;
+        info.state = state;
+        info.message = message;
+        info.resumable = resumable;
+        info.live_progress.reset();
         if (state == RunState::done) {
-          now.progress = 1.0;
-          now.has_results = true;
+          info.progress = 1.0;
+          info.has_results = true;
         }
       },
       true);

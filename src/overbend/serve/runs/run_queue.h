@@ -1,4 +1,4 @@
-/// Runs one after the other in a thread of its own, whether anybody looks on or not.
+/// Background queue of runs, executed one after the other, independent of open pages.
 #pragma once
 
 #include <atomic>
@@ -20,39 +20,38 @@ namespace overbend {
 /// All functions may be called from any thread.
 class RunQueue {
  public:
-  /// Runs have their folders below `folder`; those that are there are listed.
+  /// Runs are stored in folders below `folder`; existing ones are listed.
   RunQueue(std::filesystem::path folder, EventHub& events);
-  /// Stops the run that is running, at a checkpoint; the others are cancelled.
+  /// Stops the active run at a checkpoint and cancels the waiting ones.
   ~RunQueue();
   RunQueue(const RunQueue&) = delete;
   RunQueue& operator=(const RunQueue&) = delete;
 
-  /// Queues a run of the model as it is now: what `order` says of kind, title, duration, seeds and comparison. Throws
-  /// HttpFault when the folder cannot be.
-  /// `study`: text of the study file, where that is the kind.
+  /// Queues a run of the model. `order` gives kind, title, duration, seeds and comparison; `study` is the text of the
+  /// study file, if that is the kind. HttpError 422 if the folder cannot be created.
   RunInfo add(const ModelText& model, const RunRecord& order, const std::string& study = "");
-  /// A stopped dynamic run keeps what it has computed: results so far, and the checkpoint to continue from. So
-  /// does every case of a study. HttpFault 409 for a single case.
+  /// Cancels a run. A dynamic run, and every case of a study, keeps its results so far and a checkpoint. HttpError 409
+  /// for a single case of a study.
   RunInfo cancel(const std::string& id);
-  /// Gives a run the user's name and note.
+  /// Sets the user's name and note of a run.
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
-  /// Removes a run that has ended, with its folder and its cases; HttpFault 409 while it is in progress.
+  /// Removes a finished run with its folder and its cases; HttpError 409 while it is in progress.
   void remove(const std::string& id);
-  /// Queues an interrupted run again, to continue from its checkpoint with the text it was started with. HttpFault 409
-  /// when it cannot be resumed.
+  /// Queues an interrupted run again, to continue from its checkpoint with its original model text. HttpError 409 if it
+  /// cannot be resumed.
   RunInfo resume(const std::string& id);
 
-  /// Newest first.
+  /// Returns the runs, newest first, each study followed by its cases.
   std::vector<RunInfo> list() const;
-  /// HttpFault 404 when there is none.
+  /// Returns a run; HttpError 404 if it does not exist.
   RunInfo find(const std::string& id) const;
-  /// Keys with their values in which a model's text differs from that which a run was started with, in words; empty
-  /// where there is none. HttpFault 404 where the run has no copy of its model.
+  /// Returns a text of the keys and values in which `text` differs from the model of a run; empty without differences.
+  /// HttpError 404 if the run has no copy of its model.
   std::string changes_since(const std::string& id, const std::string& text) const;
-  std::filesystem::path folder(const RunInfo& run) const { return folder_of(run, folder_); }
+  std::filesystem::path folder(const RunInfo& run) const { return find_run_folder(run, folder_); }
 
   const LiveHistory& live() const { return live_; }
-  /// Held by whoever reads or writes files of results: the library below them serves one thread alone.
+  /// Lock to be held while reading or writing results files, because HDF5 is not thread-safe.
   FileLock& files() { return files_; }
 
  private:
@@ -62,21 +61,21 @@ class RunQueue {
     ModelText model;
     bool resume = false;
   };
-  class Watch;        ///< How a study is followed.
-  class MatrixWatch;  ///< The same of a study file's.
+  class Watch;             ///< Observer of dynamic runs and studies.
+  class CampaignObserver;  ///< Observer of study files.
 
   void work();
   void run(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
-  void run_matrix(const Job& job);
+  void run_campaign(const Job& job);
   void end_interrupted(const Job& job);
-  void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
+  void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool persistent);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);
-  /// Keys in which the model differs from that of the last run of this kind of name; empty where there is none.
+  /// Returns the keys in which the model differs from that of the last run with this title; empty if there is none.
   std::string changed_since_last(const std::string& title, const std::string& text) const;
-  /// HttpFault 409 for a case of a study.
+  /// Returns a run; HttpError 409 for a case of a study.
   RunInfo find_whole(const std::string& id) const;
   bool closing() const;
 
@@ -85,14 +84,14 @@ class RunQueue {
   LiveHistory live_;
   FileLock& files_ = hdf5_lock();
 
-  mutable std::mutex mutex_;  ///< Of what follows.
+  mutable std::mutex mutex_;  ///< Guards the members below.
   std::condition_variable changed_;
   std::vector<RunInfo> runs_;
   std::deque<Job> waiting_;
   bool closing_ = false;
 
-  std::atomic<bool> stop_{false};  ///< The run that is running shall end.
-  std::thread worker_;             ///< The last member: it uses the others.
+  std::atomic<bool> stop_{false};  ///< True if the active run must end.
+  std::thread worker_;             ///< Last member: uses the others.
 };
 
 }  // namespace overbend

@@ -11,7 +11,7 @@
 
 #include "modelfile/study_file/study_reader.h"
 #include "resultfiles/dynamic/long_data_reader.h"
-#include "serve/answers/matrix_json.h"
+#include "serve/answers/campaign_json.h"
 #include "serve/model/diagnose.h"
 #include "serve/model/model_fields.h"
 #include "serve/runs/run_data.h"
@@ -24,74 +24,74 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostPoints = 20000, kMostFrames = 200;
-constexpr std::size_t kMostSeeds = 10000;
+constexpr double kMaxPoints = 20000, kMaxFrames = 200;
+constexpr std::size_t kMaxSeeds = 10000;
 constexpr std::array<std::string_view, 5> kKinds = {"static", "dynamic", "seeds", "comparison", "study"};
 
-double duration_of(const Json& body) {
+double read_duration(const Json& body) {
   if (!body.contains("duration") || body["duration"].is_null()) return 0.0;
   const double duration = body["duration"].get<double>();
   if (!(duration >= kMinDuration && duration <= kMaxDuration)) {
-    throw HttpFault(422, fmt::format("duration: expected a time from {} s to {:g} s", kMinDuration, kMaxDuration));
+    throw HttpError(422, fmt::format("duration: expected a time from {} s to {:g} s", kMinDuration, kMaxDuration));
   }
   return duration;
 }
 
-/// The seeds asked for, else the model's.
-std::vector<std::uint64_t> seeds_of(const Json& body, const Description& description) {
+/// Returns the requested seeds, or those of the model.
+std::vector<std::uint64_t> read_seeds(const Json& body, const Description& description) {
   std::vector<std::uint64_t> seeds;
   if (description.dynamics) seeds = description.dynamics->seeds;
   if (body.contains("seeds") && !body["seeds"].is_null()) {
     seeds.clear();
     for (const Json& seed : body["seeds"]) {
-      if (!seed.is_number_unsigned()) throw HttpFault(422, "seeds: expected whole numbers from 0 on");
+      if (!seed.is_number_unsigned()) throw HttpError(422, "seeds: expected whole numbers of at least 0");
       seeds.push_back(seed.get<std::uint64_t>());
     }
   }
-  if (seeds.size() < 2 || seeds.size() > kMostSeeds) {
-    throw HttpFault(422, "seeds: expected 2 to 10000 seeds",
-                    "in the request, or as analysis.dynamic.seeds of the model");
+  if (seeds.size() < 2 || seeds.size() > kMaxSeeds) {
+    throw HttpError(422, "seeds: expected 2 to 10000 seeds",
+                    "set them in the request or as analysis.dynamic.seeds of the model");
   }
   return seeds;
 }
 
-/// What a request wants to be run. HttpFault where it cannot be.
-RunRecord order_of(const Json& body, const Description& description) {
+/// Returns the record of the requested run. HttpError if the request is invalid.
+RunRecord read_order(const Json& body, const Description& description) {
   RunRecord order;
   order.kind = body.value("kind", "");
   order.title = description.title;
-  order.duration = duration_of(body);
+  order.duration = read_duration(body);
   order.stage = body.value("stage", "");
   if (!order.stage.empty()) {
-    if (order.kind != "static" && order.kind != "dynamic") throw HttpFault(422, "stage: of a single run only");
+    if (order.kind != "static" && order.kind != "dynamic") throw HttpError(422, "stage: allowed only for a single run");
     order.title += ", stage " + order.stage;
   }
   std::variant<StudyPlan, std::string> plan;
   if (order.kind == "seeds") {
-    order.seeds = seeds_of(body, description);
+    order.seeds = read_seeds(body, description);
     plan = plan_seeds(order.seeds, {});
   } else if (order.kind == "comparison") {
     order.of = body.value("of", "");
-    const std::optional<ComparisonOf> of = from_word<ComparisonOf>(order.of);
-    if (!of) throw HttpFault(400, "of: found '" + order.of + "', expected tensioner, contact or impacts");
-    plan = plan_comparison(*of, description, {});
+    const std::optional<ComparisonType> comparison = from_enum_name<ComparisonType>(order.of);
+    if (!comparison) throw HttpError(400, "of: found '" + order.of + "', expected tensioner, contact or impacts");
+    plan = plan_comparison(*comparison, description, {});
   }
-  if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);
+  if (const auto* error = std::get_if<std::string>(&plan)) throw HttpError(422, *error);
   return order;
 }
 
-/// The study of this model; HttpFault with the first complaint where the text is none.
+/// Returns the study of this model; HttpError with the first error if the text is invalid.
 StudyDescription checked_study(const std::string& study, const std::string& path, Description&& base) {
-  StudyReading reading = read_study_of(study, path, std::move(base));
+  StudyReading reading = read_study_with_base(study, path, std::move(base));
   if (reading.study) return std::move(*reading.study);
   const std::vector<Diagnostic> list = reading.diagnostics.sorted();
-  HttpFault fault(422, list.front().key + ": found " + list.front().found + ", expected " + list.front().expected);
-  fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, study);
-  throw fault;
+  HttpError error(422, list.front().key + ": found " + list.front().found + ", expected " + list.front().expected);
+  error.top_level["diagnostics"] = diagnostics_json(reading.diagnostics, study);
+  throw error;
 }
 
-/// "tension x water depth": what changes, behind the model's title.
-std::string title_of(const StudyDescription& study, const std::string& model) {
+/// Returns the title of the study, or the model's title with the keys that vary: "tension x water depth".
+std::string make_study_title(const StudyDescription& study, const std::string& model) {
   if (!study.title.empty()) return study.title;
   std::string keys;
   for (const StudyAxis& axis : study.axes) {
@@ -106,61 +106,63 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
   const Json body = request.json();
   const std::string kind = body.value("kind", "");
   if (std::ranges::find(kKinds, kind) == kKinds.end()) {
-    throw HttpFault(400, "kind: found '" + kind + "', expected static, dynamic, seeds, comparison or study");
+    throw HttpError(400, "kind: found '" + kind + "', expected static, dynamic, seeds, comparison or study");
   }
-  const ModelText text = model.now();
+  const ModelText text = model.snapshot();
   ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
-    HttpFault fault(422, "the model has errors; correct them first");
-    fault.beside["diagnostics"] = diagnostics_json(reading, text.text);
-    throw fault;
+    HttpError error(422, "the model has errors; correct them first");
+    error.top_level["diagnostics"] = diagnostics_json(reading, text.text);
+    throw error;
   }
-  RunRecord order = order_of(body, *reading.description);
+  RunRecord order = read_order(body, *reading.description);
   const std::string study = kind == "study" ? body.value("study", "") : "";
   if (kind == "study") {
-    order.title = title_of(checked_study(study, text.path, std::move(*reading.description)), order.title);
+    order.title = make_study_title(checked_study(study, text.path, std::move(*reading.description)), order.title);
   }
   return json_answer({{"id", runs.add(text, order, study).id}});
 }
 
-/// The run, when it has results to be read; 404 before.
+/// Returns the run if it has results; HttpError 404 otherwise.
 RunInfo done(const RunQueue& runs, const HttpRequest& request) {
   RunInfo run = runs.find(request.parts[0]);
-  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are available when it is finished");
+  if (!run.has_results) throw HttpError(404, "the run has no results", "they are available when it is finished");
   return run;
 }
 
 std::string file_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw HttpFault(404, "the run has no " + file.filename().string());
+  if (!stream) throw HttpError(404, "the run has no " + file.filename().string());
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
+std::filesystem::path find_h5(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  if (run.is_study() || run.is_matrix()) throw HttpFault(404, "a study has no such results", "each of its cases has");
+  if (run.is_study() || run.is_campaign()) {
+    throw HttpError(404, "a study has no such results", "request those of one of its cases");
+  }
   return runs.folder(run) / "results.h5";
 }
 
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
-  if (!run.has_results || run.is_study() || run.is_matrix()) return json_answer(Json::array());
-  const std::filesystem::path h5 = h5_of(runs, request);
+  if (!run.has_results || run.is_study() || run.is_campaign()) return json_answer(Json::array());
+  const std::filesystem::path h5 = find_h5(runs, request);
   const std::lock_guard hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
 }
 
-/// A history, so far or as a whole. A run that waits, failed or was cancelled has an empty one and not a fault: a page
-/// asks with its last known state, and the run may have ended since.
+/// Returns a history, so far or complete. For a run that waits, failed or was cancelled, returns an empty history
+/// instead of an error, because the page may request it with an outdated state.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
-  if (!run.has_results || run.is_study() || run.is_matrix()) return {};
+  if (!run.has_results || run.is_study() || run.is_campaign()) return {};
   const std::lock_guard hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
   } catch (const std::runtime_error&) {
-    throw HttpFault(404, "the run has no history '" + name + "'");
+    throw HttpError(404, "the run has no history '" + name + "'");
   }
 }
 
@@ -168,58 +170,58 @@ HttpAnswer series(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   const double infinity = std::numeric_limits<double>::infinity();
   const SeriesWindow window{request.number("t0", -infinity), request.number("t1", infinity),
-                            static_cast<std::size_t>(std::clamp(request.number("px", 1000.0), 1.0, kMostPoints))};
+                            static_cast<std::size_t>(std::clamp(request.number("px", 1000.0), 1.0, kMaxPoints))};
   const std::vector<double> time = history(runs, run, "time");
   Json all = Json::object();
   const auto [first, last] = request.query.equal_range("name");
   for (auto name = first; name != last; ++name) {
     all[name->second] = series_json(time, history(runs, run, name->second), window);
   }
-  if (all.empty()) throw HttpFault(400, "the request lacks a 'name'");
+  if (all.empty()) throw HttpError(400, "the request has no 'name'");
   return json_answer(all.size() == 1 ? *all.begin() : Json{{"series", all}});
 }
 
 HttpAnswer spectrum(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   const std::string name = request.parameter("name");
-  if (name.empty()) throw HttpFault(400, "the request lacks a 'name'");
+  if (name.empty()) throw HttpError(400, "the request has no 'name'");
   return json_answer(spectrum_json(history(runs, run, "time"), history(runs, run, name)));
 }
 
-/// In which keys the open model differs from that of the run.
+/// Returns the keys in which the open model differs from that of the run.
 HttpAnswer changes(const OpenModel& model, const RunQueue& runs, const HttpRequest& request) {
-  return json_answer({{"changed", runs.changes_since(request.parts[0], model.now().text)}});
+  return json_answer({{"changed", runs.changes_since(request.parts[0], model.snapshot().text)}});
 }
 
 HttpAnswer frames(RunQueue& runs, const HttpRequest& request) {
-  const std::filesystem::path h5 = h5_of(runs, request);
+  const std::filesystem::path h5 = find_h5(runs, request);
   const auto first = static_cast<std::int64_t>(std::clamp(request.number("from", 0.0), 0.0, 1e12));
-  const auto count = static_cast<std::int64_t>(std::clamp(request.number("count", kMostFrames), 0.0, kMostFrames));
+  const auto count = static_cast<std::int64_t>(std::clamp(request.number("count", kMaxFrames), 0.0, kMaxFrames));
   const std::lock_guard hold(runs.files());
   return json_answer(frames_json(h5, first, count));
 }
 
 HttpAnswer from_file(RunQueue& runs, const HttpRequest& request, Json (*read)(const std::filesystem::path&)) {
-  const std::filesystem::path h5 = h5_of(runs, request);
+  const std::filesystem::path h5 = find_h5(runs, request);
   const std::lock_guard hold(runs.files());
   return json_answer(read(h5));
 }
 
 HttpAnswer summary(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  const char* file = run.is_matrix()  ? "study/summary.json"
-                     : run.is_study() ? study_files(run).summary
-                                      : "summary.json";
+  const char* file = run.is_campaign() ? "study/summary.json"
+                     : run.is_study()  ? study_files(run).summary
+                                       : "summary.json";
   return {200, "application/json; charset=utf-8", file_text(runs.folder(run) / file), ""};
 }
 
-/// Of a study, beside its table.
+/// Returns the results of a study for the page.
 HttpAnswer study(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
   return json_answer(study_json(run, runs.folder(run)));
 }
 
-/// Of a run by itself: that of its pipe, or of what it has in its place.
+/// Returns the file of the main table of a single run: pipe, moorings or lines.
 const char* main_table(const std::filesystem::path& folder) {
   for (const char* file : {"pipe.csv", "moorings.csv", "lines.csv"}) {
     if (std::filesystem::exists(folder / file)) return file;
@@ -227,20 +229,20 @@ const char* main_table(const std::filesystem::path& folder) {
   return "pipe.csv";
 }
 
-/// Of a study file's, with the cases computed so far while it runs; null before its folder is made.
+/// Returns the results of a study file, while it runs with the cases so far; null before its folder exists.
 HttpAnswer matrix(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
-  if (!run.is_matrix()) throw HttpFault(404, "the run is none of a study file");
+  if (!run.is_campaign()) throw HttpError(404, "the run is not a study of cases");
   const std::filesystem::path folder = runs.folder(run) / kStudyFolder;
   std::error_code none;
   if (!std::filesystem::exists(folder / "study.json", none)) return json_answer(nullptr);
-  return json_answer(matrix_json(study_so_far(folder)));
+  return json_answer(campaign_json(study_so_far(folder)));
 }
 
 HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  const std::filesystem::path folder = runs.folder(run) / (run.is_matrix() ? kStudyFolder : "");
-  const char* file = run.is_matrix() ? "study.csv" : run.is_study() ? study_files(run).table : main_table(folder);
+  const std::filesystem::path folder = runs.folder(run) / (run.is_campaign() ? kStudyFolder : "");
+  const char* file = run.is_campaign() ? "study.csv" : run.is_study() ? study_files(run).table : main_table(folder);
   return {200, "text/csv; charset=utf-8", file_text(folder / file), run.id + ".csv"};
 }
 
@@ -248,10 +250,12 @@ HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
   const std::string name = request.parameter("show").empty() ? run.id + ".html" : "";
   const std::string file = run.is_study() ? study_files(run).page : "report.html";
-  if (run.is_matrix()) {
+  if (run.is_campaign()) {
     return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / kStudyFolder / file), name};
   }
-  if (file.empty()) throw HttpFault(404, "several seeds have no report of their own", "each of the cases has one");
+  if (file.empty()) {
+    throw HttpError(404, "a study of several seeds has no report", "request the report of one of its cases");
+  }
   return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / file), name};
 }
 
@@ -263,12 +267,12 @@ HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {
 }
 
 HttpAnswer scene(RunQueue& runs, const HttpRequest& request) {
-  const std::filesystem::path h5 = h5_of(runs, request);
+  const std::filesystem::path h5 = find_h5(runs, request);
   const std::lock_guard hold(runs.files());
   return json_answer(run_scene_json(h5, runs.find(request.parts[0]).model_path));
 }
 
-/// With which the run was started; of a case that of its study.
+/// Returns the model of the run; for a case that of its study.
 HttpAnswer run_model(const RunQueue& runs, const HttpRequest& request) {
   RunInfo run = runs.find(request.parts[0]);
   if (!run.parent.empty()) run = runs.find(run.parent);
@@ -316,7 +320,7 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back({"GET", "/api/runs/*/frames", [&](Request r) { return frames(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/report.html", [&](Request r) { return report(runs, r); }});
   for (std::size_t i = first; i < routes.size(); ++i) {
-    if (routes[i].method == "GET") routes[i].limit = kLongLimit;  // results may be of gigabytes
+    if (routes[i].method == "GET") routes[i].limit = kLongLimit;  // results may take gigabytes
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Adds the routes; what they are given must outlive them.
+/// Adds the routes; `model` and `runs` must outlive them.
 void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& runs);
 
 }  // namespace overbend

@@ -9,18 +9,18 @@
 namespace overbend {
 namespace {
 
-Json summary_of(const RunInfo& study, const std::filesystem::path& folder) {
+Json read_study_summary(const RunInfo& study, const std::filesystem::path& folder) {
   Json summary = read_json_file(folder / study_files(study).summary);
   const char* key = study.kind.c_str();
-  if (!summary.is_object() || !summary.contains(key)) throw HttpFault(404, "the study has no results");
+  if (!summary.is_object() || !summary.contains(key)) throw HttpError(404, "the study has no results");
   return std::move(summary[key]);
 }
 
-/// Name, words and units of a quantity, and its value in every case.
+/// Returns name, description and units of a quantity, and its value in every case.
 Json quantity_json(const std::string& name, const Json& about, const Json& cases) {
   const ShownUnit unit = table_unit({name, about["units"].get<std::string>(), "", SeedExtreme::none});
   Json values = Json::array();
-  for (const Json& one : cases) values.push_back(one.value(name, Json()));
+  for (const Json& case_values : cases) values.push_back(case_values.value(name, Json()));
   return {{"name", name},
           {"text", about["description"]},
           {"unit", unit.name},
@@ -28,14 +28,14 @@ Json quantity_json(const std::string& name, const Json& about, const Json& cases
           {"values", std::move(values)}};
 }
 
-Json case_json(const RunInfo& study, const std::string& name, const std::string& words) {
-  return {{"id", study.id + "~" + name}, {"name", name}, {"words", words}};
+Json case_json(const RunInfo& study, const std::string& name, const std::string& label) {
+  return {{"id", study.id + "~" + name}, {"name", name}, {"words", label}};
 }
 
-/// Those of the study as a whole, and what cases have in common once, with how many have it.
-Json findings_json(const Json& cases, const Json& own) {
+/// Returns the findings of the study, and those of its cases merged, with the number of cases that have them.
+Json findings_json(const Json& cases, const Json& study_findings) {
   std::vector<Findings> of_cases;
-  for (const Json& one : cases) of_cases.push_back(read_findings(one["findings"]));
+  for (const Json& study_case : cases) of_cases.push_back(read_findings(study_case["findings"]));
   Json list = Json::array();
   const auto add = [&](const Finding& finding, const std::string& message, std::size_t number) {
     Json json = finding_json(finding);
@@ -43,8 +43,8 @@ Json findings_json(const Json& cases, const Json& own) {
     json["cases"] = number;
     list.push_back(std::move(json));
   };
-  for (const Finding& finding : read_findings(own)) add(finding, finding.message, cases.size());
-  for (const SharedFinding& one : shared_findings(of_cases)) add(one.worst, one.text(), one.runs.size());
+  for (const Finding& finding : read_findings(study_findings)) add(finding, finding.message, cases.size());
+  for (const SharedFinding& shared : shared_findings(of_cases)) add(shared.worst, shared.text(), shared.runs.size());
   return list;
 }
 
@@ -90,8 +90,8 @@ StudyFiles study_files(const RunInfo& study) {
 }
 
 Json study_json(const RunInfo& study, const std::filesystem::path& folder) {
-  if (!study.is_study()) throw HttpFault(404, "the run has no cases");
-  const Json summary = summary_of(study, folder);
+  if (!study.is_study()) throw HttpError(404, "the run has no cases");
+  const Json summary = read_study_summary(study, folder);
   return study.kind == "seeds" ? seeds_json(study, summary) : comparison_json(study, summary);
 }
 

@@ -1,4 +1,4 @@
-/// What the cases of a study gave, as the page shows it.
+/// Results of the cases of a study, for the page.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace overbend {
 
-/// `{kind, cases, quantities, warnings}` of a study that has results in `folder`. Values are SI; `unit` and `factor`
-/// say in what they are shown. HttpFault 404 where there is nothing.
+/// Returns `{kind, cases, quantities, findings}` of a study with results in `folder`. Values are in SI; `unit` and
+/// `factor` give the unit shown. HttpError 404 if there are no results.
 Json study_json(const RunInfo& study, const std::filesystem::path& folder);
 
-/// Its files: what scripts read, the table, and the page that shows it (empty: there is none).
+/// Files of a study: summary for scripts, table, and page (empty: none).
 struct StudyFiles {
   const char *summary, *table, *page;
 };

@@ -5,14 +5,14 @@
 namespace overbend {
 namespace {
 
-constexpr int kLooks = 6;  ///< At the clearance, per element.
+constexpr int kSamplesPerElement = 6;  ///< Number of clearance samples per element.
 
 ElementPlace place_at(const StaticSystem& system, int element, double xi) {
   const std::size_t e = static_cast<std::size_t>(element);
   return {element, xi, system.mesh().s[e] + xi * system.mesh().length[e]};
 }
 
-/// Where the clearance passes zero between two places of an element, the first with `touching`.
+/// Finds the zero of the clearance between two places of an element by bisection; `touching`: contact at the first.
 ElementPlace edge(const StaticSystem& system, const LineState& state, int element, double xi, double next,
                   bool touching) {
   for (int i = 0; i < 50; ++i) {
@@ -33,15 +33,15 @@ std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState
   std::vector<BedContact> contacts;
   bool touching = false;
   for (int e = system.mesh().elements() - 1; e >= 0; --e) {
-    for (int look = 0; look <= kLooks; ++look) {
-      const double xi = 1.0 - static_cast<double>(look) / kLooks;
-      const bool now = bed_clearance(system, state, e, xi) <= 0.0;
-      if (now == touching) continue;
-      const double before = look == 0 ? 1.0 : xi + 1.0 / kLooks;
-      const ElementPlace at = edge(system, state, e, before, xi, touching);
-      if (now) contacts.push_back({at, place_at(system, 0, 0.0)});
-      if (!now) contacts.back().to = at;
-      touching = now;
+    for (int look = 0; look <= kSamplesPerElement; ++look) {
+      const double xi = 1.0 - static_cast<double>(look) / kSamplesPerElement;
+      const bool in_contact = bed_clearance(system, state, e, xi) <= 0.0;
+      if (in_contact == touching) continue;
+      const double before = look == 0 ? 1.0 : xi + 1.0 / kSamplesPerElement;
+      const ElementPlace place = edge(system, state, e, before, xi, touching);
+      if (in_contact) contacts.push_back({place, place_at(system, 0, 0.0)});
+      if (!in_contact) contacts.back().to = place;
+      touching = in_contact;
     }
   }
   return contacts;
@@ -58,7 +58,7 @@ std::vector<ElementPlace> contact_places(const StaticSystem& system, const LineS
 }
 
 std::vector<LineStretch> contact_edges(const StaticSystem& system, const std::vector<BedContact>& contacts) {
-  constexpr double kClose = 1.0;  // edges this close are one stretch [m]
+  constexpr double kClose = 1.0;  // edges closer than this form one stretch [m]
   const double total = system.mesh().total_length();
   std::vector<LineStretch> edges;
   for (const BedContact& contact : contacts) {

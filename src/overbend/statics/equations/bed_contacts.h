@@ -1,4 +1,4 @@
-/// Where the line lies on the bed, and where it spans.
+/// Contacts of the line with the bed, and free spans between them.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,22 @@
 
 namespace overbend {
 
-/// A stretch in contact; `from` is its end nearer the tensioner.
+/// Part of the line in contact with the bed; `from` is its end nearer the tensioner.
 struct BedContact {
   ElementPlace from, to;
 };
 
-/// Whether the line may span behind its touchdown: on a shaped bed, or where something is fixed to it.
+/// True if the line may span behind its touchdown point: on a shaped bed, or if structures are fixed to it.
 bool may_span(const Model& model);
 
-/// All of them from the tensioner down; the last may end at the far end.
+/// Returns all contacts from the tensioner down; the last may end at the far end.
 std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState& state);
 
-/// Where contact with the bed begins and ends of a line that may span; none of others, where touchdown says all.
+/// Returns the places where contact begins and ends on a line that may span; empty for other lines, which have only a
+/// touchdown point.
 std::vector<ElementPlace> contact_places(const StaticSystem& system, const LineState& state);
 
-/// Their ends as the mesh wants to know them: short stretches by distance from the tensioner.
+/// Returns the ends of the contacts as short stretches by distance from the tensioner, for mesh refinement.
 std::vector<LineStretch> contact_edges(const StaticSystem& system, const std::vector<BedContact>& contacts);
 
 }  // namespace overbend

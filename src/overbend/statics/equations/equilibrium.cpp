@@ -18,10 +18,11 @@ double product(const std::vector<double>& a, const std::vector<double>& b) {
 double entering_share(const LineAssembly& line, const std::vector<double>& dq, double depth) {
   double share = 1.0;
   for (const RollerContact& contact : line.contacts().contacts()) {
-    if (!contact.at.found) continue;
-    const auto e = static_cast<std::size_t>(contact.at.element);
+    if (!contact.closest.found) continue;
+    const auto e = static_cast<std::size_t>(contact.closest.element);
     const ElementVector step(Eigen::Map<const ElementVector>(dq.data() + 6 * e));
-    const double deeper = -contact.normal_direction.dot(centreline(step, contact.at.xi, line.line().mesh.length[e]).r);
+    const double deeper =
+        -contact.normal_direction.dot(centreline(step, contact.closest.xi, line.line().mesh.length[e]).r);
     const double allowed = depth + std::max(-contact.penetration, 0.0);
     share = deeper > allowed ? std::min(share, allowed / deeper) : share;
   }
@@ -47,7 +48,7 @@ void advance(LineState& to, const LineState& from, const std::vector<double>& dq
   }
 }
 
-Equilibrium::Equilibrium(Assembly& assembly, const RestRule& rule, int only)
+Equilibrium::Equilibrium(Assembly& assembly, const EquilibriumRule& rule, int only)
     : assembly_(&assembly),
       rule_(rule),
       only_(only),
@@ -63,7 +64,7 @@ void Equilibrium::slide(FarEnd& end, std::size_t attachment, const LayPlane& pla
   assembly_->hold_end(attachment, end.held());
 }
 
-/// Rates of the step in which friction is mobilised.
+/// Velocities of the step in which friction is mobilised.
 void Equilibrium::set_rates(SystemState& state) const {
   if (rule_.laid == nullptr) return;
   for (std::size_t line = first_; line < last_; ++line) {
@@ -93,7 +94,7 @@ void Equilibrium::evaluate(SystemState& state, bool with_tangent) {
     assembly_->impose_ends(state);
   }
   if (far_end_ != nullptr) {
-    far_end_->follow(state.lines[line_], assembly_->line(line_));
+    far_end_->update(state.lines[line_], assembly_->line(line_));
     assembly_->hold_end(far_attachment_, far_end_->held());
   }
   evaluate_forces(state, with_tangent);
@@ -155,17 +156,17 @@ bool Equilibrium::solve(double damping, bool free_far_force, Increments& dq) {
 double Equilibrium::step_limit(const Increments& dq, const BodyStep& of_bodies) const {
   double share = body_limit(dq, of_bodies);
   for (std::size_t i = first_; i < last_; ++i) {
-    share = std::min(share, overbend::step_limit(dq[i], largest_move(assembly_->line(i).line().mesh)));
+    share = std::min(share, overbend::step_limit(dq[i], max_node_move(assembly_->line(i).line().mesh)));
   }
   return share;
 }
 
-double Equilibrium::body_limit(const Increments& dq, const BodyStep& most) const {
+double Equilibrium::body_limit(const Increments& dq, const BodyStep& max_step) const {
   double share = 1.0;
   for (std::size_t i = 0; i < assembly_->free_bodies(); ++i) {
     const Vec6 dh = Eigen::Map<const Vec6>(dq.back().data() + 6 * i);
-    share = std::min(
-        {share, most.move / std::max(dh.head<3>().norm(), 1e-300), most.turn / std::max(dh.tail<3>().norm(), 1e-300)});
+    share = std::min({share, max_step.move / std::max(dh.head<3>().norm(), 1e-300),
+                      max_step.turn / std::max(dh.tail<3>().norm(), 1e-300)});
   }
   return share;
 }

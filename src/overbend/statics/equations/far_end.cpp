@@ -9,8 +9,8 @@ namespace overbend {
 
 bool lays_steadily(const Model& model) {
   const Description& d = model.description;
-  return d.statics.laying == Laying::steady && model.seabed.friction_lateral > 0.0 && model.seabed.stiffness > 0.0 &&
-         !cable_at_far_end(d);
+  return d.statics.laying == SeabedLayHistory::steady && model.seabed.friction_lateral > 0.0 &&
+         model.seabed.stiffness > 0.0 && !cable_at_far_end(d);
 }
 
 FarEnd::FarEnd(const Model& model, const LayRoute& route, double distance)
@@ -26,7 +26,7 @@ std::optional<Vec3> FarEnd::held_direction(double distance) const {
   return surface_->along(route_.place(distance), route_.direction(distance));
 }
 
-/// Across the route, and where the end lies on the bed in its direction.
+/// Sets the held directions: across the route and, if the end lies on the bed, in the bed's direction.
 void FarEnd::hold(double distance) {
   const Vec3 port = route_.port(distance);
   if (cable_) {
@@ -39,13 +39,13 @@ void FarEnd::hold(double distance) {
   if (const auto along = held_direction(distance)) held_.tangent = across(*along);
 }
 
-void FarEnd::follow(const LineState& state, LineAssembly& line) {
-  constexpr double kRounding = 1e-9;  // [m] of places: no side load moves the pipe as little
+void FarEnd::update(const LineState& state, LineAssembly& line) {
+  constexpr double kRounding = 1e-9;  // [m] of positions: no side load moves the pipe by so little
   const Vec3 far = Eigen::Map<const Vec3>(state.q.data());
   if (!route_.straight()) hold(route_.distance(far));
   if (!lays_steadily_) return;
   const double aside = route_.offset(far);
-  line.lay_beside(std::abs(aside) > kRounding ? aside : 0.0);
+  line.set_lateral_offset(std::abs(aside) > kRounding ? aside : 0.0);
 }
 
 void FarEnd::add_force(const LineState& state, bool with_tangent, LineAssembly& line) {
@@ -53,7 +53,7 @@ void FarEnd::add_force(const LineState& state, bool with_tangent, LineAssembly& 
   for (int i = 0; i < 3; ++i) line.residual()[static_cast<std::size_t>(i)] -= state.far_force * direction_(i);
 }
 
-/// The force lies in the bed wherever the end lies.
+/// Keeps the force tangential to the bed at the end's place.
 void FarEnd::turn(const LineState& state, bool with_tangent, LineAssembly& line) {
   const GroundPoint ground = ground_at(line.environment(), Eigen::Map<const Vec3>(state.q.data()));
   direction_ = ground.along_route;

@@ -13,7 +13,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kFar = 0, kTop = 1;  ///< Attachments.
+constexpr std::size_t kFar = 0, kTop = 1;  ///< Indices of attachments.
 
 std::optional<Vec3> guide_direction(const Model& model, const VesselPose& pose) {
   if (model.description.tensioner.guide != Guide::clamped) return std::nullopt;
@@ -39,9 +39,9 @@ System lay_system(const Model& model, const VesselPose& pose, const std::optiona
   system.bodies.push_back(vessel_body(model, radius));
   system.attachments = {Attachment{}, top_end(guide.has_value())};
   system.far_forces = {0};
-  system.surroundings = [vessel = resting(pose), guide](double, Surroundings& now) {
-    now.bodies[kVessel] = vessel;
-    if (guide) now.ends[kTop].direction = *guide;
+  system.surroundings = [vessel = resting(pose), guide](double, Surroundings& surroundings) {
+    surroundings.bodies[kVessel] = vessel;
+    if (guide) surroundings.ends[kTop].direction = *guide;
   };
   return system;
 }
@@ -56,7 +56,7 @@ StaticSystem::Parts::Parts(const Model& model, const VesselPose& pose, const std
       equilibrium(assembly, {model.description.statics.history}) {
   assembly.set_surroundings(0.0);
   equilibrium.slide(far_end, kFar, plane);
-  whole.lines.resize(1);
+  complete_state.lines.resize(1);
 }
 
 StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh)
@@ -69,21 +69,21 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
   set(continuation);
 }
 
-SystemState& StaticSystem::whole(const LineState& state) {
-  LineState& pipe = parts_->whole.lines.front();
+SystemState& StaticSystem::complete_state(const LineState& state) {
+  LineState& pipe = parts_->complete_state.lines.front();
   pipe.q = state.q;
   pipe.low = state.low;
   pipe.far_force = state.far_force;
-  return parts_->whole;
+  return parts_->complete_state;
 }
 
 void StaticSystem::evaluate(const LineState& state, bool with_tangent) {
-  parts_->equilibrium.evaluate(whole(state), with_tangent);
+  parts_->equilibrium.evaluate(complete_state(state), with_tangent);
 }
 
 std::vector<BendingMemory> StaticSystem::bending_memory(const LineState& state) {
   if (!line().yielding.any) return {};
-  parts_->far_end.follow(state, pipe());
+  parts_->far_end.update(state, pipe());
   pipe().evaluate_at_rest(parts_->assembly.surroundings().bodies, state, model_->description.statics.history, false,
                           true);
   return yielding_points().memory;
@@ -98,7 +98,7 @@ double StaticSystem::target_error(const LineState& state, const EquilibriumTarge
 }
 
 bool StaticSystem::factor(const LineState& state, const EquilibriumTarget& target) {
-  parts_->equilibrium.put_target(target, whole(state));
+  parts_->equilibrium.put_target(target, complete_state(state));
   parts_->assembly.hold_far_force(0, false);
   const bool solved = parts_->assembly.factor();
   line_change_.reset();
@@ -115,9 +115,9 @@ void StaticSystem::solve(std::vector<double>& x, double& y, double miss) {
   const std::size_t first = 6 * static_cast<std::size_t>(landing_element_);
   double found = 0.0;
   for (std::size_t i = 0; i < landing_gradient_.size(); ++i) found += landing_gradient_[i] * x[first + i];
-  const double way = (miss - found) / line_change_->miss;
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += way * line_change_->q[i];
-  y += way * line_change_->far_force;
+  const double shift = (miss - found) / line_change_->miss;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += shift * line_change_->q[i];
+  y += shift * line_change_->far_force;
 }
 
 std::optional<double> StaticSystem::landing_miss(const LineState& state) const {
@@ -128,8 +128,8 @@ std::optional<double> StaticSystem::landing_miss(const LineState& state) const {
   return ground_at(environment(), centreline(q, place->xi, mesh().length[e]).r).off_route;
 }
 
-/// Where the bed's friction sticks it follows the line by its elastic stretch; exactly as the tangent has it, since a
-/// point that is about to slide would tell by a difference what the tangent does not know.
+/// Adds the change of sticking bed friction with the offset of the line, by its elastic stretch. Exactly as in the
+/// tangent, since a finite difference at a point about to slide would contain a change that the tangent does not.
 void StaticSystem::add_friction_by_line(const LineState& state, std::vector<double>& forces) const {
   const LineEnvironment& env = environment();
   for (std::size_t e = 0; e < mesh().length.size(); ++e) {
@@ -150,27 +150,27 @@ void StaticSystem::add_friction_by_line(const LineState& state, std::vector<doub
   }
 }
 
-/// The far end and the line move aside: what the end alone puts out of balance is differenced, what the line does comes
-/// from the law of friction, and the tangent answers. The miss changes with the place that lands, which goes along the
-/// pipe as its clearance asks.
+/// Moves the far end and the line aside. The imbalance due to the end is computed by finite differences, that due to
+/// the line from the friction law, and the response from the tangent. The miss changes with the landing place, which
+/// moves along the pipe with its clearance.
 void StaticSystem::find_line_change(const LineState& state) {
-  constexpr double kAside = 1e-4;  // [m]
-  constexpr double kLeast = 1e-9;  // of the way of the line, by which the miss must change
+  constexpr double kAside = 1e-4;      // [m]
+  constexpr double kMinChange = 1e-9;  // minimum change of the miss relative to the offset of the line
   const std::optional<ElementPlace> place = find_touchdown(*this, state);
   if (!place) return;
   const std::size_t e = static_cast<std::size_t>(place->element);
   const double h = mesh().length[e];
-  const CentrelinePoint at =
+  const CentrelinePoint point =
       centreline(ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * e)), place->xi, h);
-  const GroundPoint ground = ground_at(environment(), at.r);
-  const double falls = ground.normal.dot(at.a);
+  const GroundPoint ground = ground_at(environment(), point.r);
+  const double falls = ground.normal.dot(point.a);
   if (falls == 0.0) return;
-  const Vec3 way = ground.across_route - ground.across_route.dot(at.a) / falls * ground.normal;
+  const Vec3 direction = ground.across_route - ground.across_route.dot(point.a) / falls * ground.normal;
   const HermiteValues shape = hermite(place->xi, h);
   landing_element_ = place->element;
   landing_gradient_.assign(12, 0.0);
   for (int j = 0; j < 4; ++j) {
-    Eigen::Map<Vec3>(landing_gradient_.data() + 3 * j) = shape.value(j) * way;
+    Eigen::Map<Vec3>(landing_gradient_.data() + 3 * j) = shape.value(j) * direction;
   }
 
   const Vec3 port = parts_->far_end.held().position.direction[0];
@@ -178,7 +178,7 @@ void StaticSystem::find_line_change(const LineState& state) {
   for (const double sign : {-1.0, 1.0}) {
     LineState moved = state;
     Eigen::Map<Vec3>(moved.q.data()) += sign * kAside * port;
-    parts_->equilibrium.evaluate_forces(whole(moved), false);
+    parts_->equilibrium.evaluate_forces(complete_state(moved), false);
     hold(false);
     for (std::size_t i = 0; i < change.q.size(); ++i) change.q[i] -= sign * residual()[i] / (2.0 * kAside);
   }
@@ -189,11 +189,11 @@ void StaticSystem::find_line_change(const LineState& state) {
   Eigen::Map<Vec3>(change.q.data()) += port;
   change.miss = -1.0;
   for (std::size_t i = 0; i < 12; ++i) change.miss += landing_gradient_[i] * change.q[6 * e + i];
-  if (std::abs(change.miss) > kLeast) line_change_ = std::move(change);
+  if (std::abs(change.miss) > kMinChange) line_change_ = std::move(change);
 }
 
 ClosestPoint closest_to_roller(const StaticSystem& system, const LineState& state, int roller) {
-  const ClosestPoint& met = system.contacts()[static_cast<std::size_t>(roller)].at;
+  const ClosestPoint& met = system.contacts()[static_cast<std::size_t>(roller)].closest;
   if (met.found) return met;
   const LineMesh& mesh = system.mesh();
   return closest_point(system.rollers().placed(roller), state.q.data(), mesh.length.data(), 0, mesh.elements());

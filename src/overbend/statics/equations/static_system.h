@@ -1,7 +1,7 @@
-/// A lay in statics: its pipe with the rollers of its vessel as a system of one line, and the equations of its rest.
+/// Lay in statics: its pipe with the rollers of its vessel as a system of one line, and its equilibrium equations.
 ///
-/// The far end may slide along the bed under the far force; the top node stands at the tensioner, held in the guide's
-/// direction. See Equilibrium.
+/// The far end may slide along the bed under the far force; the top node is fixed at the tensioner and held in the
+/// guide's direction. See Equilibrium.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class StaticSystem {
   StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh);
 
   const Model& model() const { return *model_; }
-  const VesselPose& pose() const { return pose_; }  ///< Of the vessel.
+  const VesselPose& pose() const { return pose_; }  ///< Pose of the vessel.
   const Line& line() const { return parts_->system.lines.front(); }
   const LineMesh& mesh() const { return line().mesh; }
   const LineElements& elements() const { return line().elements; }
@@ -31,49 +31,50 @@ class StaticSystem {
   const std::vector<double>& cuts() const { return pipe().cuts(); }
   BlockTridiagonal& tangent() { return pipe().tangent(); }
   Vec3 far_direction() const { return parts_->far_end.direction(); }
-  /// What the line is held along at its far end, at a distance along the route; none where it may turn there.
+  /// Direction in which the line is held at its far end, at a distance along the route; nullopt if it may turn there.
   std::optional<Vec3> held_far_direction(double distance) const { return parts_->far_end.held_direction(distance); }
-  /// Direction of the pipe in its guide at the tensioner, towards it; none where it may turn.
+  /// Direction of the pipe in its guide at the tensioner, towards it; nullopt if it may turn.
   const std::optional<Vec3>& held_direction() const { return guide_; }
-  double total_weight() const { return line().force_scale; }  ///< In air [N].
+  double total_weight() const { return line().force_scale; }  ///< Weight in air [N].
 
   const Continuation& continuation() const { return pipe().continuation(); }
   void set(const Continuation& continuation) { parts_->assembly.set(continuation); }
-  /// Whether steel that may yield keeps what bent it upstream: the tangent does not know that.
-  bool remembers() const { return pipe().remembers(); }
-  /// What the steel was before this state, in place of a loading history.
-  void begin_with(std::vector<BendingMemory> before) { pipe().begin_with(std::move(before)); }
-  /// What rollers exert on the elements, from the contacts of the last evaluation, which was of `state`.
+  /// True if yielding steel keeps plastic strain from supports upstream, which the tangent does not include.
+  bool has_plastic_memory() const { return pipe().has_plastic_memory(); }
+  /// Sets the memory of the steel before this state, in place of a loading history.
+  void set_bending_history(std::vector<BendingMemory> before) { pipe().set_bending_history(std::move(before)); }
+  /// Roller forces on the elements, from the contacts of the last evaluation, which was of `state`.
   std::vector<RollerPush> roller_pushes(const LineState& state) const { return pipe().roller_pushes(state); }
-  /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
+  /// Memories of all Gauss points at `state`, for use after statics; empty if nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
 
   Equilibrium& equilibrium() { return parts_->equilibrium; }
 
-  /// Internal minus external forces; with `with_tangent` also the blocks. Held directions are left in: see hold().
+  /// Computes internal minus external forces; `with_tangent`: also the tangent blocks. Held directions remain: see
+  /// hold().
   void evaluate(const LineState& state, bool with_tangent);
-  /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the
-  /// node.
+  /// Returns the largest unbalanced force over the total weight; moments count over the length of the shortest element
+  /// at the node.
   double relative_residual() { return parts_->equilibrium.relative_residual(); }
-  /// Value of a target minus what is asked for.
+  /// Value of a target minus its target value.
   double target_error(const LineState& state, const EquilibriumTarget& target) const;
-  /// Removes the held directions from the residual and, where asked, from the blocks.
+  /// Removes the held directions from the residual and, if `blocks`, from the tangent blocks.
   void hold(bool blocks) { parts_->equilibrium.hold(blocks); }
 
-  /// Factors the tangent of the last evaluation, held, together with the target's equation, for solve(). The blocks are
-  /// overwritten. False if it is singular.
+  /// Factors the held tangent of the last evaluation together with the target's equation, for solve(). The blocks are
+  /// overwritten. Returns false if it is singular.
   bool factor(const LineState& state, const EquilibriumTarget& target);
-  /// Solves K x - far_direction y = x, gradient of the target . x = y with these factors, in place: `x` six per node,
-  /// `y` on its way in the right-hand side of the target's equation, on its way out the change of the far force [N].
-  /// Where the pipe is laid steadily, its line goes along so that the miss of its landing changes by `miss` [m].
+  /// Solves K x - far_direction y = x, gradient of the target . x = y with these factors, in place. `x`: six per node.
+  /// `y`: on entry the right-hand side of the target's equation, on exit the change of the far force [N]. In steady
+  /// laying, the line moves so that the miss of its landing changes by `miss` [m].
   void solve(std::vector<double>& x, double& y, double miss = 0.0);
-  /// Whether the pipe is laid steadily: then its far end may stand anywhere across the route, and its line goes through
-  /// there.
+  /// True in steady laying: the far end may be anywhere across the route, and the line passes through it.
   bool lays_steadily() const { return parts_->far_end.lays_steadily(); }
-  /// By how far the pipe first touches the bed to port of the line on which it lies [m]; 0 in steady laying. From the
-  /// line of the last evaluation; nothing where it does not touch.
+  /// Distance to port of the line on which the pipe lies, at the point where it first touches the bed [m]; 0 in steady
+  /// laying. Uses the line of the last evaluation; nullopt if it does not touch.
   std::optional<double> landing_miss(const LineState& state) const;
-  /// How the state follows its line to port, per metre, after factor(); null where it is not laid steadily.
+  /// Derivative of the state with respect to the offset of its line to port, per metre, after factor(); null if not in
+  /// steady laying.
   struct LineChange {
     std::vector<double> q;
     double far_force = 0.0;  ///< [N/m]
@@ -81,17 +82,17 @@ class StaticSystem {
   };
   const LineChange* line_change() const { return line_change_ ? &*line_change_ : nullptr; }
   int singular_node() const { return parts_->equilibrium.singular_node(); }
-  /// Forces on the held ends: what tensioner and anchor exert on the line [N]. Needs evaluate() without hold().
+  /// Forces of tensioner and anchor on the held ends of the line [N]. Needs evaluate() without hold().
   Vec3 end_reaction(int node) const;
 
  private:
   const LineAssembly& pipe() const { return parts_->pipe(); }
   LineAssembly& pipe() { return parts_->assembly.line(0); }
-  SystemState& whole(const LineState& state);
+  SystemState& complete_state(const LineState& state);
   void find_line_change(const LineState& state);
   void add_friction_by_line(const LineState& state, std::vector<double>& forces) const;
 
-  /// What points to each other: it stays where it is when the system moves.
+  /// Members that point to each other; their addresses stay constant when the system is moved.
   struct Parts {
     Parts(const Model& model, const VesselPose& pose, const std::optional<Vec3>& guide, LineMesh mesh);
     const LineAssembly& pipe() const { return assembly.line(0); }
@@ -101,19 +102,19 @@ class StaticSystem {
     Assembly assembly;
     FarEnd far_end;
     Equilibrium equilibrium;
-    SystemState whole;  ///< With the pipe that was evaluated last.
+    SystemState complete_state;  ///< Complete state, with the pipe evaluated last.
   };
 
   const Model* model_;
   VesselPose pose_;
   std::optional<Vec3> guide_;
   std::unique_ptr<Parts> parts_;
-  std::vector<double> landing_gradient_;  ///< Of the miss, by the unknowns of the element that lands.
+  std::vector<double> landing_gradient_;  ///< Gradient of the miss with respect to the unknowns of the landing element.
   int landing_element_ = 0;
   std::optional<LineChange> line_change_;
 };
 
-/// Point of the centreline closest to a roller: the contact's, or for a roller out of reach that of the whole line.
+/// Point of the centreline closest to a roller: the contact's, or that of the whole line for a roller out of reach.
 ClosestPoint closest_to_roller(const StaticSystem& system, const LineState& state, int roller);
 
 }  // namespace overbend

@@ -7,18 +7,18 @@
 namespace overbend {
 namespace {
 
-ElementVector dofs_of(const LineState& state, int element) {
+ElementVector element_dofs(const LineState& state, int element) {
   return ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
 }
 
-/// First passage of `value(element, xi)` from above to below zero, from the tensioner down; bisected to rounding.
+/// First crossing of `value(element, xi)` from above to below zero, from the tensioner down; by bisection to rounding.
 template <class Function>
 std::optional<ElementPlace> first_passage(const StaticSystem& system, const Function& value) {
   const LineMesh& mesh = system.mesh();
   bool was_above = false;
   for (int e = mesh.elements() - 1; e >= 0; --e) {
     const bool starts_above = value(e, 1.0) > 0.0;
-    if (!starts_above && was_above) {  // the line grows thicker between two elements
+    if (!starts_above && was_above) {  // the radius of the line increases between two elements
       return ElementPlace{e, 1.0, mesh.s[static_cast<std::size_t>(e) + 1]};
     }
     was_above = starts_above;
@@ -40,7 +40,7 @@ std::optional<ElementPlace> first_passage(const StaticSystem& system, const Func
 
 double bed_clearance(const StaticSystem& system, const LineState& state, int element, double xi) {
   const std::size_t e = static_cast<std::size_t>(element);
-  const Vec3 r = centreline(dofs_of(state, element), xi, system.mesh().length[e]).r;
+  const Vec3 r = centreline(element_dofs(state, element), xi, system.mesh().length[e]).r;
   return system.model().seabed.surface.clearance(r) - system.elements().radius[e];
 }
 
@@ -56,7 +56,7 @@ std::optional<ElementPlace> landing(const StaticSystem& system, const LineState&
 
 std::optional<ElementPlace> find_waterline(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) {
-    return centreline(dofs_of(state, e), xi, system.mesh().length[static_cast<std::size_t>(e)]).r.z();
+    return centreline(element_dofs(state, e), xi, system.mesh().length[static_cast<std::size_t>(e)]).r.z();
   });
 }
 

@@ -9,16 +9,16 @@
 namespace overbend {
 namespace {
 
-/// The free span from touchdown upwards: dense points, first on the bed.
+/// Free span from touchdown upwards: dense points, the first on the bed.
 struct FreeSpan {
-  std::vector<double> length, distance, z, dip;  ///< From touchdown; distance runs towards the barge.
+  std::vector<double> length, distance, z, dip;  ///< From touchdown; distance increases towards the vessel.
 };
 
-/// Steps up a chain with horizontal tension H and weight w(z) until it reaches `top` above the bed's line.
-FreeSpan hang(const Model& model, double H, double bed_z, double slope, double top) {
+/// Integrates a chain upwards with horizontal tension H and weight w(z) until it reaches the height `top`.
+FreeSpan integrate_free_span(const Model& model, double H, double bed_z, double slope, double top) {
   FreeSpan span;
   const double step = std::max(0.05, (top - bed_z) / 1500.0);
-  const double start = std::atan(-slope);  // seen towards the barge, the bed falls where it rises astern
+  const double start = std::atan(-slope);  // seen towards the vessel, the bed falls if it rises astern
   double x = 0.0, z = bed_z, s = 0.0, V = H * std::tan(start);
   while (z < top && span.z.size() < 400000) {
     const double dip = std::atan2(V, H);
@@ -51,7 +51,7 @@ void append_span(LayShape& shape, const FreeSpan& span) {
   shape.touchdown = shape.length.back();
 }
 
-/// On a shaped bed the span ends where it first meets the bed, which may be a crest before the landing looked for.
+/// On a shaped bed the span ends where it first meets the bed, possibly at a crest before the assumed landing.
 void land_on_shape(LayShape& shape, const LayPlane& plane) {
   for (std::size_t i = 0; i < shape.length.size(); ++i) {
     if (shape.length[i] <= shape.last_support || shape.z[i] >= plane.bed(shape.distance[i])) continue;
@@ -61,7 +61,7 @@ void land_on_shape(LayShape& shape, const LayPlane& plane) {
   }
 }
 
-/// The last support over which the pipe still bends down no more than the free span would.
+/// Last support over which the pipe bends down no more than the free span would.
 std::size_t departure(const std::vector<GuidePoint>& points, const FreeSpan& span) {
   std::size_t last = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -86,16 +86,16 @@ LayPlane lay_plane(const Model& model, const VesselPose& pose) {
 }
 
 double LayPlane::bed(double distance) const {
-  const Vec3 at = route.place(distance);
-  return surface.height(at.x(), at.y()) + radius;
+  const Vec3 point = route.place(distance);
+  return surface.height(point.x(), point.y()) + radius;
 }
 
 double LayPlane::bed_slope(double distance) const {
-  const Vec3 at = route.place(distance);
-  return surface.slope(at.x(), at.y(), route.direction(distance));
+  const Vec3 point = route.place(distance);
+  return surface.slope(point.x(), point.y(), route.direction(distance));
 }
 
-double hanging_weight(const Model& model, const LayPlane& plane, const Section& section, double bed_z) {
+double suspended_pipe_weight(const Model& model, const LayPlane& plane, const Section& section, double bed_z) {
   const int steps = 4000;
   const double dz = (plane.tensioner_W.z() - bed_z) / steps;
   double sum = 0.0;
@@ -105,23 +105,23 @@ double hanging_weight(const Model& model, const LayPlane& plane, const Section& 
   return sum;
 }
 
-double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
-  double least = std::numeric_limits<double>::infinity();
+double suspended_pipe_weight(const Model& model, const LayPlane& plane, double bed_z) {
+  double min_weight = std::numeric_limits<double>::infinity();
   for (const Section& section : model.sections) {
-    least = std::min(least, hanging_weight(model, plane, section, bed_z));
+    min_weight = std::min(min_weight, suspended_pipe_weight(model, plane, section, bed_z));
   }
-  return least;
+  return min_weight;
 }
 
-bool LandingSearch::follow(double landed, double near) {
-  if (std::abs(plane_->bed(landed) - plane_->bed(at_)) < near) return false;
-  // Where the bed rises steeply astern, each landing overshoots the one before, at last to where the bed is above the
-  // tensioner: what is known of either side bounds the next.
-  (landed > at_ ? nearest_ : farthest_) = at_;
-  at_ = landed > nearest_ && landed < farthest_ ? landed : 0.5 * (nearest_ + farthest_);
-  while (plane_->bed(at_) >= plane_->tensioner_W.z() && at_ - nearest_ > 1e-3) {
-    farthest_ = at_;
-    at_ = 0.5 * (nearest_ + farthest_);
+bool LandingSearch::accept_landing(double landed, double near) {
+  if (std::abs(plane_->bed(landed) - plane_->bed(assumed_distance_)) < near) return false;
+  // On a bed that rises steeply astern, successive landings overshoot alternately, up to where the bed is above the
+  // tensioner: the landings on both sides bound the next one.
+  (landed > assumed_distance_ ? nearest_ : farthest_) = assumed_distance_;
+  assumed_distance_ = landed > nearest_ && landed < farthest_ ? landed : 0.5 * (nearest_ + farthest_);
+  while (plane_->bed(assumed_distance_) >= plane_->tensioner_W.z() && assumed_distance_ - nearest_ > 1e-3) {
+    farthest_ = assumed_distance_;
+    assumed_distance_ = 0.5 * (nearest_ + farthest_);
   }
   return true;
 }
@@ -129,20 +129,21 @@ bool LandingSearch::follow(double landed, double near) {
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
   const Section& pipe = model.pipe_section();
   LayShape shape;
-  // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
-  // allow.
+  // Under little tension the pipe is supported by its bending stiffness: limit the curvature of the catenary to what
+  // bending allows.
   const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
   LandingSearch landing(plane);
-  for (int pass = 0; pass < kLandings; ++pass) {
+  for (int pass = 0; pass < kMaxLandings; ++pass) {
     shape = LayShape{};
-    const double bed_z = plane.bed(landing.at());
-    const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
+    const double bed_z = plane.bed(landing.assumed_distance());
+    const double H = std::max(tension - suspended_pipe_weight(model, plane, bed_z), stiff);
     shape.bottom_tension = H;
     const std::vector<GuidePoint> points = support_points(model, plane, model.mean_pose);
-    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing.at()), plane.tensioner_W.z());
+    const FreeSpan span =
+        integrate_free_span(model, H, bed_z, plane.bed_slope(landing.assumed_distance()), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
-      shape.problem = plane.bed_slope(landing.at()) > 0.0
-                          ? "the seabed rises astern so steeply that it meets the pipe before it hangs free: check the "
+      shape.problem = plane.bed_slope(landing.assumed_distance()) > 0.0
+                          ? "the seabed rises astern so steeply that it meets the pipe before its free span: check the "
                             "slope of the seabed and its direction"
                           : "the seabed falls away astern faster than the pipe: there is no touchdown";
       return shape;
@@ -157,14 +158,14 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     shape.last_support = last == 0 ? 0.0 : shape.length.back();
     append_span(shape, span);
-    if (!landing.follow(shape.distance.back(), 1e-3)) break;
+    if (!landing.accept_landing(shape.distance.back(), 1e-3)) break;
   }
   if (plane.surface.shape() != nullptr) land_on_shape(shape, plane);
   double tail = tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);
-  if (!plane.route.straight()) {  // what slides in a bend is held by what lies straight behind it
-    constexpr double kBehind = 200.0, kLongest = 3000.0;  // [m]
+  if (!plane.route.straight()) {  // pipe that slides in a bend is held by the straight pipe behind it
+    constexpr double kBehind = 200.0, kMaxLength = 3000.0;  // [m]
     const double bends = plane.route.pieces()->back().s - shape.distance.back();
-    tail = std::clamp(bends + kBehind, tail, std::max(tail, kLongest));
+    tail = std::clamp(bends + kBehind, tail, std::max(tail, kMaxLength));
   }
   append_tail(shape, plane, tail_beyond_attachments(model, shape.touchdown, tail));
   return shape;

@@ -1,4 +1,4 @@
-/// A line that lies straight on the bed.
+/// Line lying straight on the bed.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace overbend {
 
-/// Shape of a line (six per node, as LineState::q) along the bed: through `place` at its arc length `s`, its direction
-/// with growing arc length the horizontal unit vector `way`. It sinks in by what bears its weight; where it floats it
-/// touches the bed.
-std::vector<double> lying_shape(const Model& model, const Line& line, const Vec3& place, const Vec3& way, double s);
+/// Shape of a line (six per node, as LineState::q) along the bed: through `place` at its arc length `s`, in the
+/// horizontal `direction` (unit vector) with increasing arc length. Its penetration supports its weight; a buoyant
+/// line touches the bed.
+std::vector<double> lying_shape(const Model& model, const Line& line, const Vec3& place, const Vec3& direction,
+                                double s);
 
-/// The same of one that is straight and level at the height of `place`.
-std::vector<double> level_shape(const Line& line, const Vec3& place, const Vec3& way, double s);
+/// Same for a line that is straight and level at the height of `place`.
+std::vector<double> level_shape(const Line& line, const Vec3& place, const Vec3& direction, double s);
 
 }  // namespace overbend

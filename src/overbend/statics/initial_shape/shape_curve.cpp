@@ -66,7 +66,7 @@ void append_tail(LayShape& shape, const LayPlane& plane, double tail) {
   const double x0 = shape.distance.back(), z0 = shape.z.back(), bed0 = plane.bed(x0);
   const double level = std::cos(std::atan(plane.bed_slope(x0)));
   const bool shaped = plane.surface.shape() != nullptr;
-  constexpr double kSettling = 20.0;  // a shaped bed is met at its own height within tens of metres [m]
+  constexpr double kSettling = 20.0;  // a shaped bed is reached within tens of metres [m]
   const int steps = shaped ? std::max(200, static_cast<int>(tail)) : 200;
   for (int i = 1; i <= steps; ++i) {
     const double x = x0 + tail * i / steps * level;

@@ -14,29 +14,30 @@
 namespace overbend {
 namespace {
 
-constexpr int kHalvings = 18;     ///< Of the horizontal tension: a guess need not be closer.
-constexpr double kSteps = 250.0;  ///< Of a chain that hangs plumb.
+constexpr int kHalvings = 18;     ///< Bisections of the horizontal tension; an initial shape need not be more accurate.
+constexpr double kSteps = 250.0;  ///< Steps over the height of a vertical chain.
 
-const Section& section_of(const Model& model, double from_top) {
+const Section& section_at_length(const Model& model, double from_top) {
   return model.sections[static_cast<std::size_t>(model.section_at(from_top))];
 }
 
-/// Where the free span begins.
+/// Start of the free span.
 struct SpanStart {
   double from_top = 0.0, distance = 0.0, z = 0.0, tension = 0.0;
 };
 
-/// Where a chain ends, and what it is like on the way.
+/// End of a chain and its points.
 struct Chain {
   std::vector<double> length, distance, z, dip;  ///< From the start down.
-  double end_z = 0.0;                            ///< Where it is level, or where the line ends [m].
+  double end_z = 0.0;                            ///< Height of its level point, or of the end of the line [m].
   double end_length = 0.0;
-  bool level = false;  ///< It is level there; else the line ended first.
+  bool level = false;  ///< True if it ends level; otherwise the line ended first.
 };
 
-/// Down from the start with horizontal tension H: until it is level, the line ends, or it is below `floor`.
-Chain hang_down(const Model& model, const SpanStart& start, double H, double total, double floor, double step,
-                bool keep) {
+/// Integrates down from the start with horizontal tension H until the chain is level, the line ends, or it is below
+/// `floor`.
+Chain integrate_chain(const Model& model, const SpanStart& start, double H, double total, double floor, double step,
+                      bool keep) {
   Chain chain;
   double V = std::sqrt(std::max(start.tension * start.tension - H * H, 0.0));
   double u = start.from_top, x = start.distance, z = start.z;
@@ -50,8 +51,8 @@ Chain hang_down(const Model& model, const SpanStart& start, double H, double tot
     chain.level = V <= 0.0;
     if (chain.level || u >= total || z < floor) break;
     const double h = std::min(step, total - u);
-    const double below = V - h * weight_at(model, section_of(model, u + 0.5 * h), z);
-    // The last piece ends where it is level.
+    const double below = V - h * weight_at(model, section_at_length(model, u + 0.5 * h), z);
+    // The last piece ends at the level point.
     const double share = below < 0.0 ? V / (V - below) : 1.0;
     const double middle = std::atan2(0.5 * (V + std::max(below, 0.0)), H);
     x += share * h * std::cos(middle);
@@ -64,32 +65,33 @@ Chain hang_down(const Model& model, const SpanStart& start, double H, double tot
   return chain;
 }
 
-/// Work of the weight between two points of the guess: what the tension loses on the way down.
-double lost(const Model& model, const LayShape& shape) {
+/// Work of the weight between two points of the shape: the loss of tension on the way down [N].
+double tension_loss(const Model& model, const LayShape& shape) {
   double sum = 0.0;
   for (std::size_t i = 1; i < shape.z.size(); ++i) {
     const double u = 0.5 * (shape.length[i] + shape.length[i - 1]);
-    sum += weight_at(model, section_of(model, u), 0.5 * (shape.z[i] + shape.z[i - 1])) * (shape.z[i - 1] - shape.z[i]);
+    sum += weight_at(model, section_at_length(model, u), 0.5 * (shape.z[i] + shape.z[i - 1])) *
+           (shape.z[i - 1] - shape.z[i]);
   }
   return sum;
 }
 
-/// A free span that begins at `start`, and ends level on the bed or at its anchor.
+/// Free span from `start` to a level end on the bed or to its anchor.
 class FreeSpan {
  public:
-  /// `landing`: how far astern of the tensioner the span is taken to land; there the bed has its depth.
+  /// `landing`: assumed distance of the landing astern of the tensioner, which gives the depth of the bed [m].
   FreeSpan(const Model& model, const LayPlane& plane, double total, double landing)
       : model_(model), total_(total), pinned_(cable_at_far_end(model.description) && !is_dragged(model.description)) {
     bed_ = pinned_ ? pinned_height(model) : plane.bed(landing) - plane.radius;
     step_ = std::max(0.05, (plane.tensioner_W.z() - bed_) / kSteps);
   }
 
-  /// Height of the axis where the line would lie or be pinned [m].
+  /// Height of the axis at the end of the span, on the bed or at the anchor [m].
   double target(const Chain& chain) const {
-    return pinned_ ? bed_ : bed_ + section_of(model_, chain.end_length).outer_radius();
+    return pinned_ ? bed_ : bed_ + section_at_length(model_, chain.end_length).outer_radius();
   }
 
-  /// Horizontal tension with which the span ends where it should; none where even a plumb line does not reach.
+  /// Horizontal tension with which the span ends at its target; nullopt if not even a vertical line reaches it.
   std::optional<double> pull(const SpanStart& start) const {
     double low = 1e-4 * start.tension, high = start.tension;
     if (too_high(start, low)) return std::nullopt;
@@ -101,13 +103,13 @@ class FreeSpan {
   }
 
   Chain shape(const SpanStart& start, double H) const {
-    return hang_down(model_, start, H, total_, bed_ - 10.0, step_, true);
+    return integrate_chain(model_, start, H, total_, bed_ - 10.0, step_, true);
   }
 
  private:
-  /// Whether the span is level, or ends, above where it should.
+  /// True if the span is level, or ends, above its target.
   bool too_high(const SpanStart& start, double H) const {
-    const Chain chain = hang_down(model_, start, H, total_, bed_ - 10.0, step_, false);
+    const Chain chain = integrate_chain(model_, start, H, total_, bed_ - 10.0, step_, false);
     return chain.end_z > target(chain);
   }
 
@@ -117,16 +119,16 @@ class FreeSpan {
   double bed_ = 0.0, step_ = 0.1;
 };
 
-/// Beyond any line that hangs.
-double far_beyond(const Model& model, const LayPlane& plane) {
+/// Length beyond that of any suspended line [m].
+double unlimited_length(const Model& model, const LayPlane& plane) {
   return model.description.pipe.length.value_or(20.0 * (plane.tensioner_W.z() - plane.bed(0.0)) + 1e4);
 }
 
-SpanStart end_of(const Model& model, const LayShape& shape, double tension) {
-  return {shape.length.back(), shape.distance.back(), shape.z.back(), tension - lost(model, shape)};
+SpanStart make_span_start(const Model& model, const LayShape& shape, double tension) {
+  return {shape.length.back(), shape.distance.back(), shape.z.back(), tension - tension_loss(model, shape)};
 }
 
-/// Over the supports up to point `last`.
+/// Shape over the supports up to point `last`.
 LayShape over_supports(const std::vector<GuidePoint>& points, std::size_t last) {
   LayShape shape;
   append_point(shape, 0.0, points[0].z, points[0].dip);
@@ -135,39 +137,40 @@ LayShape over_supports(const std::vector<GuidePoint>& points, std::size_t last) 
   return shape;
 }
 
-/// Points that lie behind each other, from the tensioner on.
+/// Points in order of increasing distance from the tensioner; others are dropped.
 std::vector<GuidePoint> in_order(const std::vector<GuidePoint>& points) {
   std::vector<GuidePoint> kept;
-  for (const GuidePoint& at : points) {
-    if (kept.empty() || at.distance > kept.back().distance + 1e-6) kept.push_back(at);
+  for (const GuidePoint& point : points) {
+    if (kept.empty() || point.distance > kept.back().distance + 1e-6) kept.push_back(point);
   }
   return kept;
 }
 
-/// Whether a line that lies over the supports up to a point leaves it no flatter than it lies there. One that does not
-/// reach its end from there hangs plumb.
-bool bends_over(const Model& model, const std::vector<GuidePoint>& points, std::size_t last, const FreeSpan& span,
-                double tension) {
-  const SpanStart start = end_of(model, over_supports(points, last), tension);
+/// True if a line that lies on the supports up to a point leaves it at least as steeply as it lies there. A line that
+/// does not reach its end from there is vertical.
+bool is_in_contact(const Model& model, const std::vector<GuidePoint>& points, std::size_t last, const FreeSpan& span,
+                   double tension) {
+  const SpanStart start = make_span_start(model, over_supports(points, last), tension);
   if (start.tension <= 0.0) return true;
   const std::optional<double> H = span.pull(start);
   return !H || std::acos(std::min(1.0, *H / start.tension)) >= points[last].dip;
 }
 
-/// The last support that the line bends over; the free span is the steeper the higher it begins, so that all before it
-/// are, too.
+/// Last support over which the line bends. The free span is steeper the higher it begins, so that all supports before
+/// it are in contact as well.
 std::size_t departure(const Model& model, const std::vector<GuidePoint>& points, const FreeSpan& span, double tension) {
   std::size_t over = 0, clear = points.size();
   while (clear - over > 1) {
     const std::size_t middle = (over + clear) / 2;
-    (bends_over(model, points, middle, span, tension) ? over : clear) = middle;
+    (is_in_contact(model, points, middle, span, tension) ? over : clear) = middle;
   }
   return over;
 }
 
-/// What lies of cable and head behind touchdown: laid pipe holds the line, so it comes after them [m].
+/// Length of cable and head on the bed behind touchdown: the laid pipe that holds the line follows them [m].
 double laid_length(const Model& model, const LayShape& shape) {
-  return cable_at_top(model.description) ? std::max(0.0, pipe_begins(model.description) - shape.touchdown) : 0.0;
+  return cable_at_top(model.description) ? std::max(0.0, pipe_start_distance(model.description) - shape.touchdown)
+                                         : 0.0;
 }
 
 }  // namespace
@@ -177,40 +180,39 @@ double pinned_height(const Model& model) {
   return is_dragged(model.description) ? -lay.winch->depth : -lay.anchor->depth;
 }
 
-double least_stage_tension(const Model& model, const LayPlane& plane) {
+double min_stage_top_tension(const Model& model, const LayPlane& plane) {
   const std::vector<GuidePoint> points = in_order(support_points(model, plane, model.mean_pose));
   const LayShape shape = over_supports(points, points.size() - 1);
   const bool pinned = cable_at_far_end(model.description) && !is_dragged(model.description);
   const double floor = pinned ? pinned_height(model) : plane.bed(0.0);
   const double top = shape.z.back(), step = (top - floor) / 4000.0;
-  double weight = lost(model, shape);
+  double weight = tension_loss(model, shape);
   for (int i = 0; i < 4000 && step > 0.0; ++i) {
     const double down = (i + 0.5) * step;
-    weight += step * weight_at(model, section_of(model, shape.length.back() + down), top - down);
+    weight += step * weight_at(model, section_at_length(model, shape.length.back() + down), top - down);
   }
   return weight;
 }
 
 namespace {
 
-/// Whether the free span ends on the bed, and not where a cable is pinned.
-bool lands(const Model& model) {
+/// True if the free span ends on the bed, and not at an anchor of a cable.
+bool ends_on_bed(const Model& model) {
   return !cable_at_far_end(model.description) || is_dragged(model.description);
 }
 
-LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tension, double landing) {
+LayShape shape_for_landing(const Model& model, const LayPlane& plane, double tension, double landing) {
   LayShape shape;
-  const double total = far_beyond(model, plane);
+  const double total = unlimited_length(model, plane);
   const FreeSpan span(model, plane, total, landing);
   const std::vector<GuidePoint> points = in_order(support_points(model, plane, model.mean_pose));
   shape = over_supports(points, departure(model, points, span, tension));
-  const SpanStart start = end_of(model, shape, tension);
+  const SpanStart start = make_span_start(model, shape, tension);
   const std::optional<double> H = start.tension > 0.0 ? span.pull(start) : std::nullopt;
   if (!H) {
     shape.problem = fmt::format(
-        "with {} at the top the line hangs plumb above the place where it should end: at least {} are needed for the "
-        "weight of what hangs",
-        shown(tension, "N", 1), shown(least_stage_tension(model, plane), "N", 1));
+        "with {} at the top the line hangs vertically above its end point: the suspended weight needs at least {}",
+        shown(tension, "N", 1), shown(min_stage_top_tension(model, plane), "N", 1));
     return shape;
   }
   shape.bottom_tension = *H;
@@ -227,17 +229,17 @@ LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tens
 
 namespace {
 
-/// The line down to where it lands, for the landing found.
+/// Shape of the line down to its landing, with the landing found.
 LayShape landed_shape(const Model& model, const LayPlane& plane, double tension) {
   constexpr double kNear = 1e-2;  // [m]
   LandingSearch landing(plane);
-  LayShape shape = shape_that_lands(model, plane, tension, landing.at());
-  for (int pass = 1; pass < kLandings && shape.problem.empty() && lands(model); ++pass) {
-    // A bed that rises is met from the depth under the tensioner: a guess that hangs a little lower than the line does.
-    const double there = shape.distance.back();
-    if (plane.bed(there) > plane.bed(landing.at()) || !landing.follow(there, kNear)) break;
-    LayShape next = shape_that_lands(model, plane, tension, landing.at());
-    if (!next.problem.empty()) break;  // it hangs plumb over a bed so deep: Newton's method has the last word
+  LayShape shape = shape_for_landing(model, plane, tension, landing.assumed_distance());
+  for (int pass = 1; pass < kMaxLandings && shape.problem.empty() && ends_on_bed(model); ++pass) {
+    // On a rising bed keep the depth below the tensioner: the initial shape is then slightly lower than the line.
+    const double landed = shape.distance.back();
+    if (plane.bed(landed) > plane.bed(landing.assumed_distance()) || !landing.accept_landing(landed, kNear)) break;
+    LayShape next = shape_for_landing(model, plane, tension, landing.assumed_distance());
+    if (!next.problem.empty()) break;  // vertical over such a deep bed: left to Newton's method
     shape = std::move(next);
   }
   return shape;

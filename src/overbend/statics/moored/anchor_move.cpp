@@ -10,44 +10,45 @@
 namespace overbend {
 namespace {
 
-constexpr int kMostRounds = 60;    ///< Of length and place: each answers the other.
-constexpr double kSettled = 1e-9;  ///< Of the tension.
+constexpr int kMaxRounds = 60;     ///< Iterations between length and hull position.
+constexpr double kSettled = 1e-9;  ///< Tolerance relative to the tension.
 
-/// New place of the anchor, on the bed.
-Vec3 new_place(const Model& model, const AnchorMoveDescription& move, const Vec3& fairlead_V, const BedSurface& bed) {
+/// New position of the anchor on the seabed.
+Vec3 new_place(const Model& model, const AnchorMoveDescription& move, const Vec3& fairlead_V,
+               const SeabedSurface& bed) {
   Vec3 place = Vec3::Zero();
   if (move.to) {
     place = {(*move.to)[0], (*move.to)[1], 0.0};
   } else {
-    const Vec3 forward = model.drawn_pose.R_WV.col(0);
+    const Vec3 forward = model.nominal_pose.R_WV.col(0);
     const double azimuth = std::atan2(forward.x(), forward.y()) + move.bearing.value_or(0.0);
-    place = model.drawn_pose.R_WV * fairlead_V +
+    place = model.nominal_pose.R_WV * fairlead_V +
             move.anchor_distance.value_or(0.0) * Vec3(std::sin(azimuth), std::cos(azimuth), 0.0);
   }
   place.z() = bed.height(place.x(), place.y());
   return place;
 }
 
-/// Lets the hull lie where it will with one line at a tension, the others as long as they are: its length by the
-/// secant method, the hull's rest found for each.
-void rest_at_tension(MooredHull& moored, std::size_t index, double tension) {
+/// Finds the equilibrium of the hull with one line at a given tension and the others at constant length: length by the
+/// secant method, with the hull's equilibrium at each.
+void solve_at_tension(MooredHull& moored, std::size_t index, double tension) {
   MooredLine& line = moored.spread.lines[index];
   const auto set_length = [&] {
-    const HullPlace place = place_of(moored.hull, moored.rest.offset);
+    const HullPlace place = make_hull_place(moored.hull, moored.rest.offset);
     const Vec3 fairlead = place.p_W + place.R_WV * line.fairlead_V;
     return set_length_for_tension(line.line, line_site(moored.spread, line, fairlead),
                                   line_direction(line, fairlead).distance, tension)
-        .fault;
+        .error;
   };
-  if (set_length() != CatenaryFault::none) {
-    moored.rest.fault = fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {}",
+  if (set_length() != CatenaryError::none) {
+    moored.rest.error = fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {}",
                                     line.name, shown(tension, "N", 1));
     return;
   }
   double before = line.line.first_segment(), miss_before = 0.0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     find_pose(moored);
-    if (moored.rest.fault) return;
+    if (moored.rest.error) return;
     const double length = line.line.first_segment(), miss = moored.rest.lines[index].tension() - tension;
     if (std::abs(miss) <= kSettled * tension) return;
     const double slope = round == 0 ? 0.0 : (miss - miss_before) / (length - before);
@@ -55,12 +56,12 @@ void rest_at_tension(MooredHull& moored, std::size_t index, double tension) {
     miss_before = miss;
     if (slope < 0.0) {
       line.line.set_first_segment(length - miss / slope);
-    } else if (set_length() != CatenaryFault::none) {
+    } else if (set_length() != CatenaryError::none) {
       break;
     }
   }
-  moored.rest.fault = fmt::format("mooring line \"{}\": no rest of the hull was found with {} in it", line.name,
-                                  shown(tension, "N", 1));
+  moored.rest.error = fmt::format("mooring line \"{}\": no equilibrium of the hull was found at a tension of {}",
+                                  line.name, shown(tension, "N", 1));
 }
 
 }  // namespace
@@ -75,16 +76,16 @@ std::vector<AnchorStage> anchor_stages(const Model& model, const MooredHull& sta
   const std::size_t index = static_cast<std::size_t>(named - moored.spread.lines.begin());
   MooredLine& line = moored.spread.lines[index];
   const auto at_tension = [&](const std::string& name, double tension) {
-    rest_at_tension(moored, index, tension);
+    solve_at_tension(moored, index, tension);
     stages.push_back({name, moored});
-    return !moored.rest.fault;
+    return !moored.rest.error;
   };
   const double working = move.working_tension.value_or(start.rest.lines[index].tension());
   if (!at_tension("slackened", move.handling_tension)) return stages;
   line.parted = true;
   find_pose(moored);
   stages.push_back({"anchor up", moored});
-  if (moored.rest.fault) return stages;
+  if (moored.rest.error) return stages;
   line.parted = false;
   line.anchor_W = new_place(model, move, line.fairlead_V, moored.spread.bed);
   moored.rest.lines[index] = {};

@@ -1,24 +1,23 @@
-/// Statics of an anchor that is taken up and laid down elsewhere.
+/// Statics of an anchor that is recovered and laid at a new position.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "model/model.h"
-#include "statics/moored/moored_rest.h"
+#include "statics/moored/moored_equilibrium.h"
 
 namespace overbend {
 
-/// The hull on its lines at one stage of the move.
+/// Equilibrium of the hull at one stage of the move.
 struct AnchorStage {
   std::string name;
   MooredHull hull;
 };
 
-/// The stages, each with the hull at the rest it finds: the line slackened to the handling tension; without the line,
-/// whose wire a tug holds; the anchor at its new place with the handling tension; the line hauled to its working
-/// tension; where there is a test, with the tension of the test. Lengths of the other lines stand. The last one may
-/// have a fault.
+/// Stages, each with the hull in equilibrium: line slackened to the handling tension; line removed, its wire held by a
+/// tug; anchor at its new position with the handling tension; line hauled to its working tension; optionally line at
+/// the test tension. Lengths of the other lines are constant. The last stage may have an error.
 std::vector<AnchorStage> anchor_stages(const Model& model, const MooredHull& start);
 
 }  // namespace overbend

@@ -1,9 +1,9 @@
-/// Which statics a model has, and those of lines by themselves.
+/// Selects the static analysis of a model, and solves lines without a lay.
 #include <algorithm>
 #include <stdexcept>
 
 #include "model/model_findings.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 #include "statics/moored/moored_lay.h"
 #include "statics/recovery/body_recovery.h"
 #include "statics/recovery/lift_findings.h"
@@ -17,28 +17,29 @@
 namespace overbend {
 namespace {
 
-constexpr double kLongTime = 1e6;  ///< Without inertia: friction is what it has become [s].
+constexpr double kLongTime = 1e6;  ///< Pseudo time step without inertia: friction is as mobilised so far [s].
 
-StaticFailure unbalanced(const Model& model, const LinesRest& rest) {
+StaticFailure unbalanced(const Model& model, const LinesEquilibriumReport& rest) {
   const auto worst = std::ranges::find_if(rest.lines, [](const auto& line) { return !line.converged(); });
   const std::string name = model.description.lines[static_cast<std::size_t>(worst - rest.lines.begin())].name;
   return {"no equilibrium was found", "line \"" + name + "\"",
           "its forces do not balance; a longer line or a finer `element` may help"};
 }
 
-/// As they are drawn; at a stage of a lift by way of those before it, as far as these can be.
+/// Brings the lines to their nominal position or, at a stage of a lift, through the previous stages as far as these
+/// have a solution.
 std::optional<StaticFailure> bring_to_stage(LinkedLines& linked, const Description& description) {
-  if (!description.stage) return linked.bring_to(drawn_position(description));
-  LiftPosition last = drawn_position(description);
+  if (!description.stage) return linked.move_to(nominal_position(description));
+  LiftPosition last = nominal_position(description);
   std::optional<StaticFailure> failure;
   for (const LayStageDescription& stage : description.operation.lay.stages) {
-    failure = linked.bring_to(stage_position(description, stage, last));
+    failure = linked.move_to(stage_position(description, stage, last));
     if (!failure) last = linked.position();
   }
   return failure;
 }
 
-/// Lines that hold each other rest together.
+/// Solves lines attached to each other together.
 ModelEquilibrium solve_linked_lines(const Model& model) {
   ModelEquilibrium found;
   LinkedLines linked(model);
@@ -53,21 +54,21 @@ ModelEquilibrium solve_linked_lines(const Model& model) {
   found.bodies = recover_bodies(model, linked.assembly(), linked.state());
   found.solution.emplace();
   found.solution->pose = linked.assembly().surroundings().bodies[kVessel].pose;
-  found.solution->lines = std::make_shared<LinesAtRest>(linked.at_rest());
+  found.solution->lines = std::make_shared<StaticLines>(linked.make_static_lines());
   return found;
 }
 
-/// Of lines at rest on a vessel that is held: lets it go, where it floats.
-std::optional<StaticFailure> float_on_lines(const Model& model, LinesAtRest& lines, StaticSolution& solution) {
+/// Releases the vessel of lines in equilibrium, if it floats freely.
+std::optional<StaticFailure> float_on_lines(const Model& model, StaticLines& lines, StaticSolution& solution) {
   solution.pose = model.mean_pose;
   if (!lines.setup.hull) return std::nullopt;
-  HeldVessel held = let_vessel_float(model, lines.setup, lines.state);
+  HeldVessel held = release_vessel(model, lines.setup, lines.state);
   if (held.failure) return std::move(held.failure);
   solution.station_stiffness = held.stiffness;
   return std::nullopt;
 }
 
-/// Leaves an assembly evaluated at a state of lines and bodies that rest together.
+/// Leaves the assembly evaluated at a coupled equilibrium of lines and bodies.
 void evaluate_together(Assembly& assembly, SystemState& state) {
   const SystemState laid = state;
   Equilibrium equilibrium(assembly, {LayHistory::monotonic, &laid, kLongTime});
@@ -76,11 +77,11 @@ void evaluate_together(Assembly& assembly, SystemState& state) {
 
 ModelEquilibrium solve_lines_alone(const Model& model) {
   ModelEquilibrium found;
-  auto lines = std::make_shared<LinesAtRest>(LinesAtRest{lines_setup(model), {}, {}});
+  auto lines = std::make_shared<StaticLines>(StaticLines{lines_setup(model), {}, {}});
   float_vessel(model, lines->setup);
-  lines->state = start_of(lines->setup, 0.0);
+  lines->state = make_initial_state(lines->setup, 0.0);
   Assembly assembly(lines->setup.system);
-  lines->rest = rest_lines(assembly, lines->state);
+  lines->rest = solve_lines_one_by_one(assembly, lines->state);
   if (!lines->rest.converged()) {
     found.failure = unbalanced(model, lines->rest);
     return found;
@@ -106,41 +107,41 @@ ModelEquilibrium solve_lines_alone(const Model& model) {
 
 }  // namespace
 
-std::optional<StaticFailure> lines_obstacle(const Description& description) {
+std::optional<StaticFailure> unsupported_lines(const Description& description) {
   if (has_mooring_lines(description)) {
-    return StaticFailure{"lines on a vessel on mooring lines cannot be solved yet", "",
-                         "give all of them under lines, or in models of their own", true, "lines"};
+    return StaticFailure{"lines on a vessel with mooring lines are not supported", "",
+                         "give all of them under lines, or use separate models", true, "lines"};
   }
   const std::optional<CoupledHullDescription>& coupled = description.vessel.coupled;
   if (!coupled || coupled->data) return std::nullopt;
-  return StaticFailure{"the hull that floats free has no hydrodynamic coefficients", "",
+  return StaticFailure{"the free-floating hull has no hydrodynamic coefficients", "",
                        "the files " + coupled->hydrodynamics + " could not be read", true, "vessel.motion.coupled"};
 }
 
 ModelEquilibrium solve_lines(const Model& model) {
   ModelEquilibrium found;
-  found.failure = lines_obstacle(model.description);
-  if (!found.failure) found.failure = reach_failure(model, drawn_position(model.description));
+  found.failure = unsupported_lines(model.description);
+  if (!found.failure) found.failure = reach_failure(model, nominal_position(model.description));
   if (found.failure) return found;
   try {
     return has_linked_lines(model.description) ? solve_linked_lines(model) : solve_lines_alone(model);
-  } catch (const std::invalid_argument& fault) {
-    found.failure = StaticFailure{"the hull that floats free cannot be made", "", fault.what(), true, "vessel"};
+  } catch (const std::invalid_argument& error) {
+    found.failure = StaticFailure{"the free-floating hull is invalid", "", error.what(), true, "vessel"};
     return found;
   }
 }
 
-ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start, const LinePast& past) {
+ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start, const LoadHistory& past) {
   const Description& d = model.description;
   if (d.has_pipe) return solve_lay(model, start, past);
   if (!d.lines.empty()) {
-    model.mean_pose = model.drawn_pose;
+    model.mean_pose = model.nominal_pose;
     ModelEquilibrium lines = solve_lines(model);
     if (lines.solution) model.mean_pose = lines.solution->pose;
     return lines;
   }
-  if (has_station(d)) return solve_moored_hull(model);
-  return solve_lay(model, start, past);  // refuses a model without anything
+  if (finds_vessel_position(d)) return solve_moored_hull(model);
+  return solve_lay(model, start, past);  // rejects an empty model
 }
 
 }  // namespace overbend

@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/vessel/station.h"
-#include "statics/moored/hull_account.h"
+#include "model/vessel/mooring_queries.h"
+#include "statics/moored/hull_statics.h"
 #include "statics/moored/moored_statics.h"
-#include "statics/moored/pipe_on_hull.h"
+#include "statics/moored/pipe_load.h"
 #include "statics/recovery/recovery.h"
-#include "statics/stinger/stinger_rest.h"
+#include "statics/stinger/stinger_equilibrium.h"
 
 namespace overbend {
 namespace {
 
-constexpr int kMostTurns = 40;
-constexpr int kMostTensions = 10;  ///< By which steel that yields is bent in turn, where the tension is a result.
-constexpr double kStill = 1e-7;    ///< Of the ends of the hull, from one turn to the next [m].
+constexpr int kMaxIterations = 40;
+constexpr int kMaxTensionIterations = 10;  ///< Maximum number of iterations over the tension for yielding steel, if the
+                                           ///< tension is a result.
+constexpr double kConvergedMove = 1e-7;    ///< Displacement of the hull's ends between iterations at convergence [m].
 
-HullPlace place_of(const VesselPose& pose) {
+HullPlace make_hull_place(const VesselPose& pose) {
   return {pose.p_WV, pose.R_WV};
 }
 
@@ -34,8 +35,9 @@ double surge_period(const MooredState& rest) {
   return 0.0;
 }
 
-/// `start`: of the pipe, or without one; what the hull's lines do is added.
-ModelEquilibrium solved(const Model& model, StaticSolution start, const MooredHull& moored, const PipeOnHull& pipe) {
+/// `start`: solution of the pipe, or none; the lines of the hull are added.
+ModelEquilibrium make_equilibrium(const Model& model, StaticSolution start, const MooredHull& moored,
+                                  const PipeOnHull& pipe) {
   std::variant<MooredOutcome, StaticFailure> outcome = moored_results(model, moored, pipe);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
     return fail(*failure);
@@ -57,41 +59,41 @@ ModelEquilibrium solved(const Model& model, StaticSolution start, const MooredHu
   return equilibrium;
 }
 
-StaticFailure no_rest(const MooredHull& moored) {
-  return {"no rest of the moored hull", "static", *moored.rest.fault};
+StaticFailure no_equilibrium(const MooredHull& moored) {
+  return {"no equilibrium of the moored hull", "static", *moored.rest.error};
 }
 
 }  // namespace
 
 bool is_moored_lay(const Description& description) {
-  return description.has_pipe && has_station(description);
+  return description.has_pipe && finds_vessel_position(description);
 }
 
 ModelEquilibrium solve_moored_hull(Model& model) {
-  model.mean_pose = model.drawn_pose;
+  model.mean_pose = model.nominal_pose;
   std::variant<MooredHull, StaticFailure> made = moored_hull(model);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) {
     return fail(*failure);
   }
   MooredHull& moored = std::get<MooredHull>(made);
-  find_rest_at_start(model.description, moored);
-  if (moored.rest.fault) {
-    return fail(no_rest(moored));
+  find_initial_equilibrium(model.description, moored);
+  if (moored.rest.error) {
+    return fail(no_equilibrium(moored));
   }
-  const HullPlace place = place_of(moored.hull, moored.rest.offset);
+  const HullPlace place = make_hull_place(moored.hull, moored.rest.offset);
   model.mean_pose = {place.p_W, place.R_WV};
   StaticSolution start;
   start.pose = model.mean_pose;
-  return solved(model, std::move(start), moored, {});
+  return make_equilibrium(model, std::move(start), moored, {});
 }
 
 namespace {
 
-/// With the moments of the steel as they are.
-ModelEquilibrium solve_bent(Model& model, const StaticSolution* start, const LinePast& past) {
-  model.mean_pose = model.drawn_pose;
+/// Solves with the present moment-curvature relation of the steel.
+ModelEquilibrium solve_with_present_moments(Model& model, const StaticSolution* start, const LoadHistory& past) {
+  model.mean_pose = model.nominal_pose;
   if (!is_moored_lay(model.description)) {
-    StaticOutcome pipe = rest_with_stinger(model, start, past);
+    StaticOutcome pipe = solve_with_stinger(model, start, past);
     if (pipe.solution) measure_stinger(model, *pipe.solution);
     ModelEquilibrium equilibrium;
     equilibrium.solution = std::move(pipe.solution);
@@ -106,43 +108,42 @@ ModelEquilibrium solve_bent(Model& model, const StaticSolution* start, const Lin
   if (start != nullptr) {
     model.mean_pose = start->pose;
   }
-  StaticOutcome pipe = rest_with_stinger(model, start, past);
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  StaticOutcome pipe = solve_with_stinger(model, start, past);
+  for (int turn = 0; turn < kMaxIterations; ++turn) {
     if (pipe.failure) {
       return fail(*pipe.failure);
     }
     MooredHull moored = described;
     const Vec6 load = pipe_load(model, *pipe.solution, moored.hull);
     moored.hull.steady += load;
-    find_rest_at_start(model.description, moored);
-    if (moored.rest.fault) {
-      return fail(no_rest(moored));
+    find_initial_equilibrium(model.description, moored);
+    if (moored.rest.error) {
+      return fail(no_equilibrium(moored));
     }
-    const HullPlace place = place_of(moored.hull, moored.rest.offset);
+    const HullPlace place = make_hull_place(moored.hull, moored.rest.offset);
     const VesselPose pose{place.p_W, place.R_WV};
-    if (way_between(place, place_of(model.mean_pose), model.description.vessel.length) < kStill) {
+    if (end_displacement(place, make_hull_place(model.mean_pose), model.description.vessel.length) < kConvergedMove) {
       measure_stinger(model, *pipe.solution);
       const PipeOnHull on_hull = pipe_on_hull(model, *pipe.solution, moored.hull, load);
-      return solved(model, std::move(*pipe.solution), moored, on_hull);
+      return make_equilibrium(model, std::move(*pipe.solution), moored, on_hull);
     }
     model.mean_pose = pose;
-    pipe = rest_with_stinger(model, &*pipe.solution, past);
+    pipe = solve_with_stinger(model, &*pipe.solution, past);
   }
-  return fail(
-      {"pipe and moored hull do not come to rest together", "the vessel",
-       "the pipe changes its pull with the vessel's place more than what keeps the vessel there: give mooring lines "
-       "more tension, or dynamic positioning more stiffness"});
+  return fail({"no common equilibrium of pipe and moored hull was found", "the vessel",
+               "the pipe load changes more with the vessel's position than the restoring force: increase the tension "
+               "of the mooring lines, or the stiffness of dynamic positioning"});
 }
 
 }  // namespace
 
-ModelEquilibrium solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
-  ModelEquilibrium lay = solve_bent(model, start, past);
+ModelEquilibrium solve_lay(Model& model, const StaticSolution* start, const LoadHistory& past) {
+  ModelEquilibrium lay = solve_with_present_moments(model, start, past);
   if (model.description.tensioner.tension) return lay;
-  for (int turn = 0; turn < kMostTensions && lay.solution; ++turn) {
-    if (!bend_under(model, recover_state(model, *lay.solution).top_tension)) break;
+  for (int turn = 0; turn < kMaxTensionIterations && lay.solution; ++turn) {
+    if (!update_moment_curvature(model, recover_state(model, *lay.solution).top_tension)) break;
     const StaticSolution before = std::move(*lay.solution);
-    lay = solve_bent(model, &before, past);
+    lay = solve_with_present_moments(model, &before, past);
   }
   return lay;
 }

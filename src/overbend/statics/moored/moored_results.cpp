@@ -10,7 +10,7 @@
 #include "base/constants.h"
 #include "base/shown_unit.h"
 #include "model/pipe/line_types.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 #include "moorings/bed_departure.h"
 #include "moorings/clearance.h"
 #include "moorings/periods.h"
@@ -18,10 +18,10 @@
 namespace overbend {
 namespace {
 
-/// Points of each hanging span in pictures and for clearances.
+/// Points per suspended span for figures and clearances.
 constexpr int kShapePoints = 60;
-constexpr double kWholeTurn = 2.0 * std::numbers::pi;
-constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Angle above which hydrostatic restoring is not linear.
 
 template <class Matrix>
 std::vector<double> by_rows(const Matrix& matrix) {
@@ -32,7 +32,7 @@ std::vector<double> by_rows(const Matrix& matrix) {
   return values;
 }
 
-std::vector<PeriodResult> periods_of(const Model& model, const RestOutcome& rest, const Mat6& stiffness) {
+std::vector<PeriodResult> find_periods(const Model& model, const HullEquilibrium& rest, const Mat6& stiffness) {
   std::vector<PeriodResult> results;
   const std::optional<CoupledHullDescription>& hull = model.description.vessel.coupled;
   if (!hull || hull->mass <= 0.0) return results;
@@ -42,28 +42,28 @@ std::vector<PeriodResult> periods_of(const Model& model, const RestOutcome& rest
   return results;
 }
 
-/// Stiffness of lines, thrusters and water by shift and rotation: the slope by angles is one by rotations where the
-/// angles are small, as the water's part is.
-Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
+/// Stiffness of lines, thrusters and water with respect to translation and rotation. Derivatives with respect to angles
+/// and rotations agree for small angles, as assumed for the water.
+Mat6 total_stiffness(const StaticHull& hull, const HullEquilibrium& rest) {
   Mat6 water = Mat6::Zero();
   water.block<3, 3>(2, 2) = hull.restoring;
   return rest.forces.mooring_stiffness + rest.forces.station_stiffness +
          stiffness_about(water, Vec3::Zero(), -hull.restoring_point_V);
 }
 
-VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
+VesselResult vessel_result(const Model& model, const StaticHull& hull, const HullEquilibrium& rest, bool free) {
   VesselResult result = vessel_offset(rest.offset);
   if (free) {
-    const Mat6 stiffness = whole_stiffness(hull, rest);
+    const Mat6 stiffness = total_stiffness(hull, rest);
     result.stiffness = by_rows(stiffness);
-    result.natural_periods = periods_of(model, rest, stiffness);
+    result.natural_periods = find_periods(model, rest, stiffness);
   }
   return result;
 }
 
 void add_clearance(const std::vector<SeabedObjectDescription>& objects, MooringLineResult& result) {
   for (const SeabedObjectDescription& object : objects) {
-    const double distance = distance_between(result.shape_W, object.points);
+    const double distance = polyline_distance(result.shape_W, object.points);
     if (result.clearance && *result.clearance <= distance) continue;
     result.clearance = distance;
     result.nearest_object = object.name;
@@ -81,7 +81,7 @@ MooringLineResult line_result(const Model& model, const MooredLine& line, const 
   result.anchor_W = line.anchor_W;
   result.horizontal_distance = to.distance;
   const double azimuth = std::atan2(to.direction_W.x(), to.direction_W.y());
-  result.azimuth = azimuth < 0.0 ? azimuth + kWholeTurn : azimuth;
+  result.azimuth = azimuth < 0.0 ? azimuth + kFullTurn : azimuth;
   result.parted = line.parted;
   if (line.parted) return result;
   result.fairlead_tension = solution.tension();
@@ -104,19 +104,18 @@ MooringLineResult line_result(const Model& model, const MooredLine& line, const 
   return result;
 }
 
-const char* drift_words(const Description& d) {
+const char* drift_assumption(const Description& d) {
   if (d.statics.mean_drift.value_or(false)) {
-    return "In statics steady current and wind and the mean drift of the waves act on the hull, with the heading it "
-           "has.";
+    return "In statics steady current, wind and mean wave drift act on the hull at its equilibrium heading.";
   }
-  return "In statics steady current and wind act on the hull, with the heading it has, and the mean drift of the waves "
-         "does not act.";
+  return "In statics steady current and wind act on the hull at its equilibrium heading; mean wave drift is not "
+         "included.";
 }
 
-/// Tension at which the brake of a winch renders; none where the line has no winch or the winch no limit.
-std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
+/// Tension at which the brake of a winch renders; nullopt if the line has no winch or the winch no limit.
+std::optional<double> find_brake_load(const MooringsDescription& moorings, const std::string& winch) {
   const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
-                                  [&](const WinchDescription& one) { return one.name == winch; });
+                                  [&](const WinchDescription& candidate) { return candidate.name == winch; });
   return named == moorings.winches.end() ? std::nullopt : named->brake;
 }
 
@@ -125,7 +124,7 @@ void assume_lines(const MooringsDescription& moorings, Assumptions& list) {
                   "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, "
                   "on a rigid bed at the line's axis, with the weight in air above the mean water level."});
   list.push_back(
-      {AssumptionRank::other, "Sheaves, their friction and the run from the fairlead to the winch are left out."});
+      {AssumptionRank::other, "Sheaves, their friction and the line from the fairlead to the winch are not modelled."});
   for (const MooringLineDescription& line : moorings.lines) {
     for (const LineSegmentDescription& segment : line.segments) {
       if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
@@ -136,25 +135,26 @@ void assume_lines(const MooringsDescription& moorings, Assumptions& list) {
   }
 }
 
-/// Thrusters that give all they can hold no more.
+/// Warns of thrusters at their limit, which hold no further load.
 void warn_of_thrust(const StationKeepingDescription& law, const MooredState& state, Findings& list) {
   constexpr std::array<const char*, 3> kNames = {"surge", "sway", "yaw"};
   for (std::size_t i = 0; i < state.thrust.size(); ++i) {
     if (std::abs(state.thrust[i]) < law.limit[static_cast<Eigen::Index>(i)]) continue;
-    list.push_back(Finding{
-        FindingCode::thrust_at_limit,
-        fmt::format("{}: dynamic positioning gives all its thrust in {}: it holds no more.", state.name, kNames[i])}
-                       .on(std::string("dynamic positioning, ") + kNames[i]));
+    list.push_back(
+        Finding{FindingCode::thrust_at_limit,
+                fmt::format("{}: dynamic positioning is at its thrust limit in {}; it cannot hold more load.",
+                            state.name, kNames[i])}
+            .on(std::string("dynamic positioning, ") + kNames[i]));
   }
 }
 
-/// Beyond what the linear restoring of the water holds for.
+/// Warns of offsets beyond the range of linear hydrostatic restoring.
 void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, Findings& list) {
   const double heave = std::abs(state.vessel.heave);
   if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
     list.push_back(Finding{FindingCode::vessel_angle_nonlinear,
-                           fmt::format("{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the "
-                                       "restoring of the water is not linear, as it is taken to be.",
+                           fmt::format("{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg "
+                                       "hydrostatic restoring is not linear, as assumed here.",
                                        state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch)}
                        .on("vessel")
                        .with("roll", state.vessel.roll, "rad")
@@ -162,33 +162,34 @@ void warn_of_large_offset(const VesselDescription& vessel, const MooredState& st
   }
   if (heave > 0.5 * (vessel.depth - vessel.draught)) {
     list.push_back(Finding{FindingCode::vessel_heave_nonlinear,
-                           fmt::format("{}: the vessel heaves by {}, more than half its freeboard: the restoring of "
-                                       "the water is not linear there, as it is taken to be.",
+                           fmt::format("{}: the vessel heaves by {}, more than half its freeboard: hydrostatic "
+                                       "restoring is not linear there, as assumed here.",
                                        state.name, shown(state.vessel.heave, "m", 2))}
                        .on("vessel")
                        .with("heave", state.vessel.heave, "m"));
   }
 }
 
-/// Where the catenary's straight bed is not the bed. A metre of it changes no tension much in waters where lines lie.
-void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std::string& head, Findings& list) {
-  constexpr double kTold = 1.0;
+/// Warns where the straight bed of the catenary differs from the seabed. A difference of 1 m has little effect on
+/// tensions at usual water depths.
+void warn_of_bed(const SeabedSurface& bed, const MooringLineResult& line, const std::string& head, Findings& list) {
+  constexpr double kMinDeparture = 1.0;
   constexpr const char* kWhy =
-      "statics take the bed as straight from below the fairlead to the anchor, and a line over the bed as it is has "
-      "another tension and stiffness; a run in time lays it on that bed and begins with what it finds.";
-  const BedDeparture there = bed_departure(bed, line.shape_W);
-  if (there.inside > kTold) {
+      "statics assume a straight bed from below the fairlead to the anchor, but on the actual bed the line has another "
+      "tension and stiffness; a time-domain simulation starts from its equilibrium on the actual bed.";
+  const BedDeparture departure = bed_departure(bed, line.shape_W);
+  if (departure.inside > kMinDeparture) {
     list.push_back(Finding{FindingCode::line_off_seabed,
                            fmt::format("{} runs up to {} in the seabed, {} from its anchor: {}", head,
-                                       shown(there.inside, "m", 1), shown(there.inside_at, "m", 0), kWhy)}
+                                       shown(departure.inside, "m", 1), shown(departure.inside_at, "m", 0), kWhy)}
                        .on("mooring line " + line.name)
-                       .with("depth", there.inside, "m"));
-  } else if (there.over_hollow > kTold) {
+                       .with("depth", departure.inside, "m"));
+  } else if (departure.over_hollow > kMinDeparture) {
     list.push_back(Finding{FindingCode::line_off_seabed,
-                           fmt::format("{} is taken to lie up to {} above the seabed, {} from its anchor: {}", head,
-                                       shown(there.over_hollow, "m", 1), shown(there.hollow_at, "m", 0), kWhy)}
+                           fmt::format("{} is assumed to lie up to {} above the seabed, {} from its anchor: {}", head,
+                                       shown(departure.over_hollow, "m", 1), shown(departure.hollow_at, "m", 0), kWhy)}
                        .on("mooring line " + line.name)
-                       .with("height", there.over_hollow, "m"));
+                       .with("height", departure.over_hollow, "m"));
   }
 }
 
@@ -201,12 +202,12 @@ VesselResult vessel_offset(const HullOffset& u) {
   result.heave = u[2];
   result.roll = u[3];
   result.pitch = u[4];
-  result.yaw = std::remainder(u[5], kWholeTurn);
+  result.yaw = std::remainder(u[5], kFullTurn);
   return result;
 }
 
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
-                         const HullAtRest& hull, const RestOutcome& rest, bool free) {
+                         const StaticHull& hull, const HullEquilibrium& rest, bool free) {
   MooredState state;
   state.name = name;
   state.vessel = vessel_result(model, hull, rest, free);
@@ -217,7 +218,7 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
   }
   state.residual = rest.residual;
   state.iterations = rest.iterations;
-  const HullPlace place = place_of(hull, rest.offset);
+  const HullPlace place = make_hull_place(hull, rest.offset);
   for (std::size_t i = 0; i < spread.lines.size(); ++i) {
     const MooredLine& line = spread.lines[i];
     state.moorings.push_back(line_result(model, line, place.p_W + place.R_WV * line.fairlead_V, rest.lines[i]));
@@ -227,7 +228,7 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
 
 Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state) {
   Findings list;
-  const MooringsDescription& moorings = moorings_of(model.description);
+  const MooringsDescription& moorings = find_moorings(model.description);
   int effective = 0;
   for (std::size_t i = 0; i < state.moorings.size(); ++i) {
     const MooringLineResult& line = state.moorings[i];
@@ -237,7 +238,7 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
     effective += line.slack ? 0 : 1;
     if (line.slack) {
       list.push_back(
-          Finding{FindingCode::line_slack, head + " is slack: it holds nothing."}.on("mooring line " + line.name));
+          Finding{FindingCode::line_slack, head + " is slack and carries no load."}.on("mooring line " + line.name));
     }
     if (line.utilisation && *line.utilisation > 1.0) {
       list.push_back(Finding{FindingCode::breaking_load_exceeded,
@@ -250,7 +251,7 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
                          .on("mooring line " + line.name)
                          .with("tension", line.fairlead_tension, "N"));
     }
-    if (const std::optional<double> brake = brake_of(moorings, moorings.lines[i].winch);
+    if (const std::optional<double> brake = find_brake_load(moorings, moorings.lines[i].winch);
         brake && line.fairlead_tension > *brake) {
       list.push_back(Finding{FindingCode::winch_limit_exceeded,
                              fmt::format("{} has {}, more than the {} at which its winch's brake renders.", head,
@@ -288,11 +289,12 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
   if (is_positioned(model.description)) {
     warn_of_thrust(*model.description.station_keeping, state, list);
   } else if (effective < 3 && hull_is_free(model.description)) {
-    list.push_back(
-        Finding{FindingCode::vessel_not_held,
-                fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
-                            state.name, effective)}
-            .on("vessel"));
+    list.push_back(Finding{
+        FindingCode::vessel_not_held,
+        fmt::format(
+            "{}: only {} of the mooring lines are under tension; fewer than three do not hold surge, sway and yaw.",
+            state.name, effective)}
+                       .on("vessel"));
   }
   warn_of_large_offset(model.description.vessel, state, list);
   return list;
@@ -302,7 +304,7 @@ Assumptions mooring_assumptions(const Model& model) {
   Assumptions list = assumptions(model);
   if (has_mooring_lines(model.description)) assume_lines(*model.description.moorings, list);
   if (model.description.vessel.coupled) {
-    list.push_back({AssumptionRank::other, drift_words(model.description)});
+    list.push_back({AssumptionRank::other, drift_assumption(model.description)});
   }
   return list;
 }

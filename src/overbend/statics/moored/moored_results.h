@@ -1,4 +1,4 @@
-/// Results and warnings from a hull at rest on its lines.
+/// Results and warnings of a hull in equilibrium on its lines.
 #pragma once
 
 #include "base/assumption.h"
@@ -10,17 +10,17 @@
 
 namespace overbend {
 
-/// Where the hull lies, nothing else.
+/// Offset of the hull only.
 VesselResult vessel_offset(const HullOffset& offset);
 
-/// `free`: the hull may move; else stiffness and balance are left out.
+/// `free`: true if the hull may move; otherwise stiffness and natural periods are omitted.
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
-                         const HullAtRest& hull, const RestOutcome& rest, bool free);
+                         const StaticHull& hull, const HullEquilibrium& rest, bool free);
 
-/// What a user should look at, each naming line and stage.
+/// Findings on a state, each with the name of line and stage.
 Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state);
 
-/// What the analysis takes for granted.
+/// Assumptions of the mooring analysis.
 Assumptions mooring_assumptions(const Model& model);
 
 }  // namespace overbend

@@ -9,21 +9,21 @@
 #include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
 #include "statics/moored/anchor_move.h"
-#include "statics/moored/moored_rest.h"
+#include "statics/moored/moored_equilibrium.h"
 #include "statics/moored/moored_results.h"
 
 namespace overbend {
 namespace {
 
-/// Collects states; the first fault stays.
+/// Collects states; keeps the first error.
 class Stages {
  public:
   Stages(const Model& model, MooredOutcome& outcome)
       : model_(model), results_(outcome.results), findings_(outcome.findings) {}
 
   std::optional<MooredState> state(const std::string& name, const MooredHull& moored) {
-    fault_ = moored.rest.fault ? moored.rest.fault : broken_line(moored);
-    if (fault_) {
+    error_ = moored.rest.error ? moored.rest.error : broken_line(moored);
+    if (error_) {
       where_ = name;
       return std::nullopt;
     }
@@ -41,14 +41,14 @@ class Stages {
     return false;
   }
   StaticFailure failure() const {
-    return failure_.value_or(StaticFailure{"no rest of the moored hull", where_, fault_.value_or("")});
+    return failure_.value_or(StaticFailure{"no equilibrium of the moored hull", where_, error_.value_or("")});
   }
 
  private:
   const Model& model_;
   MooringResults& results_;
   Findings& findings_;
-  MooringFault fault_;
+  MooringError error_;
   std::string where_;
   std::optional<StaticFailure> failure_;
 };
@@ -71,7 +71,7 @@ bool run_stages(const OperationDescription& operation, const MooredHull& start, 
   return true;
 }
 
-std::string names_of(const std::vector<VesselLoadDescription>& loads) {
+std::string join_load_names(const std::vector<VesselLoadDescription>& loads) {
   std::string names;
   for (const VesselLoadDescription& load : loads) names += (names.empty() ? "" : ", ") + load.name;
   return names.empty() ? "before" : names;
@@ -87,21 +87,22 @@ std::vector<WinchMove> winch_moves(const MooredState& before, const MooredState&
   return moves;
 }
 
-/// Ahead along the lay route, with the pulls that the lines had, changed as little as balance asks.
+/// Pulls the hull ahead along the lay route with the smallest change of the lines' forces that gives equilibrium.
 bool pull_ahead(const Model& model, const MooredHull& start, const PipeOnHull& pipe, Stages& stages,
                 MooringResults& results) {
   const OperationDescription& operation = model.description.operation;
   MooredHull moored = start;
   add_loads(moored, operation.loads);
   find_pose(moored);
-  if (!stages.add(names_of(operation.loads), moored)) return false;
-  HullOnItsWay hull(model, moored, pipe);
-  const std::vector<double> places = places_of(move_profile(operation, 0.0));
+  if (!stages.add(join_load_names(operation.loads), moored)) return false;
+  PullAheadPath hull(model, moored, pipe);
+  const std::vector<double> places = move_positions(move_profile(operation, 0.0));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (std::optional<StaticFailure> failure = hull.go_to(places[i])) return stages.fail(std::move(*failure));
+    if (std::optional<StaticFailure> failure = hull.advance_to(places[i])) return stages.fail(std::move(*failure));
     results.steps.push_back(hull.step());
-    if (i == 0 || i % kPlacesOfMove != 0) continue;
-    const std::string name = operation.moves == 1 ? "pulled ahead" : fmt::format("pulled ahead {}", i / kPlacesOfMove);
+    if (i == 0 || i % kPositionsPerMove != 0) continue;
+    const std::string name =
+        operation.moves == 1 ? "pulled ahead" : fmt::format("pulled ahead {}", i / kPositionsPerMove);
     if (!stages.add(name, hull.hull())) return false;
   }
   results.distance = operation.distance * operation.moves;
@@ -117,17 +118,17 @@ bool move_anchor(const Model& model, const MooredHull& start, Stages& stages, Mo
   return true;
 }
 
-/// Each line with the pull that it has where the hull lies first.
+/// Plans anchor moves with each line at the horizontal force of the initial equilibrium.
 bool plan_anchors_due(const Model& model, const MooredHull& start, Stages& stages, MooringResults& results) {
   const OperationDescription& operation = model.description.operation;
-  std::vector<UsefulLine> useful;
+  std::vector<LineUsefulRange> useful;
   for (std::size_t i = 0; i < start.spread.lines.size(); ++i) {
     useful.push_back({model.description.moorings->lines[i].useful, start.rest.lines[i].pull});
   }
   const AnchorRoute route{operation.distance * start.hull.axes_WD.col(0), operation.moves};
-  const AnchorSchedule schedule = plan_anchors(start.spread, model.drawn_pose.R_WV, useful, route);
-  if (schedule.fault) return stages.fail({"the anchors cannot be planned", "", *schedule.fault});
-  for (const AnchorShift& shift : schedule.shifts) {
+  const AnchorSchedule schedule = plan_anchors(start.spread, model.nominal_pose.R_WV, useful, route);
+  if (schedule.error) return stages.fail({"the anchors cannot be planned", "", *schedule.error});
+  for (const AnchorMove& shift : schedule.shifts) {
     results.anchors.push_back(
         {shift.joint, start.spread.lines[shift.line].name, shift.reason, shift.from_W, shift.to_W, shift.length});
   }

@@ -1,4 +1,4 @@
-/// Statics of a hull that is pulled ahead on its winches, place by place.
+/// Statics of a hull that is pulled ahead on its winches, position by position.
 #pragma once
 
 #include <functional>
@@ -7,53 +7,53 @@
 #include "model/model.h"
 #include "moorings/move_path.h"
 #include "results/mooring_results.h"
-#include "statics/moored/moored_rest.h"
+#include "statics/moored/moored_equilibrium.h"
 
 namespace overbend {
 
-/// The pipe at rest on a hull that lies there.
-struct PipeThere {
-  Vec6 load = Vec6::Zero();  ///< On the hull, about midship, axes of the hull as drawn [N, N m].
+/// Pipe in equilibrium at a hull position.
+struct PipeAtPosition {
+  Vec6 load = Vec6::Zero();  ///< Load on the hull about midship, nominal axes of the hull [N, N m].
   PipeAtStep results;
 };
-/// A pipe whose hull moves.
+/// Pipe on a moving hull.
 struct PipeOnHull {
-  Vec6 load = Vec6::Zero();  ///< As PipeThere::load, where the hull lies first: a part of its steady load.
-  std::function<std::variant<PipeThere, StaticFailure>(const HullPlace& place)> at;  ///< Empty: there is no pipe.
+  Vec6 load = Vec6::Zero();  ///< As PipeAtPosition::load, at the initial position of the hull: part of its steady load.
+  /// Solves the pipe at a position; empty if there is no pipe.
+  std::function<std::variant<PipeAtPosition, StaticFailure>(const HullPlace& place)> solve_at;
 };
 
-/// How far the ends of a hull of a length move from one place to the other [m].
-double way_between(const HullPlace& a, const HullPlace& b, double length);
+/// Maximum displacement of the ends of a hull of a given length between two poses, estimated [m].
+double end_displacement(const HullPlace& a, const HullPlace& b, double length);
 
-/// A hull on its way: its lines have the lengths of where it was taken last.
-class HullOnItsWay {
+/// Hull during a pull-ahead; its lines have the lengths of the last position.
+class PullAheadPath {
  public:
-  /// `start`: at rest where the way begins.
-  HullOnItsWay(const Model& model, const MooredHull& start, PipeOnHull pipe);
+  /// `start`: in equilibrium at the start of the pull-ahead.
+  PullAheadPath(const Model& model, const MooredHull& start, PipeOnHull pipe);
 
-  /// Takes the hull ahead along the lay route [m]: lengths that hold it there against the pipe's pull at
-  /// that place, with the least change of the pulls that the lines had at the beginning. The place that dynamic
-  /// positioning wants moves as far; without lines the hull comes to rest about it. The same way gives the same
-  /// lengths, wherever the hull comes from.
-  std::optional<StaticFailure> go_to(double way);
+  /// Moves the hull by `distance` ahead along the lay route from the start [m]: finds the lengths that hold it there
+  /// against the pipe load, with the smallest change from the initial line forces. The target of dynamic positioning
+  /// moves equally; without lines the hull settles near it. The result does not depend on the previous position.
+  std::optional<StaticFailure> advance_to(double distance);
 
   const MooredHull& hull() const { return hull_; }
   const MoveStep& step() const { return step_; }
 
  private:
-  std::optional<StaticFailure> rest_with_pipe(const HullOffset& there);
+  std::optional<StaticFailure> solve_with_pipe(const HullOffset& start);
 
   const Model* model_;
   PipeOnHull pipe_;
   MooredHull hull_;
   HullOffset from_;
-  Vec3 wanted_ = Vec3::Zero();  ///< By dynamic positioning, at the beginning.
-  Vec6 other_;                  ///< Steady load besides the pipe.
-  Eigen::VectorXd wished_;
+  Vec3 wanted_ = Vec3::Zero();  ///< Initial target of dynamic positioning.
+  Vec6 load_without_pipe_;      ///< Steady load without the pipe.
+  Eigen::VectorXd wanted_pulls_;
   MoveStep step_;
 };
 
-/// What winches do in time, from the places of the static analysis; `surge_period` as for move_profile.
+/// Winch lengths over time from the positions of the static analysis; `surge_period` as for move_profile [s].
 WinchPlan winch_plan(const OperationDescription& operation, const std::vector<MoveStep>& steps, double surge_period);
 
 }  // namespace overbend

@@ -12,7 +12,7 @@ Vec6 load_on_vessel(StaticSystem& system, const LineState& state) {
   const Vec3& origin = system.pose().p_WV;
   for (const RollerContact& contact : system.contacts()) {
     if (contact.normal > 0.0) {
-      add(-contact.force(), contact.at.place - origin);
+      add(-contact.force(), contact.closest.place - origin);
     }
   }
   for (std::size_t i = 0; i < system.line().wires.size(); ++i) {
@@ -22,7 +22,7 @@ Vec6 load_on_vessel(StaticSystem& system, const LineState& state) {
   const int top = system.mesh().nodes() - 1;
   const double* node = state.q.data() + 6 * top;
   add(-system.end_reaction(top), Vec3(Eigen::Map<const Vec3>(node)) - origin);
-  // What turns the tangent of the last node is a moment on the guide.
+  // The residual of the last node's tangent is a moment on the guide.
   const Vec3 turning(Eigen::Map<const Vec3>(system.residual().data() + 6 * top + 3));
   load.tail<3>() -= Vec3(Eigen::Map<const Vec3>(node + 3)).cross(turning);
   return load;

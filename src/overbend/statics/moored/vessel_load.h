@@ -1,4 +1,4 @@
-/// What the pipe does to the vessel that carries it.
+/// Load of the pipe on the vessel that carries it.
 #pragma once
 
 #include "model/description/hydrodynamic_data.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Force and moment of a pipe at rest on its vessel, by rollers, tensioner and wires, about the vessel's origin V; axes
-/// W [N, N m]. The guide's moment included.
+/// Force and moment of a pipe in equilibrium on its vessel, by rollers, tensioner and wires, about the vessel's origin
+/// V; axes W [N, N m]. Includes the moment on the guide.
 Vec6 load_on_vessel(StaticSystem& system, const LineState& state);
 
 }  // namespace overbend

@@ -10,8 +10,8 @@
 namespace overbend {
 namespace {
 
-/// Azimuth of the bow, from 0 to a whole turn.
-double heading_of(const VesselPose& pose) {
+/// Azimuth of the bow, 0 to 2 pi [rad].
+double compute_heading(const VesselPose& pose) {
   const double azimuth = std::atan2(pose.R_WV(0, 0), pose.R_WV(1, 0));
   return azimuth < 0.0 ? azimuth + 2.0 * std::numbers::pi : azimuth;
 }
@@ -25,7 +25,7 @@ BodyResult recover_body(const std::string& name, const VesselPose& drawn, std::s
   body.name = name;
   body.floats = assembly.system().bodies[index].free.has_value();
   body.place = pose.p_WV;
-  body.heading = heading_of(pose);
+  body.heading = compute_heading(pose);
   body.surge = shift[0];
   body.sway = shift[1];
   body.heave = shift[2];
@@ -42,7 +42,7 @@ BodyResult recover_body(const std::string& name, const VesselPose& drawn, std::s
 std::vector<BodyResult> recover_bodies(const Model& model, const Assembly& assembly, const SystemState& state) {
   std::vector<BodyResult> bodies;
   if (assembly.system().bodies[kVessel].free) {
-    bodies.push_back(recover_body(kVesselName, model.drawn_pose, kVessel, assembly, state));
+    bodies.push_back(recover_body(kVesselName, model.nominal_pose, kVessel, assembly, state));
   }
   for (std::size_t i = 0; i < model.description.bodies.size(); ++i) {
     const BodyDescription& body = model.description.bodies[i];

@@ -1,4 +1,4 @@
-/// From bodies at rest to what is told of them.
+/// Results of bodies in static equilibrium.
 #pragma once
 
 #include "model/model.h"
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Of the bodies of the model besides the vessel, and of the vessel itself where it floats free. `assembly` stands
-/// evaluated at `state`.
+/// Results of the bodies of the model other than the vessel, and of the vessel itself if it floats freely. `assembly`
+/// is evaluated at `state`.
 std::vector<BodyResult> recover_bodies(const Model& model, const Assembly& assembly, const SystemState& state);
 
 }  // namespace overbend

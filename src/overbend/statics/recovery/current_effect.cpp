@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "statics/recovery/recovery_parts.h"
-#include "statics/solver/flat_start.h"
+#include "statics/solver/planar_start.h"
 
 namespace overbend {
 namespace {
@@ -15,10 +15,10 @@ bool flows(const CurrentProfile& current) {
          std::any_of(current.vy.begin(), current.vy.end(), moves);
 }
 
-/// Values of the still lay at a distance from the tensioner.
-class StillLay {
+/// Values of the lay in still water at a distance from the tensioner.
+class StillWaterStations {
  public:
-  explicit StillLay(const std::vector<Station>& stations) : stations_(&stations), total_(stations.back().s) {}
+  explicit StillWaterStations(const std::vector<Station>& stations) : stations_(&stations), total_(stations.back().s) {}
 
   double at(double from_top, double Station::*member) const {
     const double s = total_ - from_top;
@@ -41,53 +41,55 @@ bool has_current(const Model& model) {
   return flows(model.current);
 }
 
-bool needs_still_lay(const Model& model) {
+bool needs_still_water_lay(const Model& model) {
   const CheckSettings& checks = model.description.checks;
   return checks.current_load == CurrentLoad::environmental && checks.codes != CheckCodes::api && has_current(model);
 }
 
 Model without_current(const Model& model) {
-  Model still = model;
-  still.description.environment.current.clear();
-  still.current = {};
-  still.mean_pose = still.drawn_pose;
-  return still;
+  Model still_water_model = model;
+  still_water_model.description.environment.current.clear();
+  still_water_model.current = {};
+  still_water_model.mean_pose = still_water_model.nominal_pose;
+  return still_water_model;
 }
 
-StaticOutcome solve_still_lay(const Model& still_model, const StaticSolution& solution, const StaticSolution* still) {
-  if (still != nullptr) return solve_statics(still_model, still, solution.past);
-  const StaticSolution flat = laid_flat(still_model, solution);
-  return solve_statics(still_model, &flat, solution.past);
+StaticOutcome solve_still_water_lay(const Model& still_water_model, const StaticSolution& solution,
+                                    const StaticSolution* still_water_solution) {
+  if (still_water_solution != nullptr) return solve_statics(still_water_model, still_water_solution, solution.past);
+  const StaticSolution flat = flattened_lay(still_water_model, solution);
+  return solve_statics(still_water_model, &flat, solution.past);
 }
 
-void set_current_effect(const std::vector<Station>& still, StaticResults& results) {
-  const StillLay lay(still);
-  for (Station& at : results.stations) {
-    const double from_top = results.total_length - at.s;
-    at.current_vertical_moment = at.vertical_moment - lay.at(from_top, &Station::vertical_moment);
-    at.current_lateral_moment = at.lateral_moment - lay.at(from_top, &Station::lateral_moment);
-    at.current_tension = at.effective_tension - lay.at(from_top, &Station::effective_tension);
+void set_current_effect(const std::vector<Station>& still_water_stations, StaticResults& results) {
+  const StillWaterStations lay(still_water_stations);
+  for (Station& station : results.stations) {
+    const double from_top = results.total_length - station.s;
+    station.current_vertical_moment = station.vertical_moment - lay.at(from_top, &Station::vertical_moment);
+    station.current_lateral_moment = station.lateral_moment - lay.at(from_top, &Station::lateral_moment);
+    station.current_tension = station.effective_tension - lay.at(from_top, &Station::effective_tension);
   }
 }
 
 void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results) {
-  std::optional<StaticSolution> still;
-  find_current_effect(model, solution, results, still);
+  std::optional<StaticSolution> still_water_solution;
+  find_current_effect(model, solution, results, still_water_solution);
 }
 
 void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results,
-                         std::optional<StaticSolution>& still) {
-  if (!needs_still_lay(model)) return;
-  const Model still_model = without_current(model);
-  StaticOutcome outcome = solve_still_lay(still_model, solution, still ? &*still : nullptr);
+                         std::optional<StaticSolution>& still_water_solution) {
+  if (!needs_still_water_lay(model)) return;
+  const Model still_water_model = without_current(model);
+  StaticOutcome outcome =
+      solve_still_water_lay(still_water_model, solution, still_water_solution ? &*still_water_solution : nullptr);
   if (!outcome.solution) {
     results.findings.push_back({FindingCode::current_effect_unknown,
                                 "there is no equilibrium without the current: the checks treat the load effects of the "
                                 "current as functional"});
     return;
   }
-  set_current_effect(recover_stations(still_model, *outcome.solution), results);
-  still = std::move(outcome.solution);
+  set_current_effect(recover_stations(still_water_model, *outcome.solution), results);
+  still_water_solution = std::move(outcome.solution);
 }
 
 }  // namespace overbend

@@ -14,7 +14,7 @@ bool has_yielded(const StaticSolution& solution) {
   return std::ranges::any_of(solution.bending, [](const BendingMemory& memory) { return memory.stamp != 0; });
 }
 
-/// Largest strains by the two histories.
+/// Maximum strains with the two histories.
 struct Strains {
   double laying = 0.0, monotonic = 0.0;
 
@@ -25,7 +25,7 @@ struct Strains {
   }
 };
 
-double max_strain_beside(const StructureResult& structure) {
+double max_strain_next_to(const StructureResult& structure) {
   return std::max(structure.upper.strain, structure.lower.strain);
 }
 
@@ -48,15 +48,19 @@ void note_history_effect(const Model& model, const StaticSolution& solution, Sta
             .on("pipe"));
     return;
   }
-  const StaticResults other = recover_state(with, *outcome.solution);
-  const auto strains = [&](double here, double there) { return lays ? Strains{here, there} : Strains{there, here}; };
-  const Strains overbend = strains(results.overbend->strain.value, other.overbend ? other.overbend->strain.value : 0.0);
+  const StaticResults compared = recover_state(with, *outcome.solution);
+  const auto strains = [&](double actual, double alternative) {
+    return lays ? Strains{actual, alternative} : Strains{alternative, actual};
+  };
+  const Strains overbend =
+      strains(results.overbend->strain.value, compared.overbend ? compared.overbend->strain.value : 0.0);
   double ratio = overbend.ratio();
   std::string text = overbend.text("overbend");
-  for (std::size_t i = 0; i < std::min(results.structures.size(), other.structures.size()); ++i) {
-    const Strains beside = strains(max_strain_beside(results.structures[i]), max_strain_beside(other.structures[i]));
-    ratio = std::max(ratio, beside.ratio());
-    text += beside.text(fmt::format("; beside '{}'", results.structures[i].name));
+  for (std::size_t i = 0; i < std::min(results.structures.size(), compared.structures.size()); ++i) {
+    const Strains at_structure =
+        strains(max_strain_next_to(results.structures[i]), max_strain_next_to(compared.structures[i]));
+    ratio = std::max(ratio, at_structure.ratio());
+    text += at_structure.text(fmt::format("; next to '{}'", results.structures[i].name));
   }
   text = "the strain of pipe that yields depends on its loading history (analysis.static.history): " + text;
   if (ratio > kSmall) {

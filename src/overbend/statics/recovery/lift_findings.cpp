@@ -14,20 +14,20 @@ const FreeLineDescription& described(const Model& model, const std::string& name
   return *std::ranges::find(model.description.lines, name, &FreeLineDescription::name);
 }
 
-/// Place of a free end before anything was lifted, level [m].
-std::optional<double> drawn_back(const Model& model, const LiftedLine& line) {
+/// Horizontal distance by which a free end has been drawn back by the lift [m].
+std::optional<double> free_end_displacement(const Model& model, const LiftedLine& line) {
   const FreeLineDescription& description = described(model, line.name);
   if (line.first.free == line.second.free) return std::nullopt;
   const LiftedEnd &free = line.first.free ? line.first : line.second,
                   &held = line.first.free ? line.second : line.first;
   double length = 0.0;
   for (const LineSegmentDescription& segment : description.segments) length += segment.length.value();
-  return length - (free.at.place - held.at.place).head<2>().norm();
+  return length - (free.location.place - held.location.place).head<2>().norm();
 }
 
 void warn_of_ends(const Model& model, const LiftedLine& line, Findings& findings) {
   constexpr double kFar = 1.0;  // [m]
-  const std::optional<double> back = drawn_back(model, line);
+  const std::optional<double> back = free_end_displacement(model, line);
   if (!back || *back < kFar) return;
   findings.push_back(
       Finding{FindingCode::lifted_end_drawn_back,
@@ -38,12 +38,12 @@ void warn_of_ends(const Model& model, const LiftedLine& line, Findings& findings
 
 void warn_of_wire(const LiftResults& lift, const LiftedWire& wire, Findings& findings) {
   constexpr double kLeans = 0.2618;  // 15 deg
-  constexpr double kSlack = 0.05;    // of the davit that carries most
-  double most = 0.0;
-  for (const LiftedWire& other : lift.davits) {
-    if (other.on == wire.on) most = std::max(most, other.tension_upper);
+  constexpr double kSlack = 0.05;    // relative to the most loaded davit
+  double max_tension = 0.0;
+  for (const LiftedWire& davit : lift.davits) {
+    if (davit.on == wire.on) max_tension = std::max(max_tension, davit.tension_upper);
   }
-  if (wire.tension_upper <= kSlack * most) {
+  if (wire.tension_upper <= kSlack * max_tension) {
     findings.push_back(
         Finding{FindingCode::davit_slack,
                 fmt::format("line \"{}\": {}, its tension is {}", wire.name,
@@ -63,8 +63,9 @@ void warn_of_wire(const LiftResults& lift, const LiftedWire& wire, Findings& fin
 void warn_of_yield(const LiftedLine& line, const LiftResults& lift, Findings& findings) {
   for (const LiftedWire& wire : lift.davits) {
     if (wire.on != line.name) continue;
-    const auto node = std::ranges::min_element(
-        line.nodes, {}, [&](const LiftedNode& one) { return std::abs(one.at.arc_length - wire.at.arc_length); });
+    const auto node = std::ranges::min_element(line.nodes, {}, [&](const LiftedNode& node_of_line) {
+      return std::abs(node_of_line.location.arc_length - wire.location.arc_length);
+    });
     if (node->stress <= node->yield_stress) continue;
     findings.push_back(
         Finding{FindingCode::yield_at_davit,
@@ -79,7 +80,7 @@ void warn_of_weld(const LiftResults& lift, Findings& findings) {
   if (!lift.join || lift.join->tension >= 0.0) return;
   findings.push_back(
       Finding{FindingCode::welded_line_pushed,
-              fmt::format("the welded line is pushed with {} at the weld: it would go sideways, in a bow",
+              fmt::format("the welded line has a compression of {} at the weld: it would buckle sideways",
                           shown(-lift.join->tension, "N", 1))}
           .with("tension", lift.join->tension, "N"));
 }
@@ -108,32 +109,33 @@ void warn_of_wires(const Model& model, const std::vector<LineResult>& lines, Fin
                              .with("utilisation", *line.utilisation, "1"));
     }
     const bool wire = !has_pipe_section(description) && is_weightless(description) && !is_linked(description);
-    if (!wire || line.largest_tension > 0.0) continue;
+    if (!wire || line.max_tension > 0.0) continue;
     findings.push_back(
-        Finding{FindingCode::line_slack, fmt::format("line \"{}\": slack, it holds nothing", line.name)}.on(object));
+        Finding{FindingCode::line_slack, fmt::format("line \"{}\": slack, it carries no load", line.name)}.on(object));
   }
 }
 
 Assumptions lift_assumptions(const Model& model) {
-  Assumptions told = {{AssumptionRank::other,
-                       "Lines on lines: an attachment is a hinge on the axis of the line it is on; pipe is linear "
-                       "elastic, without torsion; its bed bears it along its underside."}};
+  Assumptions assumptions = {{AssumptionRank::other,
+                              "Lines on lines: an attachment is a hinge on the axis of the line that carries it; pipe "
+                              "is linear elastic, without torsion; the bed supports it along its underside."}};
   const bool wires = std::ranges::any_of(model.description.lines, [](const FreeLineDescription& line) {
     return !has_pipe_section(line) && is_weightless(line);
   });
   if (wires) {
-    told.push_back({AssumptionRank::other,
-                    "Lines without weight are straight wires, which bear no compression; water does not drag on them, "
-                    "and they do not touch the bed."});
+    assumptions.push_back(
+        {AssumptionRank::other,
+         "Lines without weight are straight wires without compression, drag or contact with the bed."});
   }
   const bool welds = std::ranges::any_of(model.description.operation.lay.stages,
                                          [](const LayStageDescription& stage) { return stage.join.has_value(); });
   if (welds) {
-    told.push_back({AssumptionRank::other,
-                    "A weld keeps the angle between its ends, in the vertical plane of the first line; the ends are "
-                    "brought together before they are welded."});
+    assumptions.push_back(
+        {AssumptionRank::other,
+         "A weld keeps the angle between its ends, in the vertical plane of the first line; the ends are "
+         "brought together before they are welded."});
   }
-  return told;
+  return assumptions;
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What an engineer would want to be told of a stage of a lift.
+/// Findings on a stage of a lift.
 #pragma once
 
 #include "base/assumption.h"
@@ -9,14 +9,14 @@
 
 namespace overbend {
 
-/// Ends drawn back, wires that lean or are slack, pipe that yields at a davit, welded lines that are pushed.
+/// Warns of ends drawn back, inclined or slack wires, pipe that yields at a davit, and welded lines in compression.
 void warn_of_lift(const Model& model, const LiftResults& lift, Findings& findings);
 
-/// Lines beyond their breaking load, and straight wires between bodies that are slack. `lines` in the order of the
+/// Warns of lines beyond their breaking load and of slack straight wires between bodies. `lines`: in the order of the
 /// model.
 void warn_of_wires(const Model& model, const std::vector<LineResult>& lines, Findings& findings);
 
-/// What had to be assumed: sentences for the report.
+/// Assumptions on lifted lines, as sentences for the report.
 Assumptions lift_assumptions(const Model& model);
 
 }  // namespace overbend

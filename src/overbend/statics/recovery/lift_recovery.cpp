@@ -24,15 +24,15 @@ double from_vertical(const Vec3& direction) {
   return std::atan2(direction.head<2>().norm(), std::abs(direction.z()));
 }
 
-/// What a wire, or a line with weight, pulls its ends by.
+/// Forces of a wire, or a line with weight, on its ends.
 struct Pull {
   double first_tension = 0.0, second_tension = 0.0;
-  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< On what holds its ends [N].
+  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< Force on the attachments of its ends [N].
   Vec3 first_direction = Vec3::UnitZ(), second_direction = Vec3::UnitZ();
   double first_height = 0.0, second_height = 0.0;
 };
 
-Pull pull_of(const LinkedLines& lines, std::size_t i) {
+Pull compute_pull(const LinkedLines& lines, std::size_t i) {
   if (lines.setup().wires[i] >= 0) {
     const WirePull& wire = lines.assembly().wires()[to_size(lines.setup().wires[i])];
     const Vec3 along = wire.second - wire.first;
@@ -52,7 +52,7 @@ SolvedLine solved_line(const Model& model, const LinkedLines& lines, const std::
   return solved_lines(model, lines).line(static_cast<std::size_t>(found - all.begin()));
 }
 
-/// Of the line that it is on, whatever its length is now.
+/// Node of an attachment on the line that carries it, at any present length of that line.
 int attached_node(const Model& model, const SolvedLine& line, const LineEndDescription& end) {
   const auto& all = model.description.lines;
   const auto on = std::ranges::find(all, end.line, &FreeLineDescription::name);
@@ -62,7 +62,7 @@ int attached_node(const Model& model, const SolvedLine& line, const LineEndDescr
 
 LiftedWire recover_wire(const Model& model, const LinkedLines& lines, std::size_t i) {
   const FreeLineDescription& description = model.description.lines[i];
-  const Pull pull = pull_of(lines, i);
+  const Pull pull = compute_pull(lines, i);
   const bool first_upper = pull.first_height >= pull.second_height;
   const bool second_on = description.second.kind == LineEndKind::line;
   const LineEndDescription& end = second_on ? description.second : description.first;
@@ -84,9 +84,9 @@ LiftedWire recover_wire(const Model& model, const LinkedLines& lines, std::size_
   const Vec3 tangent = line.tangent(to_size(node)), up = up_across(tangent);
   const Vec3 before = cut_at_node(line.assembly.cuts(), line.q, to_size(node)).force;
   const Vec3 behind = before - Vec3Map(line.assembly.held_force(node).data());
-  const LiftedNode there = lifted_node(line, to_size(node), before);
-  out.at = there.at;
-  out.moment = there.sagging;
+  const LiftedNode lifted = lifted_node(line, to_size(node), before);
+  out.location = lifted.location;
+  out.moment = lifted.sagging;
   out.tension_before = before.dot(tangent);
   out.tension_after = behind.dot(tangent);
   out.shear_before = before.dot(up);
@@ -94,7 +94,7 @@ LiftedWire recover_wire(const Model& model, const LinkedLines& lines, std::size_
   return out;
 }
 
-WeldGap gap_of(const Model& model, const LinkedLines& lines, const JoinDescription& join) {
+WeldGap compute_gap(const Model& model, const LinkedLines& lines, const JoinDescription& join) {
   const SolvedLine first = solved_line(model, lines, join.first), second = solved_line(model, lines, join.second);
   const Vec3 apart = second.place(0) - first.place(0);
   const Vec3 along = -first.tangent(0), on = second.tangent(0);
@@ -102,12 +102,12 @@ WeldGap gap_of(const Model& model, const LinkedLines& lines, const JoinDescripti
   return {apart.x(), apart.y(), apart.z(), std::copysign(turn, on.dot(up_across(along)))};
 }
 
-Weld weld_of(const Model& model, const LinkedLines& lines, const JoinDescription& join) {
+Weld compute_weld(const Model& model, const LinkedLines& lines, const JoinDescription& join) {
   const SolvedLine first = solved_line(model, lines, join.first);
   const Vec3 along = -first.tangent(0);
   const Vec3 force = Vec3Map(first.assembly.held_force(0).data());
   Weld weld;
-  weld.at = first.at_node(0);
+  weld.location = first.at_node(0);
   weld.tension = force.dot(along);
   weld.shear = force.dot(up_across(along));
   const Vec3 turned = first.tangent(0).cross(Vec3Map(first.assembly.held_force(0).data() + 3));
@@ -123,16 +123,16 @@ LineEndResult end_result(const Vec3& force, double tension, const Vec3& outwards
   return end;
 }
 
-/// A straight wire by its two ends.
-LineResult result_of_wire(const Model& model, const LinkedLines& lines, std::size_t i) {
-  const Pull pull = pull_of(lines, i);
+/// Results of a straight wire from its two ends.
+LineResult make_wire_result(const Model& model, const LinkedLines& lines, std::size_t i) {
+  const Pull pull = compute_pull(lines, i);
   const WirePull& wire = lines.assembly().wires()[to_size(lines.setup().wires[i])];
   const Vec3 along = (wire.second - wire.first).normalized();
   LineResult line;
   line.name = model.description.lines[i].name;
   line.length = lines.position().lengths[i];
   line.elements = 1;
-  line.largest_tension = line.least_tension = pull.first_tension;
+  line.max_tension = line.min_tension = pull.first_tension;
   line.first = end_result(-pull.first, pull.first_tension, -along);
   line.second = end_result(-pull.second, pull.second_tension, along);
   line.nodes = {{0.0, wire.first, pull.first_tension}, {line.length, wire.second, pull.second_tension}};
@@ -146,14 +146,14 @@ std::vector<LineResult> recover_linked_lines(const Model& model, const LinkedLin
   const std::vector<LiftedLine> pipe = recover_pipe_lines(solved_lines(model, lines));
   for (std::size_t i = 0; i < model.description.lines.size(); ++i) {
     const int index = lines.setup().lines[i];
-    results.push_back(index < 0 ? result_of_wire(model, lines, i)
+    results.push_back(index < 0 ? make_wire_result(model, lines, i)
                                 : recover_line_result(model.description.lines[i], lines.assembly().line(to_size(index)),
                                                       lines.state().lines[to_size(index)].q));
     LineResult& line = results.back();
-    for (const LiftedLine& bent : pipe) {  // of both sides of what is attached to it
+    for (const LiftedLine& bent : pipe) {  // on both sides of its attachments
       if (bent.name != line.name) continue;
-      line.largest_tension = bent.largest_tension;
-      line.least_tension = bent.least_tension;
+      line.max_tension = bent.max_tension;
+      line.min_tension = bent.min_tension;
     }
     line.residual = lines.residual();
     line.iterations = lines.iterations();
@@ -163,7 +163,7 @@ std::vector<LineResult> recover_linked_lines(const Model& model, const LinkedLin
     }
     for (const LineSegmentDescription& segment : model.description.lines[i].segments) {
       if (index >= 0 || !segment.type.breaking_load) continue;
-      line.utilisation = std::max(line.utilisation.value_or(0.0), line.largest_tension / *segment.type.breaking_load);
+      line.utilisation = std::max(line.utilisation.value_or(0.0), line.max_tension / *segment.type.breaking_load);
     }
   }
   return results;
@@ -177,8 +177,8 @@ LiftResults recover_lift(const Model& model, const LinkedLines& lines, const Joi
     const bool on_another = line.first.kind == LineEndKind::line || line.second.kind == LineEndKind::line;
     if (on_another && !has_pipe_section(line)) results.davits.push_back(recover_wire(model, lines, i));
   }
-  if (next != nullptr) results.gap = gap_of(model, lines, *next);
-  if (!lines.position().joins.empty()) results.join = weld_of(model, lines, lines.position().joins.back());
+  if (next != nullptr) results.gap = compute_gap(model, lines, *next);
+  if (!lines.position().joins.empty()) results.join = compute_weld(model, lines, lines.position().joins.back());
   results.residual = lines.residual();
   results.iterations = lines.iterations();
   return results;

@@ -1,4 +1,4 @@
-/// From lines that hold each other, at rest, to what is told of them.
+/// Results of lines attached to each other, in static equilibrium.
 #pragma once
 
 #include "results/lift_results.h"
@@ -7,10 +7,10 @@
 
 namespace overbend {
 
-/// Of the position that the lines are in. `next`: the weld that is still to be made, or null.
+/// Results of the present position of the lines. `next`: weld that is still to be made, or null.
 LiftResults recover_lift(const Model& model, const LinkedLines& lines, const JoinDescription* next);
 
-/// All of them in the words of lines by themselves.
+/// Results of all lines in the form of separate lines.
 std::vector<LineResult> recover_linked_lines(const Model& model, const LinkedLines& lines);
 
 }  // namespace overbend

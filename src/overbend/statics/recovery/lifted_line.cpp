@@ -29,7 +29,7 @@ CentrelinePoint point_on(const SolvedLine& line, std::size_t e, double share) {
   return centreline(unknowns, share, line.line().mesh.length[e]);
 }
 
-/// Of a place on an element, whose number comes first.
+/// Value at a point of an element, with the element's index.
 using PlaceValue = std::function<double(std::size_t, const Vec3&)>;
 
 /// Share of an element at which a value changes its sign.
@@ -43,7 +43,7 @@ double crossing(const SolvedLine& line, std::size_t e, const PlaceValue& value) 
   return 0.5 * (low + high);
 }
 
-/// Arc lengths at which a value changes its sign, within an element or where it jumps between two.
+/// Arc lengths at which a value changes its sign, within an element or by a jump between two.
 std::vector<double> crossings(const SolvedLine& line, const PlaceValue& value) {
   std::vector<double> found;
   const std::vector<double>& s = line.line().mesh.s;
@@ -57,7 +57,7 @@ std::vector<double> crossings(const SolvedLine& line, const PlaceValue& value) {
   return found;
 }
 
-/// Forces on the nodes between the ends by what is attached to them and by clumps and buoys [N].
+/// Forces of attachments, clumps and buoys on the nodes between the ends [N].
 std::vector<Vec3> outer_forces(const SolvedLine& line, const System& system, int index) {
   std::vector<double> residual(line.q.size(), 0.0);
   add_point_forces(line.line().points, line.assembly.environment(), line.q.data(), {}, residual.data(), nullptr);
@@ -72,7 +72,7 @@ std::vector<Vec3> outer_forces(const SolvedLine& line, const System& system, int
   return forces;
 }
 
-/// Nodes of a line, both sides where something jumps.
+/// Nodes of a line; both sides if values jump.
 struct NodeList {
   std::vector<LiftedNode> nodes;
   std::vector<bool> two_sided;
@@ -99,26 +99,26 @@ NodeList list_nodes(const SolvedLine& line, const std::vector<Vec3>& outer) {
   return list;
 }
 
-/// The largest of a value along a line; between nodes by a parabola, where nothing jumps.
-MomentPlace largest(const SolvedLine& line, const NodeList& list,
-                    const std::function<double(const LiftedNode&)>& value) {
+/// Maximum of a value along a line; interpolated between nodes by a parabola if nothing jumps.
+MomentPlace find_maximum(const SolvedLine& line, const NodeList& list,
+                         const std::function<double(const LiftedNode&)>& value) {
   const std::vector<LiftedNode>& nodes = list.nodes;
-  std::size_t most = 0;
+  std::size_t max_index = 0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (value(nodes[i]) > value(nodes[most])) most = i;
+    if (value(nodes[i]) > value(nodes[max_index])) max_index = i;
   }
-  MomentPlace out{value(nodes[most]), nodes[most].at};
-  if (most == 0 || most + 1 == nodes.size() || list.two_sided[most]) return out;
-  const double h1 = nodes[most].at.arc_length - nodes[most - 1].at.arc_length;
-  const double h2 = nodes[most + 1].at.arc_length - nodes[most].at.arc_length;
-  const double a = (value(nodes[most]) - value(nodes[most - 1])) / h1;
-  const double b = (value(nodes[most + 1]) - value(nodes[most])) / h2;
+  MomentPlace out{value(nodes[max_index]), nodes[max_index].location};
+  if (max_index == 0 || max_index + 1 == nodes.size() || list.two_sided[max_index]) return out;
+  const double h1 = nodes[max_index].location.arc_length - nodes[max_index - 1].location.arc_length;
+  const double h2 = nodes[max_index + 1].location.arc_length - nodes[max_index].location.arc_length;
+  const double a = (value(nodes[max_index]) - value(nodes[max_index - 1])) / h1;
+  const double b = (value(nodes[max_index + 1]) - value(nodes[max_index])) / h2;
   const double bend = (b - a) / (h1 + h2);
   if (!(bend < 0.0)) return out;
   const double slope = (a * h2 + b * h1) / (h1 + h2);
   const double step = std::clamp(-0.5 * slope / bend, -h1, h2);
   out.value += step * (slope + bend * step);
-  out.at = line.at_arc(nodes[most].at.arc_length + step);
+  out.location = line.at_arc(nodes[max_index].location.arc_length + step);
   return out;
 }
 
@@ -131,7 +131,7 @@ void set_stress(const Section& pipe, double water_weight_density, LiftedNode& no
   loads.effective_tension = node.tension;
   loads.bending_moment = bending_moment(node);
   loads.curvature = loads.bending_moment / pipe.EI;
-  loads.z = node.at.place.z();
+  loads.z = node.location.place.z();
   loads.external_pressure = water_weight_density * std::max(-loads.z, 0.0);
   loads.internal_pressure = pressure_on_bore(pipe, loads.z);
   const SectionStress stress = section_stress(pipe, loads);
@@ -162,7 +162,7 @@ LiftedEnd recover_end(const SolvedLine& line, bool held, LineEnd which) {
   const double outwards = which == LineEnd::last ? 1.0 : -1.0;
   LiftedEnd out;
   out.free = !held;
-  out.at = line.at_node(node);
+  out.location = line.at_node(node);
   if (out.free) return out;
   const Vec3 tangent = line.tangent(node);
   out.tension = outwards * force.dot(tangent);
@@ -192,14 +192,14 @@ void find_bed(const SolvedLine& line, LiftedLine& out) {
 }
 
 void find_extremes(const SolvedLine& line, NodeList& list, LiftedLine& out) {
-  out.sagging = largest(line, list, [](const LiftedNode& node) { return node.sagging; });
-  out.hogging = largest(line, list, [](const LiftedNode& node) { return -node.sagging; });
-  out.bending = largest(line, list, bending_moment);
-  out.bending_stress = largest(line, list, [](const LiftedNode& node) { return node.stress; }).value;
-  out.von_mises = largest(line, list, [](const LiftedNode& node) { return node.von_mises; }).value;
-  const auto [least, most] = std::ranges::minmax_element(list.nodes, {}, &LiftedNode::tension);
-  out.least_tension = least->tension;
-  out.largest_tension = most->tension;
+  out.sagging = find_maximum(line, list, [](const LiftedNode& node) { return node.sagging; });
+  out.hogging = find_maximum(line, list, [](const LiftedNode& node) { return -node.sagging; });
+  out.bending = find_maximum(line, list, bending_moment);
+  out.bending_stress = find_maximum(line, list, [](const LiftedNode& node) { return node.stress; }).value;
+  out.von_mises = find_maximum(line, list, [](const LiftedNode& node) { return node.von_mises; }).value;
+  const auto [lowest, highest] = std::ranges::minmax_element(list.nodes, {}, &LiftedNode::tension);
+  out.min_tension = lowest->tension;
+  out.max_tension = highest->tension;
 }
 
 LiftedLine recover_line(const SolvedLines& lines, std::size_t number) {
@@ -256,7 +256,7 @@ LiftedNode lifted_node(const SolvedLine& line, std::size_t node, const Vec3& for
   const Vec3 moment = cut_at_node(line.assembly.cuts(), line.q, node).moment;
   const Vec3 tangent = line.tangent(node), up = up_across(tangent);
   LiftedNode out;
-  out.at = line.at_node(node);
+  out.location = line.at_node(node);
   out.tension = force.dot(tangent);
   out.shear = force.dot(up);
   out.sagging = moment.dot(tangent.cross(up));

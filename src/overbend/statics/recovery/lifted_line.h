@@ -1,4 +1,4 @@
-/// What a line that is pipe does at rest: nodes with their stresses, ends, stretches on the bed.
+/// Static results of pipe as a line: nodes with stresses, ends, stretches on the bed.
 #pragma once
 
 #include "results/lift_results.h"
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// A line as it is solved: its unknowns, six per node, and the assembly evaluated at them.
+/// Solved line: its unknowns, six per node, and the assembly evaluated at them.
 struct SolvedLine {
   const LineAssembly& assembly;
   const std::vector<double>& q;
@@ -19,25 +19,25 @@ struct SolvedLine {
   LinePlace at_arc(double s) const;
 };
 
-/// All lines of a model at rest; `assembly` is evaluated at `state`.
+/// All lines of a model in equilibrium; `assembly` is evaluated at `state`.
 struct SolvedLines {
   const Model& model;
   const LinesSetup& setup;
   const Assembly& assembly;
   const SystemState& state;
 
-  /// By the number of the line in the model; it must not be a wire.
+  /// `number`: index of the line in the model; must not be a wire.
   SolvedLine line(std::size_t number) const;
 };
 
-/// Whether anything holds an end of a line of the system; a weld holds one that was free.
+/// True if an end of a line of the system is held; a weld holds a formerly free end.
 bool is_held(const System& system, int line, LineEnd which);
 
-/// Forces and moments at a node; `force` is that of the part towards the second end on the part towards the first, on
-/// one side of what pulls at the node [N].
+/// Forces and moments at a node. `force`: force of the part towards the second end on the part towards the first, on
+/// one side of attachments at the node [N].
 LiftedNode lifted_node(const SolvedLine& line, std::size_t node, const Vec3& force);
 
-/// The lines that have pipe in them, in the order of the model.
+/// Results of the lines that contain pipe, in the order of the model.
 std::vector<LiftedLine> recover_pipe_lines(const SolvedLines& lines);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// From the shapes of lines at rest to what is told of them.
+/// Results of lines in static equilibrium.
 #pragma once
 
 #include "base/assumption.h"
@@ -8,19 +8,19 @@
 
 namespace overbend {
 
-/// `assembly` stands evaluated at the state of the lines, as rest_lines() leaves it. `findings` receives lines that are
-/// slack, loaded beyond their breaking load, or pulled up at an end that stands on the bed.
-std::vector<LineResult> recover_lines(const Model& model, const Assembly& assembly, const LinesAtRest& lines,
+/// Returns the results of all lines. `assembly`: evaluated at the state of the lines, as by rest_lines(). `findings`
+/// receives lines that are slack, loaded beyond their breaking load, or lift an end fixed to the bed.
+std::vector<LineResult> recover_lines(const Model& model, const Assembly& assembly, const StaticLines& lines,
                                       Findings& findings);
 
-/// One line with its shape, without warnings.
+/// Results of one line with its shape, without warnings.
 LineResult recover_line_result(const FreeLineDescription& description, const LineAssembly& solved,
                                const std::vector<double>& q);
 
-/// Length that the bed bears: half of an element for each of its nodes that touches it [m]. `q` as LineState::q.
+/// Length supported by the bed: half of an element for each of its nodes in contact [m]. `q` as LineState::q.
 double length_on_bed(const Line& line, const std::vector<double>& q);
 
-/// What had to be assumed of the lines: sentences for the report.
+/// Assumptions on the lines, as sentences for the report.
 Assumptions line_assumptions(const Model& model);
 
 }  // namespace overbend

@@ -30,24 +30,24 @@
 namespace overbend {
 namespace {
 
-/// Forces of the loads on [0, xi] of an element and their moment about the point at xi.
+/// Forces of the loads on [0, xi] of an element, and their moment about the point at xi.
 CutForces loads_before(const StaticSystem& system, const LineState& state, int element, double xi) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
-  const Vec3 here = centreline(q, xi, h).r;
+  const Vec3 end_point = centreline(q, xi, h).r;
   CutForces sum;
   for (int i = 0; i < kGaussPoints; ++i) {
-    const CentrelinePoint at = centreline(q, kGaussXi[i] * xi, h);
+    const CentrelinePoint point = centreline(q, kGaussXi[i] * xi, h);
     const Vec3 f =
-        kGaussWeight[i] * xi * h * point_load(system.elements(), system.environment(), element, at.r, at.a).sum();
+        kGaussWeight[i] * xi * h * point_load(system.elements(), system.environment(), element, point.r, point.a).sum();
     sum.force += f;
-    sum.moment += (at.r - here).cross(f);
+    sum.moment += (point.r - end_point).cross(f);
   }
   for (const RollerContact& roller : system.contacts()) {
-    if (roller.normal > 0.0 && roller.at.element == element && roller.at.xi < xi) {
-      const Vec3 r = centreline(q, roller.at.xi, h).r;
+    if (roller.normal > 0.0 && roller.closest.element == element && roller.closest.xi < xi) {
+      const Vec3 r = centreline(q, roller.closest.xi, h).r;
       sum.force += roller.force();
-      sum.moment += (r - here).cross(roller.force());
+      sum.moment += (r - end_point).cross(roller.force());
     }
   }
   return sum;
@@ -71,20 +71,21 @@ CutForces cut_at(const StaticSystem& system, const LineState& state, const std::
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   const Vec3 lever = centreline(q, xi, h).r - q.segment<3>(0);
   const CutForces loads = loads_before(system, state, element, xi);
-  // The stretch [0, xi] is in balance under the cut at its start (reversed), above what is fixed to the node there, its
-  // loads and the cut at its end.
+  // The part [0, xi] is in equilibrium under the reversed section forces at its start, after the attachments at that
+  // node, its loads, and the section forces at its end.
   const Vec3 begins = start.force - attached_force(system, state, element);
   return {begins - loads.force, start.moment - lever.cross(begins) - loads.moment};
 }
 
 namespace {
 
-/// A cable without bending stiffness lies as its tension pulls; on a roller, between the directions either side of it.
+/// A cable without bending stiffness is aligned with its tension; on a roller, with the mean of the directions on both
+/// sides.
 Vec3 cable_direction(const StaticSystem& system, const CutForces& cut, int element, double xi) {
   Vec3 pull = cut.force;
   for (const RollerContact& roller : system.contacts()) {
-    const bool here = roller.at.element == element && roller.at.xi == xi;
-    if (roller.normal > 0.0 && here) pull -= 0.5 * roller.force();
+    const bool at_roller = roller.closest.element == element && roller.closest.xi == xi;
+    if (roller.normal > 0.0 && at_roller) pull -= 0.5 * roller.force();
   }
   return pull.normalized();
 }
@@ -97,9 +98,9 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
   const std::size_t e = static_cast<std::size_t>(element);
   const double h = system.mesh().length[e];
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
-  const CentrelinePoint at = centreline(q, xi, h);
+  const CentrelinePoint point = centreline(q, xi, h);
   const bool cable = model.sections[static_cast<std::size_t>(system.mesh().section[e])].kind == SectionKind::cable;
-  const Vec3 t = cable ? cable_direction(system, cut, element, xi) : Vec3(at.a.normalized());
+  const Vec3 t = cable ? cable_direction(system, cut, element, xi) : Vec3(point.a.normalized());
 
   StationCut result;
   result.section = system.mesh().section[e];
@@ -107,8 +108,8 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
   result.tangent = t;
   Station& station = result.station;
   station.s = system.mesh().s[e] + xi * h;
-  station.p_W = at.r;
-  station.astern = (at.r - point_from_ramp(model, model.mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
+  station.p_W = point.r;
+  station.astern = (point.r - point_from_ramp(model, model.mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
   station.inclination = std::atan2(t.z(), std::hypot(t.x(), t.y()));
   station.effective_tension = cut.force.dot(t);
   const Vec3 moment = cut.moment - cut.moment.dot(t) * t;
@@ -120,7 +121,7 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
   station.lateral_moment = result.bend.dot(port);
   station.vertical_moment = result.bend.dot(t.cross(port));
 
-  const PointLoad load = point_load(system.elements(), system.environment(), element, at.r, at.a);
+  const PointLoad load = point_load(system.elements(), system.environment(), element, point.r, point.a);
   station.seabed_reaction = load.seabed_normal;
   station.penetration = load.penetration;
   return result;
@@ -128,25 +129,25 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
 
 namespace {
 
-/// Whether the section changes between an element and the next.
+/// True if the section changes between an element and the next.
 bool section_changes(const StaticSystem& system, int element) {
   const std::vector<int>& section = system.mesh().section;
   if (element < 0 || element + 1 >= system.mesh().elements()) return false;
   return section[static_cast<std::size_t>(element)] != section[static_cast<std::size_t>(element) + 1];
 }
 
-/// A node's station is one of the element that begins there. Where the pipe goes over into something stiffer its strain
-/// is largest right at that node, so both elements get a station close to it; so they do where something is fixed to
-/// the node, which makes the tension jump.
-void add_places_beside(const StaticSystem& system, int element, double length, std::vector<double>& places) {
-  if (length <= 4.0 * kBesideStep) return;
-  if (section_changes(system, element - 1)) places.push_back(kBesideStep / length);
+/// The station of a node belongs to the element that begins there. At a transition to a stiffer section the strain is
+/// largest at the node, so both elements get a station close to it; so they do if an attachment at the node makes the
+/// tension jump.
+void add_places_next_to_nodes(const StaticSystem& system, int element, double length, std::vector<double>& places) {
+  if (length <= 4.0 * kNodeStationOffset) return;
+  if (section_changes(system, element - 1)) places.push_back(kNodeStationOffset / length);
   if (section_changes(system, element) || holds_something(system, element + 1)) {
-    places.push_back(1.0 - kBesideStep / length);
+    places.push_back(1.0 - kNodeStationOffset / length);
   }
 }
 
-/// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
+/// Stations at nodes, roller contacts, touchdown and, in long elements, intermediate points.
 std::vector<Station> make_stations(const StaticSystem& system, const LineState& state,
                                    const std::vector<CutForces>& cuts, const std::optional<ElementPlace>& touchdown,
                                    const std::vector<BendingMemory>& memory) {
@@ -160,8 +161,8 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
       places.push_back(static_cast<double>(k) / parts);
     }
     for (const RollerContact& roller : system.contacts()) {
-      if (roller.normal > 0.0 && roller.at.element == e) {
-        places.push_back(roller.at.xi);
+      if (roller.normal > 0.0 && roller.closest.element == e) {
+        places.push_back(roller.closest.xi);
       }
     }
     if (touchdown && touchdown->element == e) {
@@ -170,7 +171,7 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
     for (const ElementPlace& edge : edges) {
       if (edge.element == e) places.push_back(edge.xi);
     }
-    add_places_beside(system, e, h, places);
+    add_places_next_to_nodes(system, e, h, places);
     std::sort(places.begin(), places.end());
     for (const double xi : places) {
       const StationCut station = make_station(system, state, cut_at(system, state, cuts, e, xi), e, xi);
@@ -183,64 +184,64 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
   return finish_stations(system.model(), std::move(stations), system.mesh(), memory);
 }
 
-void keep_larger(Extreme& extreme, double value, const Station& at) {
+void update_maximum(Extreme& extreme, double value, const Station& station) {
   if (std::abs(value) > std::abs(extreme.value)) {
-    extreme = {value, at.s, at.p_W, at.astern};
+    extreme = {value, station.s, station.p_W, station.astern};
   }
 }
 
-/// A cable has no stresses of a pipe, and its tension is told for itself; nor has what is built into the pipe.
-void keep_larger(RegionResult& region, const Station& at) {
-  if (at.kind == SectionKind::cable || at.kind == SectionKind::structure) return;
-  keep_larger(region.bending_moment, at.bending_moment, at);
-  keep_larger(region.bending_stress, at.bending_stress, at);
-  keep_larger(region.von_mises, at.von_mises, at);
-  keep_larger(region.strain, at.strain, at);
-  keep_larger(region.effective_tension, at.effective_tension, at);
+/// A cable and structures have no pipe stresses; the tension of the cable is reported separately.
+void update_maximum(RegionResult& region, const Station& station) {
+  if (station.kind == SectionKind::cable || station.kind == SectionKind::structure) return;
+  update_maximum(region.bending_moment, station.bending_moment, station);
+  update_maximum(region.bending_stress, station.bending_stress, station);
+  update_maximum(region.von_mises, station.von_mises, station);
+  update_maximum(region.strain, station.strain, station);
+  update_maximum(region.effective_tension, station.effective_tension, station);
 }
 
-Regions regions_of(const std::vector<Station>& stations, double touchdown, std::optional<double> departure,
-                   bool clamped) {
+Regions make_regions(const std::vector<Station>& stations, double touchdown, std::optional<double> departure,
+                     bool clamped) {
   std::vector<double> s, moment, vertical;
-  for (const Station& at : stations) {
-    s.push_back(at.s);
-    moment.push_back(at.bending_moment);
-    vertical.push_back(at.vertical_moment);
+  for (const Station& station : stations) {
+    s.push_back(station.s);
+    moment.push_back(station.bending_moment);
+    vertical.push_back(station.vertical_moment);
   }
   return find_regions({s, moment, vertical}, touchdown, departure, clamped);
 }
 
-/// Where the tension is the same along a stretch, as on a bed without friction, its end towards the top counts: which
-/// of its places is least is a matter of rounding.
-void find_smallest_tension(StaticResults& results) {
-  constexpr double kSame = 1e-7;  // of the largest tension
+/// Finds the minimum tension. If it is constant over a stretch, as on a bed without friction, the end towards the top
+/// is used, as the location of the minimum would depend on rounding.
+void find_min_tension(StaticResults& results) {
+  constexpr double kSame = 1e-7;  // relative to the maximum tension
   const auto less = [](const Station& a, const Station& b) { return a.effective_tension < b.effective_tension; };
-  const double least = std::ranges::min_element(results.stations, less)->effective_tension;
-  for (const Station& at : results.stations) {
-    if (at.effective_tension <= least + kSame * std::abs(results.largest_tension)) {
-      results.smallest_tension = {least, at.s, at.p_W, at.astern};
+  const double min_tension = std::ranges::min_element(results.stations, less)->effective_tension;
+  for (const Station& station : results.stations) {
+    if (station.effective_tension <= min_tension + kSame * std::abs(results.max_tension)) {
+      results.min_effective_tension = {min_tension, station.s, station.p_W, station.astern};
     }
   }
 }
 
-/// Regions of the stations and what is largest in each.
+/// Sets the regions of the stations and the extremes of each region.
 void find_extremes(StaticResults& results, const Regions& regions) {
   results.departure_s = regions.departure;
   results.inflection_s = regions.inflection;
   if (regions.carried) results.overbend.emplace();
-  results.largest_tension = results.stations.front().effective_tension;
+  results.max_tension = results.stations.front().effective_tension;
   bool pipe_over_supports = false;
   for (Station& station : results.stations) {
     station.region = regions.of(station.s);
     pipe_over_supports =
         pipe_over_supports || (station.region == Region::overbend && station.kind != SectionKind::cable);
     if (station.region == Region::tower && !results.tower) results.tower.emplace();
-    if (station.region == Region::tower) keep_larger(*results.tower, station);
-    if (station.region == Region::overbend) keep_larger(*results.overbend, station);
-    if (station.region == Region::sagbend) keep_larger(results.sagbend, station);
-    results.largest_tension = std::max(results.largest_tension, station.effective_tension);
+    if (station.region == Region::tower) update_maximum(*results.tower, station);
+    if (station.region == Region::overbend) update_maximum(*results.overbend, station);
+    if (station.region == Region::sagbend) update_maximum(results.sagbend, station);
+    results.max_tension = std::max(results.max_tension, station.effective_tension);
   }
-  find_smallest_tension(results);
+  find_min_tension(results);
   if (!pipe_over_supports) results.overbend.reset();  // only cable lies there
 }
 
@@ -250,14 +251,14 @@ Station station_at(const std::vector<Station>& stations, double s) {
   return after == stations.end() ? stations.back() : *after;
 }
 
-/// Sums of everything that acts on the line, each from its own law, so that their balance is a check of the assembly.
+/// Sums all forces on the line, each from its own law, so that their balance checks the assembly.
 void sum_forces(StaticResults& results, StaticSystem& system, const LineState& state) {
   for (int e = 0; e < system.mesh().elements(); ++e) {
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
     const double h = system.mesh().length[static_cast<std::size_t>(e)];
     for (int i = 0; i < kGaussPoints; ++i) {
-      const CentrelinePoint at = centreline(q, kGaussXi[i], h);
-      const PointLoad load = point_load(system.elements(), system.environment(), e, at.r, at.a);
+      const CentrelinePoint point = centreline(q, kGaussXi[i], h);
+      const PointLoad load = point_load(system.elements(), system.environment(), e, point.r, point.a);
       const double w = kGaussWeight[i] * h;
       results.sum_weight += w * load.weight;
       results.sum_buoyancy += w * load.buoyancy;
@@ -308,9 +309,10 @@ void copy_model(StaticResults& results, const Model& model) {
 
 namespace {
 
-/// Rolling would let the bend help in the sagbend; the rod cannot, and one who signs the moments must know.
+/// Warns of residual curvature. Roll would relieve the sagbend; the rod does not roll, so the moments are an upper
+/// bound.
 void warn_of_roll(StaticResults& results) {
-  constexpr double kWorthSaying = 1e-4;  // strain at the outer fibre; sagbends have three times that and more
+  constexpr double kWorthSaying = 1e-4;  // strain at the outer fibre; in sagbends it is at least three times that
   if (0.5 * results.steel_outer_diameter * results.residual_curvature < kWorthSaying) {
     return;
   }
@@ -325,14 +327,14 @@ void warn_of_roll(StaticResults& results) {
                                  .with("curvature", results.residual_curvature, "1/m"));
 }
 
-/// Of a solution on its system, evaluated there.
+/// Stations of a solution on its system, evaluated there.
 std::vector<Station> stations_on(const StaticSystem& system, const StaticSolution& solution,
                                  const std::vector<CutForces>& cuts, const std::optional<ElementPlace>& touchdown) {
   return make_stations(system, solution.state, cuts, touchdown,
                        solution.past.solution ? solution.bending : std::vector<BendingMemory>());
 }
 
-/// Horizontal tension at a place: of the whole force there, since the pipe's shear has its share of it [N].
+/// Horizontal tension at a place, from the total force, as shear contributes to it [N].
 double horizontal_tension_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
                              const ElementPlace& place) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
@@ -343,7 +345,7 @@ double horizontal_tension_at(const StaticSystem& system, const LineState& state,
 }  // namespace
 
 std::vector<Station> recover_stations(const Model& model, const StaticSolution& solution) {
-  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
+  StaticSystem system = system_with_history(model, solution.mesh, solution.past);
   const std::vector<CutForces> cuts = cut_forces(system, solution.state);
   return stations_on(system, solution, cuts, landing(system, solution.state));
 }
@@ -351,7 +353,7 @@ std::vector<Station> recover_stations(const Model& model, const StaticSolution& 
 StaticResults recover_state(const Model& model, const StaticSolution& solution) {
   StaticResults results;
   copy_model(results, model);
-  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
+  StaticSystem system = system_with_history(model, solution.mesh, solution.past);
   const LineState& state = solution.state;
   const std::optional<ElementPlace> touchdown = landing(system, state);
   const std::vector<CutForces> cuts = cut_forces(system, state);
@@ -376,8 +378,8 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   results.last_support = departure.support;
   results.suspended_length = leaving.s - landing.s;
   find_extremes(results,
-                regions_of(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
-                           model.description.tensioner.guide == Guide::clamped));
+                make_regions(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
+                             model.description.tensioner.guide == Guide::clamped));
   results.structures = recover_structures(model, results);
   recover_attachments(results, system, state, cuts);
   recover_bed(results, system, state);

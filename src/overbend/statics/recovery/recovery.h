@@ -1,4 +1,4 @@
-/// From a state to results: pure functions of model and state.
+/// Recovery of results from a state: pure functions of model and state.
 #pragma once
 
 #include "results/static_results.h"
@@ -8,20 +8,21 @@
 
 namespace overbend {
 
-/// At every node.
+/// Section forces at every node.
 std::vector<CutForces> cut_forces(StaticSystem& system, const LineState& state);
 
-/// Cut at xi inside an element, by balance of what lies between it and the element's first node.
+/// Section forces at xi inside an element, from the equilibrium of the part between xi and the element's first node.
 CutForces cut_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
                  double xi);
 
+/// Returns the station at xi of an element with its section forces `cut`, without stresses (see finish_stations()).
 StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
                         double xi);
 
-/// What follows from the equilibrium alone: without what is warned of, and without what the current adds.
+/// Results of the equilibrium alone, without warnings and the effect of the current.
 StaticResults recover_state(const Model& model, const StaticSolution& solution);
 
-/// Results of an equilibrium, without code checks: those are made from results, see checks/run_checks.h.
+/// Results of an equilibrium without code checks, which are made from results: see checks/run_checks.h.
 StaticResults recover_statics(const Model& model, const StaticSolution& solution);
 
 }  // namespace overbend

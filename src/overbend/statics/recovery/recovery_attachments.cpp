@@ -18,27 +18,27 @@ AttachedPlace recover_place(const StaticSystem& system, const LineState& state, 
   const auto i = static_cast<std::size_t>(node);
   const Vec3 tangent = Vec3Map(state.q.data() + 6 * i + 3).normalized(), up = up_across(tangent);
   const Vec3 after = cuts[i].force, before = after - attached_force(system, state, node);
-  AttachedPlace at;
-  at.from_top = system.mesh().total_length() - system.mesh().s[i];
-  at.p_W = Vec3Map(state.q.data() + 6 * i);
+  AttachedPlace place;
+  place.from_top = system.mesh().total_length() - system.mesh().s[i];
+  place.p_W = Vec3Map(state.q.data() + 6 * i);
   const Vec3 shoe = point_from_ramp(system.model(), system.model().mean_pose, Vec3::Zero());
-  at.astern = (at.p_W - shoe).dot(system.plane().astern_W);
-  at.inclination = std::asin(std::clamp(tangent.z(), -1.0, 1.0));
-  at.moment = cuts[i].moment.dot(tangent.cross(up));
-  at.tension_before = before.dot(tangent);
-  at.tension_after = after.dot(tangent);
-  at.shear_before = -before.dot(up);
-  at.shear_after = -after.dot(up);
-  return at;
+  place.astern = (place.p_W - shoe).dot(system.plane().astern_W);
+  place.inclination = std::asin(std::clamp(tangent.z(), -1.0, 1.0));
+  place.moment = cuts[i].moment.dot(tangent.cross(up));
+  place.tension_before = before.dot(tangent);
+  place.tension_after = after.dot(tangent);
+  place.shear_before = -before.dot(up);
+  place.shear_after = -after.dot(up);
+  return place;
 }
 
 std::optional<double> breaking_load(const FreeLineDescription& line) {
-  std::optional<double> least;
+  std::optional<double> min_load;
   for (const LineSegmentDescription& segment : line.segments) {
     const std::optional<double>& load = segment.type.breaking_load;
-    if (load) least = std::min(least.value_or(*load), *load);
+    if (load) min_load = std::min(min_load.value_or(*load), *load);
   }
-  return least;
+  return min_load;
 }
 
 PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wire, const WirePull& pull,
@@ -49,7 +49,9 @@ PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wir
   const Vec3 along = pull.second - pull.first;
   const bool far_above = pull.first.z() >= pull.second.z();
   const Vec3 far = pull.tension > 0.0 ? pull.force : along, near = pull.tension > 0.0 ? pull.on_second : along;
-  const auto from_vertical = [](const Vec3& way) { return std::atan2(way.head<2>().norm(), std::abs(way.z())); };
+  const auto from_vertical = [](const Vec3& direction) {
+    return std::atan2(direction.head<2>().norm(), std::abs(direction.z()));
+  };
   out.tension_upper = far_above ? pull.force.norm() : pull.on_second.norm();
   out.tension_lower = far_above ? pull.on_second.norm() : pull.force.norm();
   out.from_vertical_upper = from_vertical(far_above ? far : near);
@@ -61,7 +63,7 @@ PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wir
   return out;
 }
 
-/// Forces are those on the line by what holds its ends.
+/// End results of a line; forces are those of the attachments on the line.
 LineEndResult end_result(const Vec3& pull, const Vec3& outwards) {
   LineEndResult end;
   end.force = -pull;
@@ -70,7 +72,7 @@ LineEndResult end_result(const Vec3& pull, const Vec3& outwards) {
   return end;
 }
 
-/// As a line between its ends, in the order of the model.
+/// Results as a line between its ends, in the order of the model.
 LineResult line_result(const PipeWireResult& wire, const WirePull& pull, bool reversed) {
   const Vec3 first = reversed ? pull.second : pull.first, second = reversed ? pull.first : pull.second;
   const Vec3 on_first = reversed ? pull.on_second : pull.force, on_second = reversed ? pull.force : pull.on_second;
@@ -82,8 +84,8 @@ LineResult line_result(const PipeWireResult& wire, const WirePull& pull, bool re
   line.utilisation = wire.utilisation;
   line.first = end_result(on_first, on_first.norm() > 0.0 ? Vec3(-on_first.normalized()) : Vec3(-along));
   line.second = end_result(on_second, on_second.norm() > 0.0 ? Vec3(-on_second.normalized()) : along);
-  line.largest_tension = std::max(line.first.tension, line.second.tension);
-  line.least_tension = std::min(line.first.tension, line.second.tension);
+  line.max_tension = std::max(line.first.tension, line.second.tension);
+  line.min_tension = std::min(line.first.tension, line.second.tension);
   line.nodes = {{0.0, first, line.first.tension}, {wire.length, second, line.second.tension}};
   return line;
 }
@@ -119,7 +121,7 @@ void recover_attachments(StaticResults& results, const StaticSystem& system, con
       const std::size_t i = results.wires.size();
       results.wires.push_back(
           recover_wire(*attached.line, line.wires[i], system.wire_pulls()[i], system.plane().astern_W));
-      results.wires.back().at = recover_place(system, state, cuts, line.wires[i].node);
+      results.wires.back().location = recover_place(system, state, cuts, line.wires[i].node);
       results.lines.push_back(line_result(results.wires.back(), system.wire_pulls()[i], line.wires[i].reversed));
     }
   }

@@ -1,4 +1,4 @@
-/// What is told of clumps, buoys and wires on the pipe.
+/// Results of clumps, buoys and wires on the pipe.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace overbend {
 
-/// Force of clumps, buoys and wires on a node, or on all of them, W [N]. The system stands evaluated at the state.
+/// Force of clumps, buoys and wires on a node, or on all nodes, W [N]. The system is evaluated at the state.
 Vec3 attached_force(const StaticSystem& system, const LineState& state, std::optional<int> node = {});
 
-/// Whether any is fixed to this node.
+/// True if any of them is fixed to this node.
 bool holds_something(const StaticSystem& system, int node);
 
-/// `cuts` at the nodes. The system stands evaluated at the state.
+/// Adds results of attachments. `cuts`: section forces at the nodes. The system is evaluated at the state.
 void recover_attachments(StaticResults& results, const StaticSystem& system, const LineState& state,
                          const std::vector<CutForces>& cuts);
 
-/// Wires that are slack or beyond their breaking load.
+/// Warns of wires that are slack or beyond their breaking load.
 void warn_of_attachments(StaticResults& results);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Contacts, free spans and extremes of the pipe that lies on an uneven bed.
+/// Contacts, free spans and extremes of pipe on an uneven bed.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,12 +6,12 @@
 
 namespace overbend {
 
-/// Fills `results.bed` from the stations and the state, where the bed has a shape and the line touches it. Arc lengths
-/// of spans are unstressed.
+/// Fills `results.bed` from the stations and the state, if the bed has a shape and the line touches it. Arc lengths of
+/// spans are unstressed.
 void recover_bed(StaticResults& results, const StaticSystem& system, const LineState& state);
 
-/// What the user should know of it: spans, a crest that bends the pipe more than the sagbend, a pipe that leaves the
-/// area whose depths are known.
+/// Warns of free spans, of a crest that bends the pipe more than the sagbend, and of pipe outside the area of known
+/// depths.
 void warn_of_uneven_bed(const Model& model, StaticResults& results);
 
 }  // namespace overbend

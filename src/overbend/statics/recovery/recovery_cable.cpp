@@ -9,25 +9,25 @@
 namespace overbend {
 namespace {
 
-const SectionSpan& span_of(const Model& model, SectionKind kind) {
+const SectionSpan& find_span(const Model& model, SectionKind kind) {
   return *std::find_if(model.spans.begin(), model.spans.end(), [&](const SectionSpan& span) {
     return model.sections[static_cast<std::size_t>(span.section)].kind == kind;
   });
 }
 
-/// The station of the cable nearest to an arc length.
+/// Station of the cable nearest to an arc length.
 const Station& cable_station(const std::vector<Station>& stations, double s) {
   const Station* found = &stations.front();
-  double least = std::numeric_limits<double>::infinity();
-  for (const Station& at : stations) {
-    if (at.kind != SectionKind::cable || std::abs(at.s - s) >= least) continue;
-    least = std::abs(at.s - s);
-    found = &at;
+  double min_distance = std::numeric_limits<double>::infinity();
+  for (const Station& station : stations) {
+    if (station.kind != SectionKind::cable || std::abs(station.s - s) >= min_distance) continue;
+    min_distance = std::abs(station.s - s);
+    found = &station;
   }
   return *found;
 }
 
-/// `joint`: arc length at which head and cable meet; there stands a node.
+/// `joint`: arc length of the node at which head and cable meet.
 HeadResult head_result(const StaticResults& results, const StaticSystem& system, const LineState& state, double joint) {
   const Model& model = system.model();
   const std::vector<double>& s = system.mesh().s;
@@ -41,7 +41,7 @@ HeadResult head_result(const StaticResults& results, const StaticSystem& system,
   head.cable_inclination = of_cable.inclination;
   head.tension = of_cable.effective_tension;
   head.s = joint;
-  const SectionSpan& span = span_of(model, SectionKind::head);
+  const SectionSpan& span = find_span(model, SectionKind::head);
   head.clearance =
       model.seabed.surface.clearance(head.p_W) - model.sections[static_cast<std::size_t>(span.section)].outer_radius();
   return head;
@@ -53,22 +53,24 @@ void recover_cable(StaticResults& results, const StaticSystem& system, const Lin
   const Model& model = system.model();
   const bool above = cable_at_top(model.description);
   if (!above && !cable_at_far_end(model.description)) return;
-  const SectionSpan& cable = span_of(model, SectionKind::cable);
+  const SectionSpan& cable = find_span(model, SectionKind::cable);
   const double joint = results.total_length - (above ? cable.to : cable.from);
   results.head = head_result(results, system, state, joint);
-  CableResult& told = results.cable.emplace();
-  told.length = above ? cable.to - cable.from : joint;
-  for (const Station& at : results.stations) {
-    if (at.kind == SectionKind::cable) told.largest_tension = std::max(told.largest_tension, at.effective_tension);
+  CableResult& result = results.cable.emplace();
+  result.length = above ? cable.to - cable.from : joint;
+  for (const Station& station : results.stations) {
+    if (station.kind == SectionKind::cable) {
+      result.max_tension = std::max(result.max_tension, station.effective_tension);
+    }
   }
   if (const std::optional<double>& breaking = model.description.operation.lay.cable->breaking_load) {
-    told.utilisation = told.largest_tension / *breaking;
+    result.utilisation = result.max_tension / *breaking;
   }
   if (above) {
-    told.winch_inclination = results.stations.back().inclination;
+    result.winch_inclination = results.stations.back().inclination;
     return;
   }
-  const Vec3& pull = results.anchor_reaction;  // on the line
+  const Vec3& pull = results.anchor_reaction;  // force on the line
   results.far_anchor = StartUpAnchorResult{results.stations.front().astern, pull.head<2>().norm(), -pull.z()};
 }
 

@@ -1,4 +1,4 @@
-/// What is told of a cable in the line, of the head it is joined to and of the anchor it may be pinned to.
+/// Results of a cable in the line, its head and its anchor.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Fills StaticResults::head, cable and far_anchor from stations and forces recovered before; nothing where no cable is
-/// in the line.
+/// Fills StaticResults::head, cable and far_anchor from the stations and forces recovered before; does nothing if the
+/// line contains no cable.
 void recover_cable(StaticResults& results, const StaticSystem& system, const LineState& state);
 
 }  // namespace overbend

@@ -20,7 +20,7 @@ Vec3 axis_at(const StaticSystem& system, const LineState& state, const ElementPl
   return centreline(q, place.xi, system.mesh().length[static_cast<std::size_t>(place.element)]).r;
 }
 
-/// The station nearest to an arc length among those that are cable or not.
+/// Nearest station to an arc length, among cable stations or among the others.
 const Station& nearest_station(const StaticResults& results, double s, bool cable) {
   const auto distance = [&](const Station& station) {
     return (station.kind == SectionKind::cable) == cable ? std::abs(station.s - s) : 1e30;
@@ -39,7 +39,7 @@ std::vector<BedContactResult> contacts(const StaticResults& results, const Stati
     result = {astern(contact.from), astern(contact.to), contact.from.s, contact.to.s, 0.0};
     for (const Station& station : results.stations) {
       if (station.s < result.s_to || station.s > result.s_from) continue;
-      result.largest_penetration = std::max(result.largest_penetration, station.penetration);
+      result.max_penetration = std::max(result.max_penetration, station.penetration);
     }
   }
   return found;
@@ -55,7 +55,7 @@ std::optional<LiftOffResult> lift_off(const StaticResults& results, const Static
                        place.s < results.head->s - kSamePlace};
 }
 
-/// Where the moment of the sagbend is largest, between stations.
+/// Finds the place of the maximum moment of the sagbend, between stations.
 void find_sagbend(DraggingResults& dragging, const StaticResults& results) {
   std::vector<Sample> by_place, by_length;
   for (const Station& station : results.stations) {
@@ -74,7 +74,7 @@ void recover_dragging(StaticResults& results, const StaticSystem& system, const 
   if (!is_dragged(d)) return;
   DraggingResults& dragging = results.dragging.emplace();
   dragging.touchdown_tension = nearest_station(results, results.touchdown.s, false).effective_tension;
-  const double pipe_end = results.total_length - pipe_ends(d);
+  const double pipe_end = results.total_length - pipe_end_distance(d);
   dragging.pipe_end_tension = nearest_station(results, pipe_end, false).effective_tension;
   dragging.winch_tension = results.stations.front().effective_tension;
   dragging.winch_inclination = results.stations.front().inclination;
@@ -99,7 +99,7 @@ void warn_of_dragging(StaticResults& results) {
                 "the cable lies on the seabed all the way to its winch, with friction over its whole length"}
             .on("cable"));
   }
-  // a head of given weight rests on its own length; off the bed along all of it, the cable carries it
+  // a head of given weight rests on its whole length; if that is off the bed, the cable carries it
   if (dragging.contacts.front().s_from > results.head->s && results.head->clearance > 0.0) {
     results.findings.push_back(
         Finding{FindingCode::dragged_head_lifted,

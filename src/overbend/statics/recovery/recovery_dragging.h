@@ -1,4 +1,4 @@
-/// A line dragged along the bed, as results have it.
+/// Results of a line dragged along the bed.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// Fills StaticResults::dragging from stations, head and cable recovered before; nothing of lines that are not dragged.
+/// Fills StaticResults::dragging from stations, head and cable recovered before; does nothing for other lines.
 void recover_dragging(StaticResults& results, const StaticSystem& system, const LineState& state);
 
-/// Findings on how the line lies: a lifted head, a cable that lies down to its winch, nothing on the bed.
+/// Findings on a lifted head, a cable on the bed up to its winch, and a line clear of the bed.
 void warn_of_dragging(StaticResults& results);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Parts of recover_statics (statics/recovery/recovery.h), for who solves many lays close to each other.
+/// Parts of recover_statics (statics/recovery/recovery.h), for solvers of many neighbouring lays.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// Results with what is warned of, but without what the current adds (statics/recovery/current_effect.h).
+/// Results with warnings but without the effect of the current (statics/recovery/current_effect.h).
 StaticResults recover_in_current(const Model& model, const StaticSolution& solution);
 
-/// The stations alone, as recover_state makes them.
+/// Stations only, as from recover_state.
 std::vector<Station> recover_stations(const Model& model, const StaticSolution& solution);
 
 }  // namespace overbend

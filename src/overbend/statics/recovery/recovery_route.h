@@ -1,4 +1,4 @@
-/// How the pipe lies on its route, from an equilibrium.
+/// Position of the pipe relative to its route.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,8 +6,9 @@
 
 namespace overbend {
 
-/// Fills `results.route` from touchdown, tension and sums found before. Nothing where the route is straight and no side
-/// load acts. Least radius of a curve that friction holds: R = H / (mu w), balance of the string's pull H/R with mu w.
+/// Fills `results.route` from touchdown, tension and sums found before. Does nothing on a straight route without side
+/// load. Minimum radius of a curve held by friction: R = H / (mu w), from the balance of the pull H/R of a string with
+/// mu w.
 void recover_route(StaticResults& results, const StaticSystem& system, const LineState& state);
 
 }  // namespace overbend

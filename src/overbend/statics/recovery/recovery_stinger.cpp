@@ -8,7 +8,7 @@
 
 #include "base/constants.h"
 #include "base/shown_unit.h"
-#include "statics/stinger/stinger_rest.h"
+#include "statics/stinger/stinger_equilibrium.h"
 
 namespace overbend {
 namespace {
@@ -31,13 +31,13 @@ StingerTankResult recover_tank(const Model& model, std::size_t section, const St
   return result;
 }
 
-Vec3 sum_of(const std::vector<PointForce>& forces) {
+Vec3 sum_forces(const std::vector<PointForce>& forces) {
   Vec3 sum = Vec3::Zero();
   for (const PointForce& force : forces) sum += force.force_W;
   return sum;
 }
 
-Vec3 tip_of(const Model& model, std::size_t section) {
+Vec3 find_tip(const Model& model, std::size_t section) {
   Vec3 tip_S = model.supports.sections[section].hinge_S;
   for (const SupportRow& row : model.supports.rows) {
     if (model.supports.boxes[static_cast<std::size_t>(row.box)].section == static_cast<int>(section)) {
@@ -47,14 +47,14 @@ Vec3 tip_of(const Model& model, std::size_t section) {
   return point_from_ramp(model, model.mean_pose, tip_S);
 }
 
-/// Where a stop holds the section against its moment.
+/// True if a stop holds the section against its moment.
 bool held_by_stop(const StingerSectionDescription& section, double angle, double moment) {
   if (!section.limits) return false;
   return (moment > 0.0 && angle > section.limits->down - kAtStop) ||
          (moment < 0.0 && angle < section.limits->up + kAtStop);
 }
 
-/// Small motion of one section with the others held.
+/// Natural period of small motions of one section with the others held.
 void recover_period(StingerSectionResult& result, const Model& model, std::size_t section, double stiffness) {
   result.stiffness = stiffness;
   const double inertia = inertia_about_hinge(model, section);
@@ -76,7 +76,7 @@ StingerSectionResult recover_section(const Model& model, const StaticSolution& s
     const std::vector<PointForce> others = section_forces(model, behind);
     result.roller_moment += moment_about(hinge, pipe[behind]);
     moment += moment_about(hinge, pipe[behind]) + moment_about(hinge, others);
-    force += sum_of(pipe[behind]) + sum_of(others);
+    force += sum_forces(pipe[behind]) + sum_forces(others);
   }
   result.hinge_longitudinal = -force.dot(astern_direction(model.mean_pose));
   result.hinge_vertical = -force.z();
@@ -84,10 +84,10 @@ StingerSectionResult recover_section(const Model& model, const StaticSolution& s
   result.at_stop = result.floats && held_by_stop(described, result.angle, moment);
   if (result.at_stop || !result.floats) result.stop_moment = -moment;
   result.friction_moment = described.hinge_friction;
-  const StingerAtRest& rest = solution.stinger;
+  const StingerEquilibrium& rest = solution.stinger;
   result.angle_up = section < rest.angle_up.size() ? rest.angle_up[section] : result.angle;
   result.angle_down = section < rest.angle_down.size() ? rest.angle_down[section] : result.angle;
-  result.tip_W = tip_of(model, section);
+  result.tip_W = find_tip(model, section);
   for (const StingerTankDescription& tank : described.tanks) {
     result.tanks.push_back(recover_tank(model, section, tank));
     result.draught = std::max(result.draught, result.tanks.back().draught);
@@ -95,32 +95,32 @@ StingerSectionResult recover_section(const Model& model, const StaticSolution& s
   return result;
 }
 
-std::string called(const StingerSectionResult& section) {
+std::string section_label(const StingerSectionResult& section) {
   return section.name.empty() ? "the stinger" : "stinger section '" + section.name + "'";
 }
 
-void warn_of(StaticResults& results, const StingerSectionResult& section, bool touched) {
+void add_section_findings(StaticResults& results, const StingerSectionResult& section, bool touched) {
   if (section.at_stop) {
     results.findings.push_back(Finding{
         FindingCode::stinger_at_stop,
-        fmt::format("{} lies at its {} stop, which carries {}", called(section),
+        fmt::format("{} lies at its {} stop, which carries {}", section_label(section),
                     section.stop_moment < 0.0 ? "lower" : "upper", shown(std::abs(section.stop_moment), "N m", 0))}
-                                   .on(called(section))
+                                   .on(section_label(section))
                                    .with("moment", section.stop_moment, "N m"));
   }
   if (section.floats && !touched) {
     results.findings.push_back(
-        Finding{FindingCode::stinger_hangs_free,
+        Finding{FindingCode::stinger_clear_of_pipe,
                 fmt::format("{} hangs free at an angle of {:.2f} deg: the pipe does not touch its rollers",
-                            called(section), section.angle / kDegree)}
-            .on(called(section))
+                            section_label(section), section.angle / kDegree)}
+            .on(section_label(section))
             .with("angle", section.angle, "rad"));
   }
   if (section.floats && section.stiffness <= 0.0) {
     results.findings.push_back(
         Finding{FindingCode::stinger_unstable,
-                fmt::format("{} is not stable where it rests: a small turn grows", called(section))}
-            .on(called(section)));
+                fmt::format("{} is in unstable equilibrium: a small rotation grows", section_label(section))}
+            .on(section_label(section)));
   }
 }
 
@@ -135,12 +135,12 @@ void recover_stinger(StaticResults& results, const StaticSystem& system, const S
   const bool measured = solution.stinger.stiffness.size() == floating.size() * floating.size();
   for (std::size_t i = 0; i < count; ++i) {
     StingerSectionResult section = recover_section(model, solution, i, pipe);
-    const auto own = std::find(floating.begin(), floating.end(), i);
-    if (measured && own != floating.end()) {
-      const auto k = static_cast<std::size_t>(own - floating.begin());
+    const auto position = std::find(floating.begin(), floating.end(), i);
+    if (measured && position != floating.end()) {
+      const auto k = static_cast<std::size_t>(position - floating.begin());
       recover_period(section, model, i, solution.stinger.stiffness[k * floating.size() + k]);
     }
-    warn_of(results, section, !pipe[i].empty());
+    add_section_findings(results, section, !pipe[i].empty());
     results.stinger.push_back(std::move(section));
   }
   results.findings.insert(results.findings.end(), solution.stinger.findings.begin(), solution.stinger.findings.end());

@@ -1,4 +1,4 @@
-/// What is told of a stinger on hinges at rest.
+/// Results of a hinged stinger in equilibrium.
 #pragma once
 
 #include "results/static_results.h"
@@ -6,8 +6,7 @@
 
 namespace overbend {
 
-/// Angle, hinge force, stop and tanks of each section; `system` is evaluated at the solution. Adds what is to be
-/// warned of.
+/// Adds angle, hinge force, stop and tanks of each section, and warnings. `system` is evaluated at the solution.
 void recover_stinger(StaticResults& results, const StaticSystem& system, const StaticSolution& solution);
 
 }  // namespace overbend

@@ -12,12 +12,12 @@
 namespace overbend {
 namespace {
 
-void set_stress(const Model& model, const Section& section, double largest_curvature, Station& station) {
+void set_stress(const Model& model, const Section& section, double max_curvature, Station& station) {
   SectionLoads loads;
   loads.effective_tension = station.effective_tension;
   loads.bending_moment = station.bending_moment;
   loads.curvature = station.curvature;
-  loads.largest_curvature = largest_curvature;
+  loads.max_curvature = max_curvature;
   loads.z = station.p_W.z();
   loads.external_pressure = model.water_weight_density * std::max(-loads.z, 0.0);
   loads.internal_pressure = section.internal_pressure - section.contents_weight_density * loads.z;
@@ -31,64 +31,64 @@ void set_stress(const Model& model, const Section& section, double largest_curva
   station.yield_stress = section.yield_stress;
 }
 
-/// What is told of a cable is its tension: its moment is that of the little stiffness that keeps it defined, and the
-/// stresses of a pipe's wall it does not have.
-void lay_straight(StationCut& at) {
-  at.station.bending_moment = at.station.vertical_moment = at.station.lateral_moment = 0.0;
-  at.station.wall_tension = at.station.effective_tension;
-  at.bend = Vec3::Zero();
+/// Sets moments to zero and the wall tension of a cable: only its tension is reported. Its moment is that of the small
+/// stiffness that keeps it defined, and it has no wall stresses of a pipe.
+void clear_moments(StationCut& cut) {
+  cut.station.bending_moment = cut.station.vertical_moment = cut.station.lateral_moment = 0.0;
+  cut.station.wall_tension = cut.station.effective_tension;
+  cut.bend = Vec3::Zero();
 }
 
-/// Pipe of every section on its way from the tensioner, bent by every place that it has passed, whatever lies there
-/// now.
-class Travellers {
+/// Pipe of every section on its way from the tensioner, bent at each place it has passed, independently of the section
+/// there now.
+class TravellingPipe {
  public:
-  explicit Travellers(const Model& model) : model_(&model), on_way_(model.sections.size()) {}
+  explicit TravellingPipe(const Model& model) : model_(&model), memories_(model.sections.size()) {}
 
-  /// Pipe that has been there before, with what it remembers.
-  void is_at(std::size_t section, const BendingMemory& memory) {
-    on_way_[section] = memory;
+  /// Sets the memory of pipe with a known history.
+  void set_memory(std::size_t section, const BendingMemory& memory) {
+    memories_[section] = memory;
     known_ = true;
   }
 
-  /// At a place of linear steel.
-  void pass(const Section& section, const StationCut& at) {
+  /// Passes a place of linear steel.
+  void pass(const Section& section, const StationCut& cut) {
     if (known_ || model_->description.statics.history != LayHistory::laying) return;
-    pass_others(on_way_.size(), at, at.bend / section.EI);
+    pass_others(memories_.size(), cut, cut.bend / section.EI);
   }
 
-  /// Returns the largest curvature at which the pipe there has yielded [1/m].
-  double bend_to(std::size_t index, StationCut& at) {
+  /// Returns the maximum curvature at which the pipe there has yielded [1/m].
+  double bend_to(std::size_t index, StationCut& cut) {
     const Section& section = model_->sections[index];
     const bool laying = model_->description.statics.history == LayHistory::laying;
-    if (!known_ && !laying) on_way_[index].reset();
-    BendingMemory& memory = arrived(index, at.tangent);
-    const LevelMix mix = level_at(*section.bending, at.station.p_W.z());
-    const Vec2 curvature = curvature_for(*section.bending, mix, section.EI, in_axes(memory, at.bend), memory);
-    at.station.curvature = curvature.norm();
-    at.station.residual_curvature = residual_curvature(*section.bending, mix, section.EI, memory).norm();
-    if (!known_ && laying) pass_others(index, at, from_axes(memory, curvature));
-    return memory.largest;
+    if (!known_ && !laying) memories_[index].reset();
+    BendingMemory& memory = arrived(index, cut.tangent);
+    const LevelMix mix = level_at(*section.bending, cut.station.p_W.z());
+    const Vec2 curvature = find_curvature(*section.bending, mix, section.EI, in_axes(memory, cut.bend), memory);
+    cut.station.curvature = curvature.norm();
+    cut.station.residual_curvature = residual_curvature(*section.bending, mix, section.EI, memory).norm();
+    if (!known_ && laying) pass_others(index, cut, from_axes(memory, curvature));
+    return memory.max_curvature;
   }
 
  private:
   BendingMemory& arrived(std::size_t index, const Vec3& tangent) {
-    std::optional<BendingMemory>& memory = on_way_[index];
-    if (!memory) memory = fresh_memory(tangent);
-    bring_along(*memory, tangent);
+    std::optional<BendingMemory>& memory = memories_[index];
+    if (!memory) memory = make_bending_memory(tangent);
+    transport_axes(*memory, tangent);
     return *memory;
   }
-  void pass_others(std::size_t index, const StationCut& at, const Vec3& curvature) {
-    for (std::size_t other = 0; other < on_way_.size(); ++other) {
-      const std::optional<BendingLaw>& law = model_->sections[other].bending;
-      if (other == index || !law) continue;
-      BendingMemory& memory = arrived(other, at.tangent);
-      bend(*law, level_at(*law, at.station.p_W.z()), in_axes(memory, curvature), memory);
+  void pass_others(std::size_t index, const StationCut& cut, const Vec3& curvature) {
+    for (std::size_t other_index = 0; other_index < memories_.size(); ++other_index) {
+      const std::optional<BendingLaw>& law = model_->sections[other_index].bending;
+      if (other_index == index || !law) continue;
+      BendingMemory& memory = arrived(other_index, cut.tangent);
+      bend(*law, level_at(*law, cut.station.p_W.z()), in_axes(memory, curvature), memory);
     }
   }
 
   const Model* model_;
-  std::vector<std::optional<BendingMemory>> on_way_;  ///< By section; none has set out yet.
+  std::vector<std::optional<BendingMemory>> memories_;  ///< Per section; empty until it has started.
   bool known_ = false;
 };
 
@@ -111,25 +111,25 @@ std::size_t nearest_gauss_point(const LineMesh& mesh, double s) {
 
 std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts, const LineMesh& mesh,
                                      const std::vector<BendingMemory>& memory) {
-  Travellers travellers(model);
+  TravellingPipe travellers(model);
   std::vector<Station> stations(cuts.size());
   for (std::size_t i = cuts.size(); i-- > 0;) {
-    StationCut& at = cuts[i];
-    const std::size_t index = static_cast<std::size_t>(at.section);
+    StationCut& cut = cuts[i];
+    const std::size_t index = static_cast<std::size_t>(cut.section);
     const Section& section = model.sections[index];
     if (section.kind == SectionKind::cable) {
-      lay_straight(at);
-      stations[i] = at.station;
+      clear_moments(cut);
+      stations[i] = cut.station;
       continue;
     }
-    at.station.curvature = at.station.bending_moment / section.EI;
+    cut.station.curvature = cut.station.bending_moment / section.EI;
     if (section.bending && !memory.empty()) {
-      travellers.is_at(index, memory[nearest_gauss_point(mesh, at.station.s)]);
+      travellers.set_memory(index, memory[nearest_gauss_point(mesh, cut.station.s)]);
     }
-    const double yielded = section.bending ? travellers.bend_to(index, at) : 0.0;
-    if (!section.bending && section.kind == SectionKind::pipe) travellers.pass(section, at);
-    set_stress(model, section, yielded, at.station);
-    stations[i] = at.station;
+    const double yielded = section.bending ? travellers.bend_to(index, cut) : 0.0;
+    if (!section.bending && section.kind == SectionKind::pipe) travellers.pass(section, cut);
+    set_stress(model, section, yielded, cut.station);
+    stations[i] = cut.station;
   }
   return stations;
 }

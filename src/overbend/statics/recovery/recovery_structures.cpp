@@ -6,32 +6,32 @@
 namespace overbend {
 namespace {
 
-/// How far from an end of the structure the pipe's bending counts as made by it, in outer diameters of the pipe.
-constexpr double kBesideDiameters = 2.0;
+/// Distance from the end of a structure within which the bending of the pipe is attributed to it, in outer diameters.
+constexpr double kEndReachDiameters = 2.0;
 
-void keep_larger(double& largest, double value) {
-  largest = std::max(largest, std::abs(value));
+void update_maximum(double& maximum, double value) {
+  maximum = std::max(maximum, std::abs(value));
 }
 
-/// Of two stations around `s` that nearer to it.
+/// Nearer of the two stations around `s`.
 const Station& nearest_station(const std::vector<Station>& stations, double s) {
   return *std::min_element(stations.begin(), stations.end(),
                            [s](const Station& a, const Station& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
 }
 
-/// The pipe from `from` to `to`, arc lengths from the anchor; `end` is one of them.
-StructureEndResult pipe_beside(const StaticResults& results, double end, double from, double to) {
-  StructureEndResult beside;
-  beside.s = end;
-  beside.bending_moment = nearest_station(results.stations, end).bending_moment;
-  for (const Station& at : results.stations) {
-    const bool within = at.s > from && at.s < to;
-    if (!within || at.kind != SectionKind::pipe) continue;
-    keep_larger(beside.bending_stress, at.bending_stress);
-    keep_larger(beside.von_mises, at.von_mises);
-    keep_larger(beside.strain, at.strain);
+/// Extremes of the pipe between arc lengths `from` and `to` from the anchor; `end` is one of them.
+StructureEndResult pipe_next_to_end(const StaticResults& results, double end, double from, double to) {
+  StructureEndResult result;
+  result.s = end;
+  result.bending_moment = nearest_station(results.stations, end).bending_moment;
+  for (const Station& station : results.stations) {
+    const bool within = station.s > from && station.s < to;
+    if (!within || station.kind != SectionKind::pipe) continue;
+    update_maximum(result.bending_stress, station.bending_stress);
+    update_maximum(result.von_mises, station.von_mises);
+    update_maximum(result.strain, station.strain);
   }
-  return beside;
+  return result;
 }
 
 void add_reaction(const StaticResults& results, double from, double to, StructureResult& structure) {
@@ -47,24 +47,24 @@ void add_reaction(const StaticResults& results, double from, double to, Structur
   }
 }
 
-StructureResult recovered(const Model& model, const SectionSpan& span, const StaticResults& results) {
+StructureResult recover_structure(const Model& model, const SectionSpan& span, const StaticResults& results) {
   StructureResult structure;
   structure.name = model.sections[static_cast<std::size_t>(span.section)].name;
   structure.from_top = 0.5 * (span.from + span.to);
   const double to = results.total_length - span.from, from = results.total_length - span.to;
-  const double reach = kBesideDiameters * model.pipe_section().outer_diameter;
+  const double reach = kEndReachDiameters * model.pipe_section().outer_diameter;
   const Station& middle = nearest_station(results.stations, 0.5 * (from + to));
   structure.p_W = middle.p_W;
   structure.astern = middle.astern;
   structure.inclination = middle.inclination;
-  for (const Station& at : results.stations) {
-    if (at.s < from - 1e-9 || at.s > to + 1e-9) continue;
-    keep_larger(structure.bending_moment, at.bending_moment);
-    structure.effective_tension = std::max(structure.effective_tension, at.effective_tension);
+  for (const Station& station : results.stations) {
+    if (station.s < from - 1e-9 || station.s > to + 1e-9) continue;
+    update_maximum(structure.bending_moment, station.bending_moment);
+    structure.effective_tension = std::max(structure.effective_tension, station.effective_tension);
   }
   add_reaction(results, from, to, structure);
-  structure.upper = pipe_beside(results, to, to, to + reach);
-  structure.lower = pipe_beside(results, from, from - reach, from);
+  structure.upper = pipe_next_to_end(results, to, to, to + reach);
+  structure.lower = pipe_next_to_end(results, from, from - reach, from);
   return structure;
 }
 
@@ -74,7 +74,7 @@ std::vector<StructureResult> recover_structures(const Model& model, const Static
   std::vector<StructureResult> all;
   for (const SectionSpan& span : model.spans) {
     const bool structure = model.sections[static_cast<std::size_t>(span.section)].kind == SectionKind::structure;
-    if (structure && span.to < results.total_length) all.push_back(recovered(model, span, results));
+    if (structure && span.to < results.total_length) all.push_back(recover_structure(model, span, results));
   }
   return all;
 }

@@ -1,4 +1,4 @@
-/// What is told of structures in the pipe.
+/// Results of structures in the pipe.
 #pragma once
 
 #include "model/model.h"
@@ -6,11 +6,11 @@
 
 namespace overbend {
 
-/// Distance from a node at which the station of the element on its other side stands [m].
-inline constexpr double kBesideStep = 1e-3;
+/// Distance from a node of the station in the element on its other side [m].
+inline constexpr double kNodeStationOffset = 1e-3;
 
-/// Where structures lie, what acts in them and on them, and the pipe beside their ends. Stations and supports of
-/// `results` are there.
+/// Returns position, loads and reactions of structures, and the pipe next to their ends. Needs stations and supports of
+/// `results`.
 std::vector<StructureResult> recover_structures(const Model& model, const StaticResults& results);
 
 }  // namespace overbend

@@ -16,17 +16,17 @@ namespace overbend {
 namespace {
 
 struct Axes {
-  Vec3 along, port;  ///< Of a box in W: along its axis astern, across to port.
+  Vec3 along, port;  ///< Axes of a box in W: along it astern, and across to port.
 };
 
-/// Where the centreline passes the plane through a row, perpendicular to the box axis.
+/// Intersection of the centreline with the plane through a row perpendicular to the box axis.
 struct Crossing {
   int element = 0;
   double xi = 0.0;
   Vec3 p_W = Vec3::Zero();
 };
 
-/// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
+/// Intersection nearest to the row; there is only one unless the pipe turns back.
 std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState& state, const Vec3& point_W,
                                     const Vec3& normal_W) {
   const LineMesh& mesh = system.mesh();
@@ -37,7 +37,7 @@ std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState&
   double before = height(0);
   for (int e = 0; e < mesh.elements(); ++e) {
     const double after = height(e + 1);
-    if (before > 0.0 && after <= 0.0) {  // the line runs towards the barge, the box axis astern
+    if (before > 0.0 && after <= 0.0) {  // the line runs towards the vessel, the box axis astern
       const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
       const double h = mesh.length[static_cast<std::size_t>(e)];
       double low = 0.0, high = 1.0;
@@ -56,7 +56,7 @@ std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState&
 }
 
 RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
-                            const RollerContact& state, const ClosestPoint& at, const Axes& axes) {
+                            const RollerContact& state, const ClosestPoint& point, const Axes& axes) {
   RollerResult result;
   result.position = roller.position;
   result.reaction = state.normal;
@@ -64,7 +64,7 @@ RollerResult recover_roller(const Roller& roller, const Section& pipe, const Pla
   result.vertical = force.z();
   result.longitudinal = force.dot(axes.along);
   result.lateral = force.dot(axes.port);
-  result.off_end = at.beyond_face ? at.off_end : 0.0;
+  result.off_end = point.beyond_face ? point.off_end : 0.0;
   result.p_W = placed.center + placed.radius * placed.normal;
   result.normal_W = placed.normal;
   result.axis_W = placed.axis;
@@ -74,13 +74,13 @@ RollerResult recover_roller(const Roller& roller, const Section& pipe, const Pla
   return result;
 }
 
-/// The pipe as a roller sees it.
+/// Point of the pipe nearest to a roller.
 struct Nearest {
   Vec3 p_W = Vec3::Zero();  ///< Point of the centreline.
-  double gap = 0.0;         ///< Clear distance, negative for penetration [m].
+  double gap = 0.0;         ///< Clearance, negative for penetration [m].
 };
 
-/// A pipe that does not pass the roller is nearest with one of its ends.
+/// Nearest end of a pipe that does not pass the roller.
 Nearest nearest_end(const StaticSystem& system, const LineState& state, const PlacedRoller& placed) {
   Nearest nearest;
   nearest.gap = kInfinity;
@@ -95,23 +95,23 @@ Nearest nearest_end(const StaticSystem& system, const LineState& state, const Pl
   return nearest;
 }
 
-/// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
-/// penetration.
+/// Nearest point in the closest direction between centreline and roller, as in the contact: the gap of a loaded roller
+/// is its penetration.
 Nearest nearest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
-                   const ClosestPoint& at) {
-  if (!at.found) return nearest_end(system, state, placed);
-  const std::size_t e = static_cast<std::size_t>(at.element);
-  const double distance = roller_distance(placed, at).value;
-  return {at.place, distance - placed.radius - system.elements().radius[e]};
+                   const ClosestPoint& point) {
+  if (!point.found) return nearest_end(system, state, placed);
+  const std::size_t e = static_cast<std::size_t>(point.element);
+  const double distance = roller_distance(placed, point).value;
+  return {point.place, distance - placed.radius - system.elements().radius[e]};
 }
 
 struct RowTotals {
   Vec3 force = Vec3::Zero();
   bool contact = false;
-  double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
-  /// How far the pipe lies beyond the end of a bottom roller that it has left, negative to starboard [m].
-  std::optional<double> beside = {};
-  double clearance = 0.0;  ///< Over the first roller, see StaticResults::stinger_tip_clearance [m].
+  double last_s = kInfinity;  ///< Arc length of the contact nearest to the seabed.
+  /// Distance of the pipe beyond the end of a bottom roller that it has left, negative to starboard [m].
+  std::optional<double> distance_off_end = {};
+  double clearance = 0.0;  ///< Clearance over the first roller, see StaticResults::stinger_tip_clearance [m].
 };
 
 RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSystem& system, const LineState& state,
@@ -132,23 +132,23 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSyst
     const std::size_t k = static_cast<std::size_t>(i);
     const RollerContact& contact = system.contacts()[k];
     const PlacedRoller& placed = system.rollers().placed(i);
-    const ClosestPoint at = closest_to_roller(system, state, i);
+    const ClosestPoint point = closest_to_roller(system, state, i);
     RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
-                                         placed, contact, at, axes);
-    const Nearest nearest = nearest_to(system, state, placed, at);
+                                         placed, contact, point, axes);
+    const Nearest nearest = nearest_to(system, state, placed, point);
     roller.separation = nearest.gap;
-    const bool left = lies_beside(roller.position, placed, at, pipe_radius);
+    const bool left = has_left_box_sideways(roller.position, placed, point, pipe_radius);
     if (i == row.first_roller) {
-      totals.clearance = left && at.found ? height_over(placed, at, pipe_radius) : roller.separation;
+      totals.clearance = left && point.found ? height_above_roller(placed, point, pipe_radius) : roller.separation;
     }
     if (left) {
-      totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
+      totals.distance_off_end = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
     }
     if (contact.normal > 0.0) {
-      const std::size_t e = static_cast<std::size_t>(contact.at.element);
+      const std::size_t e = static_cast<std::size_t>(contact.closest.element);
       totals.force += contact.force();
       totals.contact = true;
-      totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.at.xi * mesh.length[e]);
+      totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.closest.xi * mesh.length[e]);
     }
     result.rollers.push_back(roller);
   }
@@ -156,11 +156,11 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSyst
   return totals;
 }
 
-/// Largest pipe loads over the box's length, which may lie between two stations: at its ends and in its middle they are
-/// linear between those. Nothing where the pipe does not pass the box.
-void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
+/// Sets the maximum pipe loads over the box's length, including its ends and middle, interpolated between stations.
+/// Does nothing if the pipe does not pass the box.
+void set_pipe_loads(SupportResult& box, const std::vector<Station>& stations) {
   if (box.s < 0.0) return;
-  const auto take = [&](double Station::*load, double SupportResult::*largest) {
+  const auto take = [&](double Station::*load, double SupportResult::*maximum) {
     const auto at_place = [&](double s) {
       const auto after = std::ranges::lower_bound(stations, s, {}, &Station::s);
       if (after == stations.begin() || after == stations.end()) return 0.0;
@@ -168,9 +168,9 @@ void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
       return below.*load + (s - below.s) / (above.s - below.s) * (above.*load - below.*load);
     };
     const double reach = 0.5 * box.length + 0.3;
-    for (const double s : {box.s - reach, box.s, box.s + reach}) box.*largest = std::max(box.*largest, at_place(s));
-    for (const Station& at : stations) {
-      if (std::abs(at.s - box.s) <= reach) box.*largest = std::max(box.*largest, at.*load);
+    for (const double s : {box.s - reach, box.s, box.s + reach}) box.*maximum = std::max(box.*maximum, at_place(s));
+    for (const Station& station : stations) {
+      if (std::abs(station.s - box.s) <= reach) box.*maximum = std::max(box.*maximum, station.*load);
     }
   };
   take(&Station::effective_tension, &SupportResult::effective_tension);
@@ -180,12 +180,12 @@ void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
   take(&Station::strain, &SupportResult::strain);
 }
 
-void smallest_separations(SupportResult& box) {
+void find_min_separations(SupportResult& box) {
   double bottom = kInfinity, side = kInfinity;
   for (const RowResult& row : box.rows) {
     for (const RollerResult& roller : row.rollers) {
-      double& least = roller.position == RollerPosition::bottom ? bottom : side;
-      least = std::min(least, roller.separation);
+      double& min_separation = roller.position == RollerPosition::bottom ? bottom : side;
+      min_separation = std::min(min_separation, roller.separation);
     }
   }
   box.has_sides = side < kInfinity;
@@ -193,7 +193,7 @@ void smallest_separations(SupportResult& box) {
   box.separation_lateral = box.has_sides ? side : 0.0;
 }
 
-void note_runoff(StaticResults& results, const SupportResult& box) {
+void warn_of_runoff(StaticResults& results, const SupportResult& box) {
   for (const RowResult& row : box.rows) {
     for (const RollerResult& roller : row.rollers) {
       if (roller.off_end > 0.0 && roller.reaction > 0.0) {
@@ -208,17 +208,17 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
   }
 }
 
-/// Boxes that the pipe lies beside, on one side of them.
-struct BoxesLeft {
+/// Boxes that the pipe misses on one side.
+struct MissedBoxes {
   const char* side;
-  std::string first = {};  ///< Seen from the tensioner.
-  int more = 0;            ///< After it.
-  double beside = 0.0;     ///< The furthest [m].
+  std::string first = {};         ///< Name of the first one from the tensioner.
+  int more = 0;                   ///< Number of others.
+  double distance_off_end = 0.0;  ///< Maximum distance [m].
 
   void add(const std::string& box, double distance) {
     more += first.empty() ? 0 : 1;
     first = first.empty() ? box : first;
-    beside = std::max(beside, distance);
+    distance_off_end = std::max(distance_off_end, distance);
   }
   void note(StaticResults& results) const {
     if (first.empty()) return;
@@ -227,26 +227,26 @@ struct BoxesLeft {
         fmt::format("the pipe has left '{}'{} over the side to {}: it lies up to {} beyond the ends of the bottom "
                     "rollers, which no longer hold it{}",
                     first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side,
-                    shown(beside, "m", 2),
+                    shown(distance_off_end, "m", 2),
                     2 * (more + 1) > static_cast<int>(results.supports.size())
-                        ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, "
-                          "and a run may depart from it; check tension, current and the places of the boxes"
+                        ? ". No equilibrium was found on most of its rollers: this is probably not the intended lay, "
+                          "and a simulation may depart from it; check tension, current and the positions of the boxes"
                         : "")}
                                    .on(first)
-                                   .with("distance", beside, "m")
+                                   .with("distance", distance_off_end, "m")
                                    .with("boxes", more + 1, "1"));
   }
 };
 
 void note_extremes(StaticResults& results, const StaticSystem& system) {
-  results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
+  results.min_bottom_separation = results.supports.empty() ? 0.0 : kInfinity;
   for (const SupportResult& box : results.supports) {
-    results.smallest_separation = std::min(results.smallest_separation, box.separation);
+    results.min_bottom_separation = std::min(results.min_bottom_separation, box.separation);
     for (const RowResult& row : box.rows) {
       for (const RollerResult& roller : row.rollers) {
-        if (roller.reaction > results.largest_reaction) {
-          results.largest_reaction = roller.reaction;
-          results.largest_reaction_support = box.name;
+        if (roller.reaction > results.max_reaction) {
+          results.max_reaction = roller.reaction;
+          results.max_reaction_support = box.name;
         }
       }
     }
@@ -255,7 +255,7 @@ void note_extremes(StaticResults& results, const StaticSystem& system) {
     results.roller_stiffness = std::max(results.roller_stiffness, system.rollers().roller(i).law.stiffness);
   }
   for (const RollerContact& contact : system.contacts()) {
-    results.largest_penetration = std::max(results.largest_penetration, contact.penetration);
+    results.max_penetration = std::max(results.max_penetration, contact.penetration);
   }
 }
 
@@ -265,7 +265,7 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
   const Model& model = system.model();
   Departure departure;
   departure.s = kInfinity;
-  BoxesLeft to_port{"port"}, to_starboard{"starboard"};
+  MissedBoxes to_port{"port"}, to_starboard{"starboard"};
   for (const SupportBox& box : model.supports.boxes) {
     const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
                     direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
@@ -277,13 +277,15 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     result.inclination = box_dip(model.mean_pose, box);
     result.length = box.length;
     Vec3 force = Vec3::Zero();
-    std::optional<double> beside;
+    std::optional<double> off_end;
     double clearance = 0.0;
     for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
       RowResult row;
       const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
       force += totals.force;
-      if (totals.beside && std::abs(*totals.beside) >= std::abs(beside.value_or(0.0))) beside = totals.beside;
+      if (totals.distance_off_end && std::abs(*totals.distance_off_end) >= std::abs(off_end.value_or(0.0))) {
+        off_end = totals.distance_off_end;
+      }
       clearance = totals.clearance;
       if (totals.contact && totals.last_s < departure.s) {
         departure = {true, totals.last_s, box.name};
@@ -295,10 +297,10 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     result.vertical = force.z();
     result.longitudinal = force.dot(axes.along);
     result.lateral = force.dot(axes.port);
-    smallest_separations(result);
-    pipe_over_box(result, results.stations);
-    note_runoff(results, result);
-    if (beside) (std::signbit(*beside) ? to_starboard : to_port).add(box.name, std::abs(*beside));
+    find_min_separations(result);
+    set_pipe_loads(result, results.stations);
+    warn_of_runoff(results, result);
+    if (off_end) (std::signbit(*off_end) ? to_starboard : to_port).add(box.name, std::abs(*off_end));
     if (result.stinger) results.stinger_tip_clearance = clearance;
     results.supports.push_back(std::move(result));
   }

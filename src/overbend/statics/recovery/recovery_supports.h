@@ -1,4 +1,4 @@
-/// Separation and reaction of every roller, row and box.
+/// Separations and reactions of rollers, rows and boxes.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace overbend {
 
-/// The last support that carries the pipe, seen from the tensioner.
+/// Last support that carries the pipe, seen from the tensioner.
 struct Departure {
-  bool carried = false;  ///< Any support in contact.
+  bool carried = false;  ///< True if any support is in contact.
   double s = 0.0;        ///< Arc length of the last contact [m].
   std::string support;
 };
 
-/// [silva2009] equations 19 to 21; uses the contacts of the last evaluation.
+/// Fills `results.supports` and returns the departure point; [silva2009] equations 19 to 21. Uses the contacts of the
+/// last evaluation.
 Departure recover_supports(StaticResults& results, const StaticSystem& system, const LineState& state);
 
 }  // namespace overbend

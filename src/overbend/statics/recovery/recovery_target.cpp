@@ -6,12 +6,12 @@
 
 #include "base/shown_unit.h"
 #include "statics/solver/anchored_lay.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kWorthSaying = 1e-3;  ///< Of what is wanted: where meshes serve, results miss it by 1e-6.
+constexpr double kWorthSaying = 1e-3;  ///< Relative to the target; with suitable meshes results miss it by 1e-6.
 
 }  // namespace
 
@@ -40,12 +40,12 @@ void warn_of_missed_target(StaticResults& results, const Model& model) {
 }
 
 std::optional<double> tension_per_anchor_distance(const Model& model, const StaticSolution& solution) {
-  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
+  StaticSystem system = system_with_history(model, solution.mesh, solution.past);
   system.evaluate(solution.state, true);
   system.hold(true);
-  if (!system.factor(solution.state, wanted_of(model.description))) return std::nullopt;
+  if (!system.factor(solution.state, find_target(model.description))) return std::nullopt;
   std::vector<double> change(solution.state.q.size(), 0.0);
-  double far_force = 1.0;  // on its way in: the change of the distance that is asked for
+  double far_force = 1.0;  // on entry: the required change of the distance
   system.solve(change, far_force);
   const std::size_t top = change.size() - 3;
   const Vec3 tangent(Eigen::Map<const Vec3>(solution.state.q.data() + top));

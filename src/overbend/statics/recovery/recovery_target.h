@@ -1,4 +1,4 @@
-/// What the file wants, tension or anchor, beside what was found.
+/// Comparison of the specified tension or anchor distance with the result.
 #pragma once
 
 #include "model/model.h"
@@ -7,14 +7,14 @@
 
 namespace overbend {
 
-/// Warns where the recovered forces and places miss what the file wants.
+/// Warns if the recovered forces and positions miss the specified ones.
 void warn_of_missed_target(StaticResults& results, const Model& model);
 
-/// Derivative of the tension at the tensioner with respect to the distance of the anchor [N/m]; none where the tangent
+/// Derivative of the tension at the tensioner with respect to the distance of the anchor [N/m]; nullopt if the tangent
 /// is singular.
 std::optional<double> tension_per_anchor_distance(const Model& model, const StaticSolution& solution);
 
-/// Adds to the assumptions how much an error in pipe.length or pipe.anchor changes a tension that follows from them.
+/// Adds to the assumptions the effect of an error in pipe.length or pipe.anchor on a tension that follows from them.
 void note_sensitive_tension(StaticResults& results, const Model& model, const StaticSolution& solution);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What the equilibrium of a lay on mooring lines hangs on besides the loads.
+/// Ambiguity of the equilibrium of a lay on mooring lines.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace overbend {
 
-/// A vessel that gives way to its pipe while side rollers hold that may rest in several ways: which rollers the pipe
-/// bears on hangs on how both came there. A sentence that names the boxes whose side rollers bear, and with what;
-/// nothing where none do or where the lengths of the lines hold the vessel as drawn.
-std::optional<Finding> find_side_roller_contact(const Description& description, const StaticResults& results);
+/// A vessel displaced by its pipe while side rollers hold the pipe may have several equilibria: the loaded rollers
+/// depend on how both came there. Returns a finding that names the boxes with loaded side rollers and their forces;
+/// nullopt if there are none or the line lengths hold the vessel in its nominal pose.
+std::optional<Finding> warn_of_side_roller_contact(const Description& description, const StaticResults& results);
 
 }  // namespace overbend

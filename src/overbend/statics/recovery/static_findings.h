@@ -1,4 +1,4 @@
-/// What in a static state or its model calls for a second look, in words: results.findings.
+/// Warnings of a static analysis: results.findings.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace overbend {
 
-/// Slack pipe, stress past yield of linear steel, supports that stand where none can: below the bed, below the water,
-/// proud of their neighbours; strain at field joints that nobody told; a slope on which friction does not hold what is
-/// laid. Appended to `results.findings`.
+/// Appends to `results.findings`: slack pipe, stress beyond yield of linear steel, implausible supports (below the bed,
+/// below the water, out of line with their neighbours), missing strain concentration at field joints, a slope on which
+/// friction does not hold the laid pipe.
 void warn_statics(const Model& model, StaticResults& results);
 
-/// Those of them that the model alone gives, in its pose.
+/// Findings that follow from the model alone, in its pose.
 Findings lay_findings(const Model& model);
 
-/// A place along the pipe for a sentence: "at 12.3 m from the tensioner (overbend)".
+/// Label of a place along the pipe: "at 12.3 m from the tensioner (overbend)".
 std::string pipe_place(const StaticResults& results, double s);
 
 }  // namespace overbend

@@ -10,36 +10,36 @@
 
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {
 
 constexpr int kMaxEvaluations = 100;
-constexpr int kMaxFailures = 4;           ///< Tensions without an equilibrium after which the search ends.
-constexpr double kTolerance = 1e-9;       ///< Of the far end's place, relative to the line's length.
-constexpr double kClosed = 1e-7;          ///< Relative width of a bracket in which no tension is left to try.
-constexpr double kClosedUnsolved = 1e-4;  ///< The same where one end of the bracket has no solution.
+constexpr int kMaxFailures = 4;              ///< Number of tensions without an equilibrium after which the search ends.
+constexpr double kPositionTolerance = 1e-9;  ///< Tolerance of the far end's position relative to the line's length.
+constexpr double kClosed = 1e-7;             ///< Relative width of a bracket at which the search ends.
+constexpr double kClosedUnsolved = 1e-4;     ///< Same if one end of the bracket has no solution.
 constexpr double kDirectChange =
     0.1;                         ///< Relative change of tension below which the anchor's place is solved for at once.
-constexpr double kGrowth = 1.4;  ///< From one tension to the next where nothing says how far.
-constexpr double kMaxFactor = 3.0;  ///< Between one tension and the next outside of a bracket.
+constexpr double kGrowth = 1.4;  ///< Factor between tensions without an estimate.
+constexpr double kMaxFactor = 3.0;  ///< Maximum factor between successive tensions outside a bracket.
 
-/// A lay of given tension that was tried.
+/// Lay of given tension in the search.
 struct Trial {
   double tension = 0.0;        ///< [N]
-  std::optional<double> miss;  ///< Distance of the far end beyond the anchor [m]; none where there is no solution.
+  std::optional<double> miss;  ///< Distance of the far end beyond the anchor [m]; nullopt if there is no solution.
 };
 
 class AnchorSearch {
  public:
-  AnchorSearch(const Model& model, const LinePast& past)
+  AnchorSearch(const Model& model, const LoadHistory& past)
       : model_(model),
         past_(past),
         pulled_(model),
         plane_(lay_plane(model, model.mean_pose)),
-        target_(wanted_of(model.description)),
-        tolerance_(kTolerance * *model.description.pipe.length) {}
+        target_(find_target(model.description)),
+        tolerance_(kPositionTolerance * *model.description.pipe.length) {}
 
   StaticOutcome run() {
     const auto begin = std::chrono::steady_clock::now();
@@ -64,7 +64,7 @@ class AnchorSearch {
     return false;
   }
 
-  /// Keeps a solution and counts what it took; false where there is none.
+  /// Stores a solution and adds up its effort; returns false if there is none.
   bool take(StaticOutcome outcome) {
     if (!outcome.solution) return false;
     solution_ = std::move(outcome.solution);
@@ -75,7 +75,7 @@ class AnchorSearch {
     return true;
   }
 
-  /// Solves the lay of a given tension; true where its far end lies at the anchor.
+  /// Solves the lay of a given tension; returns true if its far end is at the anchor.
   bool evaluate(double tension) {
     pulled_.description.tensioner.tension = tension;
     StaticOutcome outcome = solve_statics(pulled_, solution_ ? &*solution_ : nullptr, past_);
@@ -110,7 +110,7 @@ class AnchorSearch {
   }
 
   double next_tension(double last) {
-    if (failed_at_) return beside_failure(*failed_at_);
+    if (failed_at_) return tension_near_failure(*failed_at_);
     const std::optional<double> secant = secant_tension();
     const bool inside = secant && (!low_ || *secant > low_->tension) && (!high_ || *secant < high_->tension);
     if (low_ && high_) return inside && !stalled() ? *secant : std::sqrt(low_->tension * high_->tension);
@@ -118,7 +118,7 @@ class AnchorSearch {
     return std::clamp(*secant, last / kMaxFactor, last * kMaxFactor);
   }
 
-  /// Zero of the miss through the last two solutions, or through the last with the slope of the initial shape.
+  /// Zero of the miss through the last two solutions, or through the last one with the slope of the initial shape.
   std::optional<double> secant_tension() const {
     const Trial &before = solved_[0], &last = solved_[1];
     if (!last.miss) return std::nullopt;
@@ -135,15 +135,15 @@ class AnchorSearch {
     return (distance((1.0 + kStep) * tension) - distance(tension)) / (kStep * tension);
   }
 
-  /// Whether the bracket has not halved, on a logarithmic scale, since three evaluations: a secant that creeps along.
+  /// True if three evaluations have not halved the bracket on a logarithmic scale: the secant converges slowly.
   bool stalled() {
     const double width = std::log(high_->tension / low_->tension);
     widths_ = {widths_[1], widths_[2], width};
     return widths_[0] > 0.0 && width > 0.5 * widths_[0];
   }
 
-  /// A tension next to one without an equilibrium: towards the last solution, or first to one side, then to the other.
-  double beside_failure(double tension) const {
+  /// Tension next to one without an equilibrium: towards the last solution, otherwise alternately above and below.
+  double tension_near_failure(double tension) const {
     if (solved_[1].miss) return std::sqrt(tension * solved_[1].tension);
     return tension * (failures_ % 2 == 1 ? 1.15 : 0.8);
   }
@@ -175,28 +175,29 @@ class AnchorSearch {
   }
 
   const Model& model_;
-  const LinePast& past_;
-  Model pulled_;  ///< The same line with a given tension.
+  const LoadHistory& past_;
+  Model pulled_;  ///< Same line with a given tension.
   LayPlane plane_;
   EquilibriumTarget target_;
   double tolerance_;  ///< [m]
   std::optional<StaticSolution> solution_;
-  SolveReport report_;                    ///< Of all trials with solutions.
-  std::optional<StaticFailure> failure_;  ///< Of the last trial.
+  SolveReport report_;                    ///< Sum over all trials with solutions.
+  std::optional<StaticFailure> failure_;  ///< Failure of the last trial.
   std::optional<Trial> low_, high_;       ///< Far end nearer and farther than the anchor.
-  std::array<Trial, 2> solved_;           ///< The last two with solutions.
+  std::array<Trial, 2> solved_;           ///< Last two with solutions.
   std::array<double, 3> widths_{};
-  std::optional<double> failed_at_;  ///< Tension of the last trial, where no equilibrium was found.
+  std::optional<double> failed_at_;  ///< Tension of the last trial, if no equilibrium was found.
   int failures_ = 0;
 };
 
 }  // namespace
 
 bool is_anchored(const Model& model) {
-  return wanted_of(model.description).kind == EquilibriumTarget::Kind::anchor_distance && !has_cable(model.description);
+  return find_target(model.description).kind == EquilibriumTarget::Kind::anchor_distance &&
+         !has_cable(model.description);
 }
 
-StaticOutcome solve_anchored(const Model& model, const LinePast& past) {
+StaticOutcome solve_anchored(const Model& model, const LoadHistory& past) {
   return AnchorSearch(model, past).run();
 }
 

@@ -1,20 +1,20 @@
-/// The cable of a line dragged along the bed, whose length follows from where its winch stands.
+/// Cable of a line dragged along the bed; its length follows from the position of its winch.
 #pragma once
 
 #include <optional>
 
-#include "statics/solver/static_ways.h"
+#include "statics/solver/continuation.h"
 #include "statics/solver/statics.h"
 
 namespace overbend {
 
-/// From an equilibrium with the wanted tension: changes the unstressed length of the cable until its end is at the
-/// winch, keeping the tension. Nothing to do for lines that are not dragged. False where no equilibrium is found on the
-/// way. The mesh keeps its nodes, those of the cable closer together or further apart.
-bool reach_winch(StaticCase& at, const LinePast& past);
+/// From an equilibrium with the target tension, changes the unstressed length of the cable until its end is at the
+/// winch, keeping the tension. No effect on lines that are not dragged. Returns false if no equilibrium is found on the
+/// way. The mesh keeps its nodes; the spacing of the cable's nodes changes.
+bool fit_cable_to_winch(EquilibriumProblem& problem, const LoadHistory& past);
 
-/// Why the equilibrium found of a line that is dragged cannot be meant: it is compressed somewhere, or the winch has
-/// less cable than it takes. None of other lines.
-std::optional<StaticFailure> check_dragged(StaticCase& at);
+/// Returns a failure if a dragged line is in compression, or needs more cable than the winch has. nullopt for other
+/// lines.
+std::optional<StaticFailure> check_dragged(EquilibriumProblem& problem);
 
 }  // namespace overbend

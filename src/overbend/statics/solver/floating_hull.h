@@ -1,4 +1,4 @@
-/// A vessel that floats free and is held by lines that stand by themselves: at rest.
+/// Static equilibrium of a free-floating vessel held by lines only.
 #pragma once
 
 #include "statics/solver/lines_setup.h"
@@ -6,23 +6,23 @@
 
 namespace overbend {
 
-/// Makes the vessel of lines a body that floats free, still held where it is as drawn. Nothing where statics hold it.
-/// Throws std::invalid_argument for a hull that cannot be made.
+/// Makes the vessel of lines a free body, held in its nominal pose for now. No effect if statics hold the vessel.
+/// Throws std::invalid_argument for an invalid hull.
 void float_vessel(const Model& model, LinesSetup& setup);
 
-/// What a vessel that floats is held by, all that acts on it together.
+/// Stiffness that holds a free-floating vessel, and a failure if it is not held.
 struct HeldVessel {
   std::optional<StaticFailure> failure;
   Mat6 stiffness =
-      Mat6::Zero();  ///< Of lines about the centre of gravity, horizontal axes along the hull [N/m, N, N m].
+      Mat6::Zero();  ///< Stiffness of lines about the centre of gravity, horizontal axes along the hull [N/m, N, N m].
 };
 
-/// Whether lines and water hold a vessel that has been let go, against small moves in every direction.
-HeldVessel find_what_holds_vessel(const Model& model, const LinesSetup& setup, const SystemState& state);
+/// Checks that lines and hydrostatics hold a released vessel against small motions in all directions.
+HeldVessel find_vessel_stiffness(const Model& model, const LinesSetup& setup, const SystemState& state);
 
-/// Lets the vessel of lines at rest go: it is ballasted, where the model says so, for draught, heel and trim to stay,
-/// and comes to rest with the lines. Where they are slack as drawn, soft springs hold it on its way to where they are
-/// not; none is left in the end. Says by name in which directions nothing holds it.
-HeldVessel let_vessel_float(const Model& model, LinesSetup& setup, SystemState& state);
+/// Releases the vessel of lines in equilibrium: ballasts it, if the model requires, to keep draught, heel and trim, and
+/// finds the equilibrium with the lines. If the lines are slack in the nominal pose, soft springs hold the vessel
+/// during the continuation; none remain at the end. Names the directions in which nothing holds it.
+HeldVessel release_vessel(const Model& model, LinesSetup& setup, SystemState& state);
 
 }  // namespace overbend

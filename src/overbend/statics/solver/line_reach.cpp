@@ -6,27 +6,28 @@
 
 #include "base/shown_unit.h"
 #include "model/bodies.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 
 namespace overbend {
 namespace {
 
-/// A place that does not move, and the length of other lines that lies between it and an end [m].
+/// Fixed place, and the length of other lines between it and an end [m].
 struct HeldPlace {
   Vec3 place;
-  double way = 0.0;
+  double length_between = 0.0;
 };
 
-/// Longest a line gets, over its unstressed length [-].
-double longest_stretch(const FreeLineDescription& line) {
-  constexpr double kPipe = 1.02, kUnknown = 1.5, kLeast = 1.01, kOverBreaking = 3.0;
+/// Maximum length of a line relative to its unstressed length [-].
+double max_stretch_ratio(const FreeLineDescription& line) {
+  constexpr double kPipe = 1.02, kUnknown = 1.5, kMinStretch = 1.01, kOverBreaking = 3.0;
   if (has_pipe_section(line)) return kPipe;
-  double most = kLeast;
+  double max_stretch = kMinStretch;
   for (const LineSegmentDescription& segment : line.segments) {
     if (!segment.type.breaking_load) return kUnknown;
-    most = std::max(most, 1.0 + kOverBreaking * *segment.type.breaking_load / segment.type.axial_stiffness);
+    max_stretch =
+        std::max(max_stretch, 1.0 + kOverBreaking * *segment.type.breaking_load / segment.type.axial_stiffness);
   }
-  return most;
+  return max_stretch;
 }
 
 double drawn_length(const FreeLineDescription& line) {
@@ -43,38 +44,38 @@ class Reach {
     const double length = position_.lengths[i];
     for (const HeldPlace& first : held_places(line.first)) {
       for (const HeldPlace& second : held_places(line.second)) {
-        const double apart = (second.place - first.place).norm(), others = first.way + second.way;
-        if (position_.tensions[i] || apart <= longest_stretch(line) * length + others) continue;
+        const double apart = (second.place - first.place).norm(), others = first.length_between + second.length_between;
+        if (position_.tensions[i] || apart <= max_stretch_ratio(line) * length + others) continue;
         const std::string along =
-            others > 0.0 ? fmt::format(" with {} of the line it is on, straight", shown(others, "m", 2)) : "";
-        return StaticFailure{
-            fmt::format("line \"{}\" cannot reach: it is {} long{}, the places that hold it are {} apart", line.name,
-                        shown(length, "m", 2), along, shown(apart, "m", 2)),
-            "", "make it longer, or bring what holds it nearer", true, fmt::format("lines[{}]", i)};
+            others > 0.0 ? fmt::format(" plus {} of the straight line to which it is attached", shown(others, "m", 2))
+                         : "";
+        return StaticFailure{fmt::format("line \"{}\" cannot reach: it is {} long{}, its ends are held {} apart",
+                                         line.name, shown(length, "m", 2), along, shown(apart, "m", 2)),
+                             "", "make it longer, or move its ends closer together", true, fmt::format("lines[{}]", i)};
       }
     }
     return std::nullopt;
   }
 
  private:
-  /// Whether an end is somewhere: neither free nor on a vessel that floats to where its lines let it.
-  bool stays(const LineEndDescription& end) const {
+  /// True if the position of an end is known: neither free nor on a vessel that floats freely.
+  bool has_known_position(const LineEndDescription& end) const {
     return end.kind != LineEndKind::free && !(is_on_vessel(end) && hull_is_free(model_.description));
   }
 
-  /// Of an end on another line: by way of it the ends of that one which are held.
+  /// For an end on another line, returns the held ends of that line.
   std::vector<HeldPlace> held_places(const LineEndDescription& end) const {
-    if (!stays(end)) return {};
+    if (!has_known_position(end)) return {};
     if (end.kind != LineEndKind::line) return {{held_place(end), 0.0}};
-    const auto other = std::ranges::find(lines_, end.line, &FreeLineDescription::name);
-    const double drawn = drawn_length(*other);
-    const double stretched =
-        longest_stretch(*other) * position_.lengths[static_cast<std::size_t>(other - lines_.begin())] / drawn;
+    const auto other_line = std::ranges::find(lines_, end.line, &FreeLineDescription::name);
+    const double drawn = drawn_length(*other_line);
+    const double stretched = max_stretch_ratio(*other_line) *
+                             position_.lengths[static_cast<std::size_t>(other_line - lines_.begin())] / drawn;
     std::vector<HeldPlace> places;
-    for (const auto& [held, way] :
-         {std::pair{&other->first, end.arc_length}, {&other->second, drawn - end.arc_length}}) {
-      if (!stays(*held) || held->kind == LineEndKind::line) continue;
-      places.push_back({held_place(*held), stretched * way});
+    for (const auto& [held, span] :
+         {std::pair{&other_line->first, end.arc_length}, {&other_line->second, drawn - end.arc_length}}) {
+      if (!has_known_position(*held) || held->kind == LineEndKind::line) continue;
+      places.push_back({held_place(*held), stretched * span});
     }
     return places;
   }

@@ -1,50 +1,49 @@
-/// From the lines of a model that stand by themselves to a system and a first guess of its shape.
+/// Builds a system and its initial shape from the lines of a model without a lay.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "hull/hull.h"
-#include "statics/initial_shape/cable_start.h"
+#include "statics/initial_shape/cable_shape.h"
 #include "statics/solver/lines_statics.h"
 #include "system/system.h"
 
 namespace overbend {
 
-/// Lines with what holds their ends; `system.surroundings` is that of rest: bodies in their mean poses, ends at their
-/// mean places. Attachments 2 i and 2 i + 1 are the first and the second end of line i; the vessel is body 0, the other
-/// bodies of the model follow in their order. Where
-/// lines are attached to lines, points of System::bodies are where they meet, and lines without weight are wires of the
-/// system. Points into `model`, which must outlive it.
+/// Lines with their attachments. `system.surroundings` is that of statics: bodies in their mean poses, ends at their
+/// mean positions. Attachments 2 i and 2 i + 1 are the first and the second end of line i; the vessel is body 0, the
+/// other bodies of the model follow in their order. If lines are attached to lines, the junctions are points of
+/// System::bodies, and lines without weight are wires of the system. Points into `model`, which must outlive it.
 struct LinesSetup {
   System system;
-  std::vector<std::vector<double>> start;  ///< First guess, six per node, line by line.
-  std::vector<int> lines;                  ///< By the lines of the model: the line of the system, -1 where it is none.
-  std::vector<int> wires;                  ///< The same of its wires.
-  std::shared_ptr<Hull> hull;  ///< Of a vessel that floats free, to which `system` points; see float_vessel().
+  std::vector<std::vector<double>> start;  ///< Initial shape, six per node, per line.
+  std::vector<int> lines;                  ///< Per line of the model: index of the line in the system, -1 if none.
+  std::vector<int> wires;                  ///< Same for wires of the system.
+  std::shared_ptr<Hull> hull;  ///< Hull of a free-floating vessel, to which `system` points; see float_vessel().
 };
 
-/// Of lines on lines the first guess is pipe that lies on the bed, with wires long enough to be slack.
+/// For lines attached to lines, the initial shape is pipe on the bed, with wires long enough to be slack.
 LinesSetup lines_setup(const Model& model);
 
-/// Whether lines of a model hold each other, or have a free end.
+/// True if lines of a model are attached to each other, or have a free end.
 bool has_linked_lines(const Description& description);
 
-/// Such lines at rest: what a run in time starts from.
-struct LinesAtRest {
+/// Such lines in equilibrium: initial state of a time-domain simulation.
+struct StaticLines {
   LinesSetup setup;
   SystemState state;
-  LinesRest rest;
+  LinesEquilibriumReport rest;
 };
 
-/// What the mesh of a line is made for: pipe by what it has to show on the bed, others by the rule of cables.
-CableMesh wanted_mesh(const Model& model, const FreeLineDescription& line, const CableParts& parts);
+/// Mesh requirements of a line: pipe by the results needed on the bed, others by the rule for cables.
+CableMesh make_mesh_requirements(const Model& model, const FreeLineDescription& line, const CableParts& parts);
 
-/// A state with the shapes of the first guess, at rest at `time`.
-SystemState start_of(const LinesSetup& setup, double time);
+/// State with the initial shapes, at rest at `time` [s].
+SystemState make_initial_state(const LinesSetup& setup, double time);
 
-/// What stands around lines at rest: the first bodies of their system in poses, ends where they or the ground have
-/// them.
-SurroundingsAt resting_surroundings(const std::vector<VesselPose>& poses, const std::vector<Attachment>& attachments);
+/// Surroundings of lines in statics: the first bodies of their system in given poses, ends where bodies or the ground
+/// hold them.
+SurroundingsAt static_surroundings(const std::vector<VesselPose>& poses, const std::vector<Attachment>& attachments);
 
 }  // namespace overbend

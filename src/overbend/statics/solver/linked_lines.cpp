@@ -14,13 +14,13 @@
 namespace overbend {
 namespace {
 
-constexpr double kQuasiStatic = 1e9;  // without inertia and damping: friction goes with the way [s]
+constexpr double kQuasiStatic = 1e9;  // without inertia and damping: friction depends on the path [s]
 
 std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
+std::size_t find_line_index(const std::vector<FreeLineDescription>& lines, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
 
@@ -32,12 +32,13 @@ VesselOffset mixed(const VesselOffset& from, const VesselOffset& to, double shar
   return {mixed(from.x, to.x, share), mixed(from.y, to.y, share), mixed(from.heading, to.heading, share)};
 }
 
-/// A rigid point at the first end of a line, its x axis on along the line to there, rolled upright.
+/// Rigid point at the first end of a line; its x axis continues the line at that end, without roll.
 FreeBody weld_point(const LineState& first, double force_scale) {
   const Vec3 place = Eigen::Map<const Vec3>(first.q.data());
   const Vec3 ahead = -Eigen::Map<const Vec3>(first.q.data() + 3).normalized();
   FreeBody body = free_point(place, force_scale);
-  body.held = {false, false, false, true, false, false};  // nothing twists a line, and nothing holds its roll
+  // roll has no stiffness: nothing twists a line or restrains its roll
+  body.held = {false, false, false, true, false, false};
   body.rest.h(4) = -std::asin(std::clamp(ahead.z(), -1.0, 1.0));
   body.rest.h(5) = std::atan2(ahead.y(), ahead.x());
   return body;
@@ -47,9 +48,9 @@ Vec3 turned_upwards(double kink) {
   return {std::cos(kink), 0.0, std::sin(kink)};
 }
 
-/// What the way to a position was for, and how far it came: "davit 1 came to 7.42 m of 1.00 m".
-struct WayThere {
-  std::string lines;  ///< That were hauled, paid out or welded.
+/// Purpose of a move to a position and how far it came, such as "davit 1 reached a length of 7.42 m instead of 1.00 m".
+struct MoveProgress {
+  std::string lines;  ///< Lines that were hauled, paid out or welded.
   std::string reached;
 
   void add(const std::string& name, const std::string& text) {
@@ -60,37 +61,39 @@ struct WayThere {
   }
 };
 
-WayThere way_there(const std::vector<FreeLineDescription>& lines, const LiftPosition& reached,
-                   const LiftPosition& target) {
-  WayThere way;
+MoveProgress describe_progress(const std::vector<FreeLineDescription>& lines, const LiftPosition& reached,
+                               const LiftPosition& target) {
+  MoveProgress progress;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (target.tensions[i]) {
-      way.add(lines[i].name, fmt::format("{} is {} long on its way to {}", lines[i].name,
-                                         shown(reached.lengths[i], "m", 2), shown(*target.tensions[i], "N", 1)));
+      progress.add(lines[i].name, fmt::format("{} reached a length of {} before its tension of {}", lines[i].name,
+                                              shown(reached.lengths[i], "m", 2), shown(*target.tensions[i], "N", 1)));
     } else if (std::abs(target.lengths[i] - reached.lengths[i]) > 1e-9) {
-      way.add(lines[i].name, fmt::format("{} came to a length of {} on its way to {}", lines[i].name,
-                                         shown(reached.lengths[i], "m", 2), shown(target.lengths[i], "m", 3)));
+      progress.add(lines[i].name, fmt::format("{} reached a length of {} instead of {}", lines[i].name,
+                                              shown(reached.lengths[i], "m", 2), shown(target.lengths[i], "m", 3)));
     }
   }
   const VesselOffset &from = reached.vessel, &to = target.vessel;
   if (from.x != to.x || from.y != to.y || from.heading != to.heading) {
-    way.add("", fmt::format("the vessel came {} ahead and {} to port on its way to {} and {}", shown(from.x, "m", 2),
-                            shown(from.y, "m", 2), shown(to.x, "m", 2), shown(to.y, "m", 2)));
+    progress.add("",
+                 fmt::format("the vessel reached {} ahead and {} to port instead of {} and {}", shown(from.x, "m", 2),
+                             shown(from.y, "m", 2), shown(to.x, "m", 2), shown(to.y, "m", 2)));
   }
   if (reached.closed < 1.0 && !target.joins.empty()) {
     const JoinDescription& join = target.joins.back();
-    way.add(join.first, fmt::format("{:.0f} % of the gap to be welded was closed", 100.0 * reached.closed));
-    way.add(join.second, "");
+    progress.add(join.first, fmt::format("{:.0f} % of the gap to be welded was closed", 100.0 * reached.closed));
+    progress.add(join.second, "");
   }
-  return way;
+  return progress;
 }
 
 StaticFailure unreachable(const std::vector<FreeLineDescription>& lines, const LiftPosition& reached,
                           const LiftPosition& target) {
-  const WayThere way = way_there(lines, reached, target);
-  return {"no equilibrium was found", way.lines,
-          "the lines do not come to rest on the way there" + (way.reached.empty() ? "" : ": " + way.reached) +
-              "; give lengths, tensions or places that they can reach"};
+  const MoveProgress progress = describe_progress(lines, reached, target);
+  return {"no equilibrium was found", progress.lines,
+          "no equilibrium exists on the way to the target position" +
+              (progress.reached.empty() ? "" : ": " + progress.reached) +
+              "; give lengths, tensions or positions within reach"};
 }
 
 }  // namespace
@@ -109,7 +112,7 @@ std::vector<VesselPose> poses_at(const Model& model, const LiftPosition& positio
   return poses;
 }
 
-LiftPosition drawn_position(const Description& description) {
+LiftPosition nominal_position(const Description& description) {
   LiftPosition position;
   for (const FreeLineDescription& line : description.lines) {
     position.lengths.push_back(unstressed_length(line));
@@ -120,9 +123,11 @@ LiftPosition drawn_position(const Description& description) {
 }
 
 LiftPosition stage_position(const Description& description, const LayStageDescription& stage, LiftPosition from) {
-  for (const LineValue& length : stage.lengths) from.lengths[index_of(description.lines, length.line)] = length.value;
+  for (const LineValue& length : stage.lengths) {
+    from.lengths[find_line_index(description.lines, length.line)] = length.value;
+  }
   for (const LineValue& tension : stage.tensions) {
-    from.tensions[index_of(description.lines, tension.line)] = tension.value;
+    from.tensions[find_line_index(description.lines, tension.line)] = tension.value;
   }
   if (stage.vessel) from.vessel = *stage.vessel;
   for (const BodyOffset& body : stage.bodies) from.bodies[body_index(description, body.body) - 1] = body.offset;
@@ -132,8 +137,8 @@ LiftPosition stage_position(const Description& description, const LayStageDescri
 
 LinkedLines::LinkedLines(const Model& model) : model_(&model), setup_(linked_lines_setup(model)) {
   float_vessel(model, setup_);
-  state_ = start_of(setup_, 0.0);
-  position_ = drawn_position(model.description);
+  state_ = make_initial_state(setup_, 0.0);
+  position_ = nominal_position(model.description);
   for (std::size_t i = 0; i < position_.lengths.size(); ++i) {
     position_.lengths[i] = setup_.wires[i] >= 0 ? setup_.system.wires[to_size(setup_.wires[i])].length
                                                 : setup_.system.lines[to_size(setup_.lines[i])].mesh.total_length();
@@ -141,12 +146,12 @@ LinkedLines::LinkedLines(const Model& model) : model_(&model), setup_(linked_lin
   assembly_.emplace(setup_.system);
 }
 
-/// Points rest where they are, and friction of the bed is what the way there has left.
-LinesAtRest LinkedLines::at_rest() const {
-  LinesAtRest lines{setup_, state_, {}};
+/// Fixes the points at their present positions; bed friction is as left by the path.
+StaticLines LinkedLines::make_static_lines() const {
+  StaticLines lines{setup_, state_, {}};
   for (LineState& line : lines.state.lines) {
     std::ranges::fill(line.v, 0.0);
-    lines.rest.in_bows.push_back(true);
+    lines.rest.lies_in_bow.push_back(true);
   }
   std::size_t number = 0;
   for (const int body : free_bodies(lines.setup.system)) {
@@ -158,34 +163,35 @@ LinesAtRest LinkedLines::at_rest() const {
   return lines;
 }
 
-LinkedLines::LinkedLines(const LinkedLines& other)
-    : model_(other.model_),
-      setup_(other.setup_),
-      state_(other.state_),
-      position_(other.position_),
-      welds_(other.welds_),
-      residual_(other.residual_),
-      iterations_(other.iterations_) {
+LinkedLines::LinkedLines(const LinkedLines& source)
+    : model_(source.model_),
+      setup_(source.setup_),
+      state_(source.state_),
+      position_(source.position_),
+      welds_(source.welds_),
+      residual_(source.residual_),
+      iterations_(source.iterations_) {
   assembly_.emplace(setup_.system);
   evaluate();
 }
 
-/// Forces of the state as it is: nothing has moved since.
+/// Evaluates the forces of the state itself: the displacement since is zero.
 void LinkedLines::evaluate() {
   const SystemState laid = state_;
   Equilibrium(*assembly_, {LayHistory::monotonic, &laid, kQuasiStatic}).evaluate(state_, true);
 }
 
-/// Makes a body of the two ends as they stand, apart from each other; put() brings them together.
+/// Makes a body of the two ends in their present positions, with a gap; put() closes it.
 void LinkedLines::weld(const JoinDescription& join) {
   const std::vector<FreeLineDescription>& lines = model_->description.lines;
   System& system = setup_.system;
-  const int first = setup_.lines[index_of(lines, join.first)], second = setup_.lines[index_of(lines, join.second)];
+  const int first = setup_.lines[find_line_index(lines, join.first)],
+            second = setup_.lines[find_line_index(lines, join.second)];
   const double force_scale = system.lines[to_size(first)].force_scale;
   const int body = static_cast<int>(system.bodies.size());
   system.bodies.emplace_back().free = weld_point(state_.lines[to_size(first)], force_scale);
   const HullState& rest = system.bodies.back().free->rest;
-  const BodyPose pose = pose_of(rest.h);
+  const BodyPose pose = make_pose(rest.h);
   state_.bodies.push_back(rest);
   const auto clamp = [&](int line, const Vec3& place, const Vec3& direction) -> std::size_t {
     const std::size_t index = 2 * to_size(line);
@@ -209,8 +215,8 @@ void LinkedLines::weld(const JoinDescription& join) {
   assembly_.emplace(system);
 }
 
-/// Takes back the last weld().
-void LinkedLines::part() {
+/// Reverses the last weld().
+void LinkedLines::undo_weld() {
   const std::size_t second = welds_.back().attachment;
   for (Attachment& held : setup_.system.attachments) {
     if (held.body != static_cast<int>(setup_.system.bodies.size()) - 1) continue;
@@ -223,7 +229,7 @@ void LinkedLines::part() {
   assembly_.emplace(setup_.system);
 }
 
-void LinkedLines::put(const LiftPosition& position) {
+void LinkedLines::apply_position(const LiftPosition& position) {
   if (position.joins.size() == welds_.size() && !welds_.empty()) {
     const Weld& weld = welds_.back();
     Attachment& second = setup_.system.attachments[weld.attachment];
@@ -240,7 +246,7 @@ void LinkedLines::put(const LiftPosition& position) {
       set_length(line, position.lengths[i]);
     }
   }
-  setup_.system.surroundings = resting_surroundings(poses_at(*model_, position), setup_.system.attachments);
+  setup_.system.surroundings = static_surroundings(poses_at(*model_, position), setup_.system.attachments);
 }
 
 bool LinkedLines::rest(const SystemState& laid) {
@@ -266,8 +272,8 @@ LiftPosition LinkedLines::between(const LiftPosition& target, double share) cons
       position.tensions[i].reset();
       continue;
     }
-    const double now = assembly_->wires()[to_size(setup_.wires[i])].tension;
-    position.tensions[i] = mixed(now, *target.tensions[i], share);
+    const double tension = assembly_->wires()[to_size(setup_.wires[i])].tension;
+    position.tensions[i] = mixed(tension, *target.tensions[i], share);
   }
   position.vessel = mixed(position_.vessel, target.vessel, share);
   for (std::size_t i = 0; i < target.bodies.size(); ++i) {
@@ -277,8 +283,8 @@ LiftPosition LinkedLines::between(const LiftPosition& target, double share) cons
   return position;
 }
 
-/// A winch that held a tension stops: its wire stays as long as that was.
-void LinkedLines::find_lengths() {
+/// Ends the tension control of winches: their wires keep the lengths reached.
+void LinkedLines::end_tension_control() {
   for (std::size_t i = 0; i < position_.lengths.size(); ++i) {
     if (setup_.wires[i] < 0 || !position_.tensions[i]) continue;
     const Wire& wire = setup_.system.wires[to_size(setup_.wires[i])];
@@ -286,34 +292,34 @@ void LinkedLines::find_lengths() {
     position_.lengths[i] = pull.span / (1.0 + pull.tension / wire.axial_stiffness);
     position_.tensions[i].reset();
   }
-  put(position_);
+  apply_position(position_);
 }
 
-/// Once all is where it is drawn a vessel that floats free is let go; from then on lines have to hold it.
-std::optional<StaticFailure> LinkedLines::let_float() {
+/// Releases a free-floating vessel once everything is in its nominal position; from then on lines have to hold it.
+std::optional<StaticFailure> LinkedLines::release_vessel_if_floating() {
   if (!setup_.hull) return std::nullopt;
-  if (afloat_) return find_what_holds_vessel(*model_, setup_, state_).failure;
-  HeldVessel held = let_vessel_float(*model_, setup_, state_);
+  if (afloat_) return find_vessel_stiffness(*model_, setup_, state_).failure;
+  HeldVessel held = release_vessel(*model_, setup_, state_);
   if (held.failure) return std::move(held.failure);
   afloat_ = true;
   assembly_.emplace(setup_.system);
   const SystemState laid = state_;
   if (rest(laid)) return std::nullopt;
-  return StaticFailure{"no equilibrium was found", "", "lines and the vessel do not come to rest together"};
+  return StaticFailure{"no equilibrium was found", "", "no common equilibrium of lines and vessel was found"};
 }
 
-/// At the upper end of a line with weight [N].
+/// Tension at the upper end of a line with weight [N].
 double LinkedLines::upper_tension(std::size_t line) const {
   const std::vector<double>& q = state_.lines[line].q;
   const LineEnd upper = q[2] >= q[q.size() - 4] ? LineEnd::first : LineEnd::last;
   return Eigen::Map<const Vec3>(assembly_->line(line).end_force(upper).data()).norm();
 }
 
-/// The lengths with which lines with weight have the tensions asked for at their upper ends: Newton's method, the
-/// derivatives by differences.
-bool LinkedLines::haul_to_tensions(const LiftPosition& target) {
-  constexpr int kMost = 30;
-  constexpr double kClose = 1e-7, kDifference = 1e-4, kLongestStep = 0.05;  // of tension, of length
+/// Finds the lengths at which lines with weight have the given tensions at their upper ends, by Newton's method with
+/// finite differences.
+bool LinkedLines::find_lengths_for_tensions(const LiftPosition& target) {
+  constexpr int kMaxIterations = 30;
+  constexpr double kClose = 1e-7, kDifference = 1e-4, kMaxStep = 0.05;  // relative to the tension, to the length
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < target.tensions.size(); ++i) {
     if (target.tensions[i] && setup_.lines[i] >= 0) which.push_back(i);
@@ -327,23 +333,23 @@ bool LinkedLines::haul_to_tensions(const LiftPosition& target) {
     }
     return error;
   };
-  for (int round = 0; n > 0 && round < kMost; ++round) {
+  for (int round = 0; n > 0 && round < kMaxIterations; ++round) {
     const Eigen::VectorXd error = errors();
     if (error.cwiseAbs().maxCoeff() < kClose) return true;
     Eigen::MatrixXd slope(n, n);
     for (Eigen::Index k = 0; k < n; ++k) {
-      const SystemState here = state_;
+      const SystemState base_state = state_;
       const LiftPosition position = position_;
-      LiftPosition other = position_;
-      other.lengths[which[static_cast<std::size_t>(k)]] *= 1.0 - kDifference;
-      if (travel(other)) return false;
-      slope.col(k) = (errors() - error) / -kDifference;  // by the logarithm of the length
+      LiftPosition shortened = position_;
+      shortened.lengths[which[static_cast<std::size_t>(k)]] *= 1.0 - kDifference;
+      if (travel(shortened)) return false;
+      slope.col(k) = (errors() - error) / -kDifference;  // derivative with respect to the logarithm of the length
       position_ = position;
-      state_ = here;
-      put(position_);
+      state_ = base_state;
+      apply_position(position_);
     }
     const Eigen::VectorXd step = slope.partialPivLu().solve(-error);
-    const double share = std::min(1.0, kLongestStep / step.cwiseAbs().maxCoeff());
+    const double share = std::min(1.0, kMaxStep / step.cwiseAbs().maxCoeff());
     LiftPosition next = position_;
     for (Eigen::Index k = 0; k < n; ++k) next.lengths[which[static_cast<std::size_t>(k)]] *= 1.0 + share * step(k);
     if (travel(next)) return false;
@@ -351,27 +357,26 @@ bool LinkedLines::haul_to_tensions(const LiftPosition& target) {
   return n == 0;
 }
 
-/// A line that carries several times its breaking load does not get where it is wanted.
-std::optional<StaticFailure> LinkedLines::overstretched() const {
-  constexpr double kMost = 3.0;  // times its breaking load
+/// Returns a failure if a line would carry several times its breaking load.
+std::optional<StaticFailure> LinkedLines::find_overstretched_line() const {
+  constexpr double kMaxOverload = 3.0;  // times the breaking load
   const std::vector<FreeLineDescription>& lines = model_->description.lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double tension = setup_.wires[i] >= 0 ? assembly_->wires()[to_size(setup_.wires[i])].tension
                                                 : upper_tension(to_size(setup_.lines[i]));
     for (const LineSegmentDescription& segment : lines[i].segments) {
       const std::optional<double>& load = segment.type.breaking_load;
-      if (!load || tension <= kMost * *load) continue;
-      return StaticFailure{
-          "a line cannot reach", "line \"" + lines[i].name + "\"",
-          fmt::format("with a length of {} it would carry {}, {:.1f} times its breaking load; make it longer, or bring "
-                      "what holds it nearer",
-                      shown(position_.lengths[i], "m", 3), shown(tension, "N", 1), tension / *load)};
+      if (!load || tension <= kMaxOverload * *load) continue;
+      return StaticFailure{"a line cannot reach", "line \"" + lines[i].name + "\"",
+                           fmt::format("with a length of {} it would carry {}, {:.1f} times its breaking load; make it "
+                                       "longer, or move its ends closer together",
+                                       shown(position_.lengths[i], "m", 3), shown(tension, "N", 1), tension / *load)};
     }
   }
   return std::nullopt;
 }
 
-std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
+std::optional<StaticFailure> LinkedLines::move_to(const LiftPosition& target) {
   const LiftPosition from = position_;
   const SystemState at_first = state_;
   const bool welds = target.joins.size() > welds_.size();
@@ -381,44 +386,44 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
     position_.closed = 0.0;
   }
   std::optional<StaticFailure> failure = travel(target);
-  if (!failure && !haul_to_tensions(target)) {
+  if (!failure && !find_lengths_for_tensions(target)) {
     failure = unreachable(model_->description.lines, position_, target);
-    failure->why = "no length of these lines gives the tensions asked for";
+    failure->why = "no length of these lines gives the requested tensions";
   }
-  if (!failure) failure = overstretched();
+  if (!failure) failure = find_overstretched_line();
   if (!failure) {
-    find_lengths();
-    failure = let_float();
+    end_tension_control();
+    failure = release_vessel_if_floating();
     if (!failure) return std::nullopt;
   }
-  if (welds) part();
+  if (welds) undo_weld();
   position_ = from;
   state_ = at_first;
-  put(position_);
+  apply_position(position_);
   evaluate();
   return failure;
 }
 
-/// Brings all there in parts; stops where a part cannot be reached however small it is.
+/// Moves everything to the target in increments; fails if even the smallest increment has no equilibrium.
 std::optional<StaticFailure> LinkedLines::travel(const LiftPosition& target) {
-  constexpr double kShortest = 1.0 / 1024.0;
-  const double longest = model_->seabed.friction_axial > 0.0 ? 0.25 : 1.0;
-  double part = longest;
+  constexpr double kMinStep = 1.0 / 1024.0;
+  const double max_step = model_->seabed.friction_axial > 0.0 ? 0.25 : 1.0;
+  double increment = max_step;
   for (double done = 0.0; done < 1.0;) {
-    part = std::min(part, 1.0 - done);
-    const LiftPosition here = position_, next = between(target, part / (1.0 - done));
+    increment = std::min(increment, 1.0 - done);
+    const LiftPosition before = position_, next = between(target, increment / (1.0 - done));
     const SystemState laid = state_;
-    put(next);
+    apply_position(next);
     if (rest(laid)) {
       position_ = next;
-      done = part >= 1.0 - done ? 1.0 : done + part;
-      part = std::min(2.0 * part, longest);
+      done = increment >= 1.0 - done ? 1.0 : done + increment;
+      increment = std::min(2.0 * increment, max_step);
       continue;
     }
     state_ = laid;
-    put(here);
-    part *= 0.5;
-    if (part < kShortest) {
+    apply_position(before);
+    increment *= 0.5;
+    if (increment < kMinStep) {
       return unreachable(model_->description.lines, position_, target);
     }
   }

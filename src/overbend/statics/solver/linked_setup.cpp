@@ -1,8 +1,8 @@
-// Lines that hold each other as a system, with a first guess of its shape.
+// System of lines attached to each other, with its initial shape.
 #include <algorithm>
 
 #include "model/bodies.h"
-#include "statics/initial_shape/cable_start.h"
+#include "statics/initial_shape/cable_shape.h"
 #include "statics/initial_shape/lying_shape.h"
 #include "statics/solver/linked_lines.h"
 
@@ -13,11 +13,11 @@ std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
+std::size_t find_line_index(const std::vector<FreeLineDescription>& lines, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
 
-/// Makes the system line by line; what a line is attached to comes before it.
+/// Builds the system line by line; the lines that a line is attached to come first.
 class LinkedSetup {
  public:
   explicit LinkedSetup(const Model& model) : model_(model), lines_(model.description.lines), made_(lines_.size()) {
@@ -37,7 +37,7 @@ class LinkedSetup {
     for (bool more = true; more;) {
       more = false;
       for (std::size_t i = 0; i < lines_.size(); ++i) {
-        if (made_[i] || !stands(lines_[i].first) || !stands(lines_[i].second)) continue;
+        if (made_[i] || !is_placed(lines_[i].first) || !is_placed(lines_[i].second)) continue;
         add(i);
         made_[i] = more = true;
       }
@@ -49,15 +49,15 @@ class LinkedSetup {
  private:
   static bool is_wire(const FreeLineDescription& line) { return !has_pipe_section(line) && is_weightless(line); }
 
-  /// Whether what an end is on has its place.
-  bool stands(const LineEndDescription& end) const {
-    return end.kind != LineEndKind::line || made_[index_of(lines_, end.line)];
+  /// True if the position of an end's attachment is known.
+  bool is_placed(const LineEndDescription& end) const {
+    return end.kind != LineEndKind::line || made_[find_line_index(lines_, end.line)];
   }
 
-  std::vector<double> places_of_others(const std::string& name) const {
+  std::vector<double> attached_arc_lengths(const std::string& name) const {
     std::vector<double> places;
-    for (const FreeLineDescription& other : lines_) {
-      for (const LineEndDescription* end : {&other.first, &other.second}) {
+    for (const FreeLineDescription& other_line : lines_) {
+      for (const LineEndDescription* end : {&other_line.first, &other_line.second}) {
         if (end->kind == LineEndKind::line && end->line == name) places.push_back(end->arc_length);
       }
     }
@@ -71,49 +71,51 @@ class LinkedSetup {
     } else if (line.first.kind == LineEndKind::free || line.second.kind == LineEndKind::free) {
       add_lying(i);
     } else {
-      add_hanging(i);
+      add_suspended(i);
     }
   }
 
-  CableParts parts_of(const FreeLineDescription& line) const {
-    return {line.segments, line.points, places_of_others(line.name)};
+  CableParts make_parts(const FreeLineDescription& line) const {
+    return {line.segments, line.points, attached_arc_lengths(line.name)};
   }
 
-  /// Straight from the end that is held, or from where it starts: along the bed, or level where it is held above.
+  /// Initial shape straight from the held end, or from the line's start: along the bed, or level if it is held above
+  /// the bed.
   void add_lying(std::size_t i) {
     const FreeLineDescription& line = lines_[i];
-    const CableParts parts = parts_of(line);
+    const CableParts parts = make_parts(line);
     const bool first_free = line.first.kind == LineEndKind::free && line.second.kind != LineEndKind::free;
     const LineEndDescription& held = first_free ? line.second : line.first;
     const Vec3 place = held.kind == LineEndKind::free ? *line.start : end_point(held);
-    const double sense = first_free ? -1.0 : 1.0;  // of the way from the held end, along the line
-    Vec3 way = model_.drawn_pose.R_WV * Vec3::UnitX() * -sense;
+    const double sense = first_free ? -1.0 : 1.0;  // sign of the direction from the held end along the line
+    Vec3 direction = model_.nominal_pose.R_WV * Vec3::UnitX() * -sense;
     if (held.clamped) {
-      way = held.direction;
+      direction = held.direction;
     } else if (line.start && held.kind != LineEndKind::free) {
-      way = sense * (*line.start - place);
+      direction = sense * (*line.start - place);
     }
-    way.z() = 0.0;
-    way.normalize();
+    direction.z() = 0.0;
+    direction.normalize();
     const double length = parts.length();
-    const Vec3 other = place + sense * length * way;
-    Line& made = put_line(i, cable_line(model_, parts, wanted_mesh(model_, line, parts), first_free ? other : place,
-                                        first_free ? place : other));
+    const Vec3 far_end = place + sense * length * direction;
+    Line& made = put_line(i, cable_line(model_, parts, make_mesh_requirements(model_, line, parts),
+                                        first_free ? far_end : place, first_free ? place : far_end));
     const bool lies = held.kind == LineEndKind::bed || held.kind == LineEndKind::free;
-    setup_.start[to_size(setup_.lines[i])] = lies ? lying_shape(model_, made, place, way, first_free ? length : 0.0)
-                                                  : level_shape(made, place, way, first_free ? length : 0.0);
+    setup_.start[to_size(setup_.lines[i])] =
+        lies ? lying_shape(model_, made, place, direction, first_free ? length : 0.0)
+             : level_shape(made, place, direction, first_free ? length : 0.0);
     attach_ends(i);
   }
 
-  void add_hanging(std::size_t i) {
+  void add_suspended(std::size_t i) {
     const FreeLineDescription& line = lines_[i];
-    CableParts parts = parts_of(line);
+    CableParts parts = make_parts(line);
     const Vec3 first = end_point(line.first), second = end_point(line.second);
     if (!parts.has_pipe() && is_linked(line)) {
       lengthen(parts, slack_length(unstressed_length(line), (second - first).norm()));
     }
-    const CableStart start = cable_start(model_, parts, first, second);
-    CableMesh mesh = wanted_mesh(model_, line, parts);
+    const CableShape start = make_cable_shape(model_, parts, first, second);
+    CableMesh mesh = make_mesh_requirements(model_, line, parts);
     mesh.touchdown = start.touchdown();
     Line& made = put_line(i, cable_line(model_, parts, mesh, first, second));
     setup_.start[to_size(setup_.lines[i])] = start.shape(made.mesh);
@@ -125,7 +127,7 @@ class LinkedSetup {
     Wire wire;
     wire.name = line.name;
     const auto put_end = [&](const LineEndDescription& end, int& body, Vec3& place) {
-      body = body_of(end);
+      body = find_or_add_body(end);
       place = body == kGround ? end_point(end) : end.kind == LineEndKind::line ? Vec3(Vec3::Zero()) : end.at;
     };
     put_end(line.first, wire.first_body, wire.first);
@@ -136,7 +138,7 @@ class LinkedSetup {
     setup_.system.wires.push_back(wire);
   }
 
-  /// Long enough not to pull while the pipe lies.
+  /// Length at which a wire is slack while the pipe lies on the bed.
   static double slack_length(double drawn, double span) { return std::max(drawn, 1.001 * span); }
 
   static void lengthen(CableParts& parts, double length) {
@@ -154,15 +156,15 @@ class LinkedSetup {
   }
 
   Vec3 end_point(const LineEndDescription& end) {
-    return end.kind == LineEndKind::line ? setup_.system.bodies[to_size(body_of(end))].free->rest.h.head<3>()
+    return end.kind == LineEndKind::line ? setup_.system.bodies[to_size(find_or_add_body(end))].free->rest.h.head<3>()
                                          : end_place(model_, end);
   }
 
-  /// The body that an end is on, where need be made as a point of the other line.
-  int body_of(const LineEndDescription& end) {
+  /// Body to which an end is attached; created as a point of the other line if necessary.
+  int find_or_add_body(const LineEndDescription& end) {
     if (end.kind == LineEndKind::body) return static_cast<int>(body_index(model_.description, end.body));
     if (end.kind != LineEndKind::line) return kGround;
-    const int line = setup_.lines[index_of(lines_, end.line)];
+    const int line = setup_.lines[find_line_index(lines_, end.line)];
     const Line& of = setup_.system.lines[to_size(line)];
     const int node = node_at(of.mesh, end.arc_length);
     for (const Attachment& held : setup_.system.attachments) {
@@ -193,7 +195,7 @@ class LinkedSetup {
     if (end.kind == LineEndKind::free) return held;
     const Vec3 place = Eigen::Map<const Vec3>(q), tangent = Eigen::Map<const Vec3>(q + 3);
     held.hold_place = true;
-    held.body = body_of(end);
+    held.body = find_or_add_body(end);
     held.place = end.kind == LineEndKind::body                                 ? end.at
                  : end.kind == LineEndKind::line                               ? Vec3(Vec3::Zero())
                  : end.kind == LineEndKind::bed && has_pipe_section(lines_[i]) ? place
@@ -201,7 +203,7 @@ class LinkedSetup {
     held.hold_direction = end.clamped;
     if (!end.clamped) return held;
     held.direction = end.direction.normalized();
-    if (end.kind == LineEndKind::bed && has_pipe_section(lines_[i])) {  // it lies at rest there
+    if (end.kind == LineEndKind::bed && has_pipe_section(lines_[i])) {  // it lies on the bed in equilibrium
       held.direction = tangent.normalized();
       held.free_along = model_.seabed.surface.normal(place.x(), place.y());
     }
@@ -209,7 +211,7 @@ class LinkedSetup {
   }
 
   void put_surroundings() {
-    setup_.system.surroundings = resting_surroundings(body_poses(model_), setup_.system.attachments);
+    setup_.system.surroundings = static_surroundings(body_poses(model_), setup_.system.attachments);
   }
 
   const Model& model_;

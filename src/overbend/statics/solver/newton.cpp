@@ -9,30 +9,30 @@
 namespace overbend {
 namespace {
 
-constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
-constexpr double kLeastFarForce = 1e-6;    ///< Of the total weight: steps leave that much where they go below zero.
-constexpr double kBalanced = 1e-6;         ///< Residual of a line that balances, whatever the target.
-constexpr double kBeyondAll = 1e30;        ///< Residual of a state that is lost.
-constexpr int kHalvings = 8;               ///< Of a step whose residual grows.
+constexpr double kMaxForceStep = 0.3;   ///< Maximum relative step of the far force.
+constexpr double kMinFarForce = 1e-6;   ///< Relative to the total weight: far force kept if a step would make it
+                                        ///< negative.
+constexpr double kBalanced = 1e-6;      ///< Residual of a line in equilibrium, for any target.
+constexpr double kLostResidual = 1e30;  ///< Residual above which a state is lost.
+constexpr int kHalvings = 8;            ///< Halvings of a step whose residual grows.
 
-/// Residuals of the last two states, which tell where Newton's method goes from here.
+/// Residuals of the last two states, from which the next one is predicted.
 class Descent {
  public:
   explicit Descent(double tolerance) : tolerance_(tolerance) {}
   void reached(double error) {
-    before_ = now_;
-    now_ = error;
+    before_ = last_;
+    last_ = error;
   }
-  /// Whether the state after the next step, which squares the residual, is likely to be the last and to need no
-  /// tangent.
-  bool ends_next() const { return now_ * (now_ / before_) * (now_ / before_) < tolerance_; }
+  /// True if the next step, which squares the residual, is likely to be the last and to need no tangent.
+  bool ends_next() const { return last_ * (last_ / before_) * (last_ / before_) < tolerance_; }
 
  private:
   double tolerance_;
-  double before_ = 0.0, now_ = 0.0;  ///< None yet: no quotient of these is small.
+  double before_ = 0.0, last_ = 0.0;  ///< None yet: no quotient of these is small.
 };
 
-/// One search for an equilibrium.
+/// Search for an equilibrium.
 class NewtonSearch {
  public:
   NewtonSearch(Equilibrium& equations, SystemState& state, const NewtonSettings& settings)
@@ -45,9 +45,9 @@ class NewtonSearch {
 
   NewtonReport run() {
     for (; report_.iterations <= settings_.max_iterations; ++report_.iterations) {
-      if (!looked_) look(state_, true);
+      if (!is_evaluated_) evaluate_state(state_, true);
       if (ended()) return report_;
-      if (!has_tangent_) look(state_, true);
+      if (!has_tangent_) evaluate_state(state_, true);
       if (!take_step()) return report_;
     }
     report_.end = NewtonEnd::too_many_iterations;
@@ -55,10 +55,10 @@ class NewtonSearch {
   }
 
  private:
-  void look(SystemState& at, bool with_tangent) {
-    equations_.evaluate(at, with_tangent);
+  void evaluate_state(SystemState& state, bool with_tangent) {
+    equations_.evaluate(state, with_tangent);
     equations_.hold(with_tangent);
-    looked_ = true;
+    is_evaluated_ = true;
     has_tangent_ = with_tangent;
   }
 
@@ -70,7 +70,7 @@ class NewtonSearch {
 
   bool is_slack() const {
     return settings_.target && report_.residual < kBalanced &&
-           equations_.far_force(state_) < kLeastFarForce * equations_.line().line().force_scale;
+           equations_.far_force(state_) < kMinFarForce * equations_.line().line().force_scale;
   }
 
   bool end(NewtonEnd how) {
@@ -78,31 +78,32 @@ class NewtonSearch {
     return true;
   }
 
-  /// Whether there is nothing more to do, or to be done, from the state as it was looked at.
+  /// Tests convergence and failure at the evaluated state.
   bool ended() {
     report_.residual = equations_.relative_residual();
     const double error = std::max(report_.residual, target_error());
     descent_.reached(error);
-    if (!(report_.residual < kBeyondAll)) return end(NewtonEnd::lost);
+    if (!(report_.residual < kLostResidual)) return end(NewtonEnd::lost);
     if (error < settings_.tolerance) return end(NewtonEnd::converged);
     return is_slack() && end(NewtonEnd::slack);
   }
 
-  bool damped() const { return settings_.search == StepSearch::least_work; }
+  bool damped() const { return settings_.search == StepSearch::min_work; }
 
-  bool raise_damping(double least) {
-    damping_ = std::max(kDampingStep * damping_, least);
+  bool raise_damping(double min_damping) {
+    damping_ = std::max(kDampingStep * damping_, min_damping);
     return true;
   }
 
-  /// One step with the tangent of the state, or with more damping where that leads nowhere. False where none is left.
+  /// Takes one step with the tangent of the state, or increases the damping if that fails. Returns false if no step is
+  /// left.
   bool take_step() {
     const bool free = settings_.target && damping_ == 0.0;
     if (settings_.target) equations_.put_target(*settings_.target, state_);
     const bool solved = equations_.solve(damping_, free, dq_);
-    looked_ = has_tangent_ = false;
+    is_evaluated_ = has_tangent_ = false;
     if (!solved) {
-      if (damped() && damping_ <= kMostDamping) return raise_damping(settings_.singular_damping);
+      if (damped() && damping_ <= kMaxDamping) return raise_damping(settings_.singular_damping);
       report_.end = NewtonEnd::singular;
       report_.singular_node = equations_.singular_node();
       return false;
@@ -113,43 +114,43 @@ class NewtonSearch {
   }
 
   bool step_downhill() {
-    const bool mixes = settings_.remembers && damping_ == 0.0;
+    const bool mixes = settings_.has_plastic_memory && damping_ == 0.0;
     if (mixes) {
       mixing_.mix(dq_.front(), dq_.back().back());
     } else {
       mixing_.forget();
     }
     const double limit = std::min(equations_.step_limit(dq_, settings_.body_step),
-                                  equations_.share_before_entering(dq_, settings_.entering));
+                                  equations_.share_before_entering(dq_, settings_.max_entering));
     const double force_step = far_force_step(limit);
     const double work_start = equations_.work(dq_, force_step);
-    if (work_start >= 0.0 && damping_ < kMostDamping) {
-      return raise_damping(1.0);  // past a limit point: damped steps lead downhill to where the pipe snaps
+    if (work_start >= 0.0 && damping_ < kMaxDamping) {
+      return raise_damping(1.0);  // past a limit point: damped steps lead downhill to the snapped position
     }
-    search_least_work(work_start, limit, force_step);
-    if (mixes) mixing_.took(dq_.front(), share_, force_step);
+    search_min_work(work_start, limit, force_step);
+    if (mixes) mixing_.record_taken(dq_.front(), share_, force_step);
     return true;
   }
 
   /// Step of the far force, within bounds.
   double far_force_step(double limit) {
     if (!settings_.target) return 0.0;
-    const double most = kLargestForceStep * equations_.far_force(state_);
-    return std::clamp(limit * dq_.back().back(), -most, most);
+    const double max_step = kMaxForceStep * equations_.far_force(state_);
+    return std::clamp(limit * dq_.back().back(), -max_step, max_step);
   }
 
-  /// Most steps end at the first look, which takes the tangent along.
-  void search_least_work(double work_start, double limit, double force_step) {
-    bool with_tangent = goes_well_ && !descent_.ends_next();
+  /// Most line searches end at their first evaluation, which includes the tangent.
+  void search_min_work(double work_start, double limit, double force_step) {
+    bool with_tangent = full_step_taken_ && !descent_.ends_next();
     const auto work_at = [&](double share) {
       ++report_.trials;
       equations_.advance(trial_, state_, dq_, share);
       if (!state_.lines.empty()) equations_.far_force(trial_) = equations_.far_force(state_) + force_step;
-      look(trial_, std::exchange(with_tangent, false));
+      evaluate_state(trial_, std::exchange(with_tangent, false));
       return equations_.work(dq_);
     };
     share_ = search_along(work_at, work_start, limit);
-    goes_well_ = share_ == limit;
+    full_step_taken_ = share_ == limit;
     if (share_ < 0.05) {
       raise_damping(1.0);
     } else {
@@ -158,11 +159,11 @@ class NewtonSearch {
     std::swap(state_, trial_);
   }
 
-  /// The far force stays.
+  /// Step with bounded residual; the far force is constant.
   void step_bounded(double limit) {
     const auto grows = [&](double share) {
       equations_.advance(trial_, state_, dq_, share);
-      look(trial_, false);
+      evaluate_state(trial_, false);
       return !(equations_.relative_residual() < settings_.max_growth * report_.residual);
     };
     double share = limit;
@@ -178,11 +179,11 @@ class NewtonSearch {
   SystemState trial_;
   StepMixing mixing_;
   Descent descent_;
-  double damping_ = 0.0;      ///< Viscous resistance to a step, per length [N/m2].
-  double share_ = 0.0;        ///< Of the last step that was taken.
-  bool looked_ = false;       ///< Whether the system was evaluated at the state.
-  bool has_tangent_ = false;  ///< Whether its blocks are those of the state.
-  bool goes_well_ = true;     ///< Whether the last step ended at its first look.
+  double damping_ = 0.0;         ///< Viscous damping of a step, per length [N/m2].
+  double share_ = 0.0;           ///< Share of the last step that was taken.
+  bool is_evaluated_ = false;    ///< True if the system was evaluated at the state.
+  bool has_tangent_ = false;     ///< True if its tangent is that of the state.
+  bool full_step_taken_ = true;  ///< True if the last search ended at its first evaluation.
 };
 
 }  // namespace

@@ -6,9 +6,9 @@
 namespace overbend {
 namespace {
 
-constexpr int kMassRenewal = 200;  ///< Steps between two looks at the tangent.
+constexpr int kMassRenewal = 200;  ///< Steps between evaluations of the tangent.
 
-/// Masses for a unit step: dt^2 k_max / m < 4 for every row sum, with a margin of two for stiffening between renewals.
+/// Masses for a unit step: dt^2 k_max / m < 4 for every row sum, with a factor of two for stiffening between renewals.
 void renew_masses(StaticSystem& system, const LineState& state, std::vector<double>& mass) {
   system.evaluate(state, true);
   system.hold(true);
@@ -26,9 +26,9 @@ void renew_masses(StaticSystem& system, const LineState& state, std::vector<doub
   }
 }
 
-/// Whether an element is stretched or squeezed by more than half its length, or a node's tangent is: steel pipes bear a
-/// hundredth of that.
-bool torn(const StaticSystem& system, const LineState& state) {
+/// True if the length of an element or a node's tangent has changed by more than half; steel pipes bear a hundredth of
+/// that.
+bool is_torn(const StaticSystem& system, const LineState& state) {
   const auto far_from = [](double value, double wanted) { return !(std::abs(value - wanted) <= 0.5 * wanted); };
   const auto vector = [&](std::size_t first) { return Eigen::Map<const Vec3>(state.q.data() + first); };
   for (std::size_t e = 0; e < system.mesh().length.size(); ++e) {
@@ -49,7 +49,7 @@ RelaxationReport relax(StaticSystem& system, LineState& state, const RelaxationS
   double energy_before = 0.0;
   while (report.steps < settings.max_steps) {
     if (report.steps % kMassRenewal == 0) {
-      if (report.steps > 0 && torn(system, state)) {
+      if (report.steps > 0 && is_torn(system, state)) {
         report.diverged = true;
         return report;
       }
@@ -68,7 +68,7 @@ RelaxationReport relax(StaticSystem& system, LineState& state, const RelaxationS
       velocity[i] -= r[i] / mass[i];
       energy += 0.5 * mass[i] * velocity[i] * velocity[i];
     }
-    if (energy < energy_before) {  // past the peak: start again from rest
+    if (energy < energy_before) {  // past the peak: restart with zero velocity
       std::fill(velocity.begin(), velocity.end(), 0.0);
       energy_before = 0.0;
     } else {

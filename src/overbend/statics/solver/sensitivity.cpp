@@ -6,30 +6,30 @@
 #include "mechanics/rod_element.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/stage_shape.h"
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kLookAhead = 1e-5;    ///< Largest move of a node where the tangent is differenced [m].
-constexpr double kWell = 1e-7;         ///< Of an imbalance, left where the tangent is not exact.
-constexpr int kMostLooks = 25;         ///< Along which an imbalance is looked at.
-constexpr std::size_t kMostKept = 40;  ///< Of these, what is kept for other inputs.
+constexpr double kDifferenceStep = 1e-5;        ///< Maximum nodal displacement of tangent differences [m].
+constexpr double kTolerance = 1e-7;             ///< Remaining share of an imbalance if the tangent is inexact.
+constexpr int kMaxDirections = 25;              ///< Maximum number of directions evaluated per imbalance.
+constexpr std::size_t kMaxKeptDirections = 40;  ///< Maximum number of these kept for other inputs.
 
 Vec3 tangent_at(const std::vector<double>& q, int node) {
   return Vec3(Eigen::Map<const Vec3>(q.data() + 6 * node + 3));
 }
 
-/// How far a place or direction goes when the heading turns from one horizontal unit vector to another.
+/// Change of a position or direction when the heading turns from one horizontal unit vector to another.
 Vec3 turned(const Vec3& from, const Vec3& to, const Vec3& d) {
   const double sine = from.cross(to).z(), back = sine * sine / (1.0 + from.dot(to));
   return {-back * d.x() - sine * d.y(), sine * d.x() - back * d.y(), 0.0};
 }
 
-/// How far the unknowns of a state have to go for its ends to be held as `to` holds them. The line goes along as a
-/// whole with the tensioner and its heading, in height each node by its share, so that nothing is stretched sharply;
-/// where nodes go makes no difference to what is found.
-std::vector<double> way_to_ends(const StaticSystem& from, const StaticSystem& to, const LineState& state) {
+/// Displacement of the unknowns of a state that puts its ends where `to` holds them. The line moves as a whole with the
+/// tensioner and its heading; in height each node moves by its share, so that nothing is stretched sharply. The choice
+/// of nodal displacements does not affect the result.
+std::vector<double> displacement_to_ends(const StaticSystem& from, const StaticSystem& to, const LineState& state) {
   const LayPlane &old_plane = from.plane(), &plane = to.plane();
   const Vec3 top = plane.tensioner_W - old_plane.tensioner_W;
   const Vec3 level(top.x(), top.y(), 0.0);
@@ -41,25 +41,25 @@ std::vector<double> way_to_ends(const StaticSystem& from, const StaticSystem& to
   const double lift = pinned ? pinned_height(to.model()) - pinned_height(from.model()) : 0.0;
   const Vec3 far_way = far_across * plane.port_W + lift * Vec3::UnitZ();
   const LineMesh& mesh = from.mesh();
-  std::vector<double> way(state.q.size(), 0.0);
+  std::vector<double> mode(state.q.size(), 0.0);
   for (int node = 0; node < mesh.nodes(); ++node) {
     const double share = mesh.s[static_cast<std::size_t>(node)] / mesh.total_length();
     const Vec3 place = Eigen::Map<const Vec3>(state.q.data() + 6 * node);
-    Eigen::Map<Vec3>(way.data() + 6 * node) =
+    Eigen::Map<Vec3>(mode.data() + 6 * node) =
         with_vessel(place) + share * top.z() * Vec3::UnitZ() + (1.0 - share) * far_way;
-    Eigen::Map<Vec3>(way.data() + 6 * node + 3) = turn(tangent_at(state.q, node));
+    Eigen::Map<Vec3>(mode.data() + 6 * node + 3) = turn(tangent_at(state.q, node));
   }
   const int last = mesh.nodes() - 1;
-  Eigen::Map<Vec3>(way.data() + 6 * last) = top;
+  Eigen::Map<Vec3>(mode.data() + 6 * last) = top;
   if (!pinned) {
-    Eigen::Map<Vec3>(way.data() + 3) =
+    Eigen::Map<Vec3>(mode.data() + 3) =
         tangent_at(state.q, 0).dot(from.far_direction()) * (to.far_direction() - from.far_direction());
   }
   if (from.held_direction() && to.held_direction()) {
-    Eigen::Map<Vec3>(way.data() + 6 * last + 3) =
+    Eigen::Map<Vec3>(mode.data() + 6 * last + 3) =
         tangent_at(state.q, last).dot(*from.held_direction()) * (*to.held_direction() - *from.held_direction());
   }
-  return way;
+  return mode;
 }
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
@@ -72,7 +72,7 @@ void add(std::vector<double>& a, double factor, const std::vector<double>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
 }
 
-/// Half of what lies between.
+/// Half the difference.
 double half(double before, double after) {
   return 0.5 * (after - before);
 }
@@ -83,8 +83,8 @@ std::vector<char> carrying(const StaticSystem& system) {
   return carries;
 }
 
-/// In steady laying.
-double miss_of(const StaticSystem& system, const LineState& state) {
+/// Miss of the landing in steady laying, otherwise 0 [m].
+double landing_miss_or_zero(const StaticSystem& system, const LineState& state) {
   return system.lays_steadily() ? system.landing_miss(state).value_or(0.0) : 0.0;
 }
 
@@ -93,12 +93,12 @@ bool same_order(const Model& a, const Model& b) {
                             [](const SectionSpan& x, const SectionSpan& y) { return x.section == y.section; });
 }
 
-/// Distances from the tensioner, and how far each goes [m].
+/// Distances from the tensioner and their shifts [m].
 using Shifts = std::vector<std::pair<double, double>>;
 
-/// Nodes farther than a few elements from what goes stand still: spread all the way they would slide over rollers, and
-/// what the mesh does to a line that turns sharply there would be taken for what the model does.
-Shifts with_standing_nodes(const Shifts& limits, const LineMesh& mesh) {
+/// Adds fixed points a few elements away from the moved limits. If nodes were spread over the whole line they would
+/// slide over rollers, and mesh effects where the line bends sharply would be taken for effects of the model.
+Shifts with_fixed_nodes(const Shifts& limits, const LineMesh& mesh) {
   constexpr double kElements = 6.0;
   const auto reach = [&](double u) {
     const double s = mesh.total_length() - u;
@@ -123,12 +123,12 @@ Shifts with_standing_nodes(const Shifts& limits, const LineMesh& mesh) {
 
 }  // namespace
 
-std::optional<LineMesh> carried_mesh(const LineMesh& mesh, const Model& from, const Model& model) {
+std::optional<LineMesh> moved_mesh(const LineMesh& mesh, const Model& from, const Model& model) {
   if (!same_order(from, model)) return std::nullopt;
   const double total = mesh.total_length();
   Shifts limits{{0.0, 0.0}};
-  const auto add_limit = [&](double at, double to) {
-    if (at > limits.back().first && at < total) limits.emplace_back(at, to - at);
+  const auto add_limit = [&](double from_top, double to) {
+    if (from_top > limits.back().first && from_top < total) limits.emplace_back(from_top, to - from_top);
   };
   for (std::size_t i = 0; i < from.spans.size(); ++i) {
     add_limit(from.spans[i].from, model.spans[i].from);
@@ -137,7 +137,7 @@ std::optional<LineMesh> carried_mesh(const LineMesh& mesh, const Model& from, co
   const double longer = model.description.pipe.length.value_or(0.0) - from.description.pipe.length.value_or(0.0);
   limits.emplace_back(total, longer);
   if (std::ranges::all_of(limits, [](const auto& limit) { return limit.second == 0.0; })) return mesh;
-  limits = with_standing_nodes(limits, mesh);
+  limits = with_fixed_nodes(limits, mesh);
   const auto shift = [&](double u) {
     const auto after = std::ranges::find_if(limits, [&](const auto& limit) { return limit.first >= u; });
     if (after == limits.begin()) return after->second;
@@ -159,23 +159,23 @@ EquilibriumTangent::EquilibriumTangent(const Model& model, const StaticSolution&
     : model_(&model),
       solution_(&solution),
       system_(model, model.mean_pose, solution.mesh),
-      target_(wanted_of(model.description)) {
+      target_(find_target(model.description)) {
   system_.evaluate(solution.state, true);
-  carries_ = carrying(system_);
+  loaded_ = carrying(system_);
   system_.hold(true);
   regular_ = system_.factor(solution.state, target_);
 }
 
 EquilibriumTangent::Trial EquilibriumTangent::trial(const Model& model, LineMesh mesh) const {
-  StaticSystem there(model, model.mean_pose, mesh);
-  Trial trial{std::move(mesh), way_to_ends(system_, there, solution_->state), {}};
+  StaticSystem changed(model, model.mean_pose, mesh);
+  Trial trial{std::move(mesh), displacement_to_ends(system_, changed, solution_->state), {}};
   LineState state = solution_->state;
   advance(state, solution_->state, trial.moved, 1.0);
-  there.evaluate(state, false);
-  const double miss = miss_of(there, state);
-  trial.contacts_stay = carrying(there) == carries_;
-  there.hold(false);
-  trial.out = {there.residual(), there.target_error(state, wanted_of(model.description)), miss};
+  changed.evaluate(state, false);
+  const double miss = landing_miss_or_zero(changed, state);
+  trial.contacts_stay = carrying(changed) == loaded_;
+  changed.hold(false);
+  trial.out = {changed.residual(), changed.target_error(state, find_target(model.description)), miss};
   return trial;
 }
 
@@ -191,11 +191,11 @@ StaticSolution EquilibriumTangent::solution_at(const Model& model, Trial trial, 
   return found;
 }
 
-std::optional<StaticPair> EquilibriumTangent::follow(const Model& before, const Model& after) {
+std::optional<StaticPair> EquilibriumTangent::neighbouring_equilibria(const Model& before, const Model& after) {
   const bool alike = before.supports.rollers.size() == model_->supports.rollers.size() &&
                      after.supports.rollers.size() == model_->supports.rollers.size();
-  std::optional<LineMesh> mesh_before = carried_mesh(solution_->mesh, *model_, before);
-  std::optional<LineMesh> mesh_after = carried_mesh(solution_->mesh, *model_, after);
+  std::optional<LineMesh> mesh_before = moved_mesh(solution_->mesh, *model_, before);
+  std::optional<LineMesh> mesh_after = moved_mesh(solution_->mesh, *model_, after);
   if (!regular_ || !alike || !mesh_before || !mesh_after) return std::nullopt;
   Trial low = trial(before, std::move(*mesh_before)), high = trial(after, std::move(*mesh_after));
   Imbalance out = high.out;
@@ -203,25 +203,25 @@ std::optional<StaticPair> EquilibriumTangent::follow(const Model& before, const 
   out.target = half(low.out.target, high.out.target);
   out.miss = half(low.out.miss, high.out.miss);
   const bool stay = low.contacts_stay && high.contacts_stay;
-  const Change change = answer(out);
+  const Change change = solve_imbalance(out);
   return StaticPair{solution_at(before, std::move(low), change, -1.0), solution_at(after, std::move(high), change, 1.0),
                     stay};
 }
 
 std::optional<StaticPair> EquilibriumTangent::push(int roller, double force) {
   const RollerContact& contact = system_.contacts()[static_cast<std::size_t>(roller)];
-  if (!regular_ || !contact.at.found) return std::nullopt;
-  const std::size_t first = 6 * static_cast<std::size_t>(contact.at.element);
-  const double length = solution_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  const RollerDistance distance = roller_distance(system_.rollers().placed(roller), contact.at);
-  const HermiteValues shape = hermite(contact.at.xi, length);
+  if (!regular_ || !contact.closest.found) return std::nullopt;
+  const std::size_t first = 6 * static_cast<std::size_t>(contact.closest.element);
+  const double length = solution_->mesh.length[static_cast<std::size_t>(contact.closest.element)];
+  const RollerDistance distance = roller_distance(system_.rollers().placed(roller), contact.closest);
+  const HermiteValues shape = hermite(contact.closest.xi, length);
   Imbalance out{std::vector<double>(solution_->state.q.size(), 0.0), 0.0};
   for (std::size_t k = 0; k < 4; ++k) {
     Eigen::Map<Vec3>(out.residual.data() + first + 3 * k) = -force * shape.value[k] * distance.direction;
   }
-  const Change change = answer(out);
-  Trial still{solution_->mesh, std::vector<double>(solution_->state.q.size(), 0.0), {}};
-  return StaticPair{solution_at(*model_, still, change, -1.0), solution_at(*model_, still, change, 1.0)};
+  const Change change = solve_imbalance(out);
+  Trial unchanged{solution_->mesh, std::vector<double>(solution_->state.q.size(), 0.0), {}};
+  return StaticPair{solution_at(*model_, unchanged, change, -1.0), solution_at(*model_, unchanged, change, 1.0)};
 }
 
 void EquilibriumTangent::apply_inverse(const Imbalance& out, Change& change) {
@@ -232,17 +232,17 @@ void EquilibriumTangent::apply_inverse(const Imbalance& out, Change& change) {
   system_.solve(change.q, change.far_force, -out.miss);
 }
 
-/// What a change does to the imbalance, by central differences: of steel that remembers the tangent does not know all.
+/// Effect of a change on the imbalance, by central differences: with plastic memory the tangent is incomplete.
 EquilibriumTangent::Imbalance EquilibriumTangent::along(const Change& change) {
-  double largest = 0.0;
-  for (const double value : change.q) largest = std::max(largest, std::abs(value));
-  const double step = largest > 0.0 ? kLookAhead / largest : 1.0;
+  double max_value = 0.0;
+  for (const double value : change.q) max_value = std::max(max_value, std::abs(value));
+  const double step = max_value > 0.0 ? kDifferenceStep / max_value : 1.0;
   LineState state = solution_->state;
   const auto look = [&](double share) {
     advance(state, solution_->state, change.q, share);
     state.far_force = solution_->state.far_force + share * change.far_force;
     system_.evaluate(state, false);
-    const double miss = miss_of(system_, state);
+    const double miss = landing_miss_or_zero(system_, state);
     system_.hold(false);
     return Imbalance{system_.residual(), system_.target_error(state, target_), miss};
   };
@@ -256,11 +256,11 @@ EquilibriumTangent::Imbalance EquilibriumTangent::along(const Change& change) {
   return high;
 }
 
-/// Generalised conjugate residuals (Eisenstat, Elman and Schultz 1983) with Newton's tangent in front; what was learnt
-/// for one input serves the next (as in Parks et al. 2006).
-EquilibriumTangent::Change EquilibriumTangent::answer(const Imbalance& out) {
+/// Generalised conjugate residuals (Eisenstat, Elman and Schultz 1983), preconditioned with Newton's tangent;
+/// directions found for one input are reused for the next (as in Parks et al. 2006).
+EquilibriumTangent::Change EquilibriumTangent::solve_imbalance(const Imbalance& out) {
   Change change;
-  if (!system_.remembers()) {
+  if (!system_.has_plastic_memory()) {
     apply_inverse(out, change);
     return change;
   }
@@ -272,32 +272,32 @@ EquilibriumTangent::Change EquilibriumTangent::answer(const Imbalance& out) {
   };
   Imbalance left = out;
   change.q.assign(out.residual.size(), 0.0);
-  const auto take = [&](const std::pair<Change, Imbalance>& one) {
-    const double share = -product(left, one.second);
-    add(change.q, share, one.first.q);
-    change.far_force += share * one.first.far_force;
-    add(left.residual, share, one.second.residual);
-    left.target += share * one.second.target;
-    left.miss += share * one.second.miss;
+  const auto take = [&](const std::pair<Change, Imbalance>& direction) {
+    const double share = -product(left, direction.second);
+    add(change.q, share, direction.first.q);
+    change.far_force += share * direction.first.far_force;
+    add(left.residual, share, direction.second.residual);
+    left.target += share * direction.second.target;
+    left.miss += share * direction.second.miss;
   };
-  for (const auto& one : known_) take(one);
+  for (const auto& direction : directions_) take(direction);
   std::vector<std::pair<Change, Imbalance>> fresh;
   const auto part_from = [&](const std::vector<std::pair<Change, Imbalance>>& all, std::pair<Change, Imbalance>& next) {
-    for (const auto& one : all) {
-      const double share = -product(next.second, one.second);
-      add(next.first.q, share, one.first.q);
-      next.first.far_force += share * one.first.far_force;
-      add(next.second.residual, share, one.second.residual);
-      next.second.target += share * one.second.target;
-      next.second.miss += share * one.second.miss;
+    for (const auto& direction : all) {
+      const double share = -product(next.second, direction.second);
+      add(next.first.q, share, direction.first.q);
+      next.first.far_force += share * direction.first.far_force;
+      add(next.second.residual, share, direction.second.residual);
+      next.second.target += share * direction.second.target;
+      next.second.miss += share * direction.second.miss;
     }
   };
-  for (int look = 0; look < kMostLooks && size(left) > kWell * size(out); ++look) {
+  for (int look = 0; look < kMaxDirections && size(left) > kTolerance * size(out); ++look) {
     std::pair<Change, Imbalance> next;
     apply_inverse(left, next.first);
     next.second = along(next.first);
-    for (int pass = 0; pass < 2; ++pass) {  // the second takes away what rounding leaves
-      part_from(known_, next);
+    for (int pass = 0; pass < 2; ++pass) {  // the second pass removes rounding errors of the first
+      part_from(directions_, next);
       part_from(fresh, next);
     }
     const double length = size(next.second);
@@ -310,10 +310,10 @@ EquilibriumTangent::Change EquilibriumTangent::answer(const Imbalance& out) {
     const double before = size(left);
     take(next);
     fresh.push_back(std::move(next));
-    if (look > 5 && size(left) > 0.9 * before) break;  // differences say no more
+    if (look > 5 && size(left) > 0.9 * before) break;  // limit of the finite differences
   }
-  for (auto& one : fresh) {
-    if (known_.size() < kMostKept) known_.push_back(std::move(one));
+  for (auto& direction : fresh) {
+    if (directions_.size() < kMaxKeptDirections) directions_.push_back(std::move(direction));
   }
   return change;
 }

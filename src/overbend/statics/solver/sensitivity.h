@@ -1,9 +1,9 @@
-/// How an equilibrium moves when the model changes a little, to first order: docs/theory/sensitivities.md.
+/// First-order change of an equilibrium with the model: docs/theory/sensitivities.md.
 ///
-/// With R(q, H; p) = 0 the held equations of statics and e(q, H; p) = 0 what is wanted of the line,
+/// With R(q, H; p) = 0 the held equations of statics and e(q, H; p) = 0 the target of the line,
 ///     K dq/dp - d dH/dp = -dR/dp,    de/dq . dq/dp = -de/dp.
-/// K is the exact tangent that Newton's method converged with, factored once; the right-hand sides are central
-/// differences of R and e where the unknowns stand still and mesh and model are those of p - h and p + h.
+/// K is the exact tangent with which Newton's method converged, factored once. The right-hand sides are central
+/// differences of R and e at constant unknowns, with the mesh and model of p - h and p + h.
 #pragma once
 
 #include <memory>
@@ -16,28 +16,28 @@
 
 namespace overbend {
 
-/// Equilibria to first order on either side of one that was solved.
+/// First-order equilibria on either side of a solved one.
 struct StaticPair {
   StaticSolution before, after;
-  /// Whether the same rollers carried wherever forces were differenced: else the step was too long.
+  /// True if the same rollers carried in all evaluations; otherwise the step was too long.
   bool contacts_stay = true;
 };
 
 class EquilibriumTangent {
  public:
-  /// At an equilibrium; `model` and `solution` must outlive this.
+  /// `model` and its equilibrium `solution` must outlive this object.
   EquilibriumTangent(const Model& model, const StaticSolution& solution);
 
-  /// False where the tangent has no inverse: the pipe is about to snap to another place.
+  /// False if the tangent is singular: the pipe is about to snap through.
   bool regular() const { return regular_; }
-  /// The system that the equilibrium is one of.
+  /// System of the equilibrium.
   const StaticSystem& system() const { return system_; }
 
-  /// The equilibria of two models that lie a small step before and after this one, by the same step. Their number of
-  /// spans and rollers is the same as here, else nothing comes back. Ends that are held go with the models, and so do
-  /// the nodes at the limits of sections.
-  std::optional<StaticPair> follow(const Model& before, const Model& after);
-  /// Under minus and plus a small force [N] on the pipe at a roller, in the direction in which that would push it.
+  /// Returns the equilibria of two models that differ from this one by minus and plus the same small step; nullopt if
+  /// their number of spans or rollers differs. Held ends, and nodes at the limits of sections, move with the models.
+  std::optional<StaticPair> neighbouring_equilibria(const Model& before, const Model& after);
+  /// Equilibria under minus and plus a small force [N] on the pipe at a roller, in the direction in which that roller
+  /// pushes.
   std::optional<StaticPair> push(int roller, double force);
 
  private:
@@ -48,12 +48,12 @@ class EquilibriumTangent {
   struct Imbalance {
     std::vector<double> residual;
     double target = 0.0;
-    double miss = 0.0;  ///< Of the landing, in steady laying [m].
+    double miss = 0.0;  ///< Miss of the landing, in steady laying [m].
   };
-  /// Where the unknowns are put, and what is out of balance there.
+  /// Displaced unknowns and the imbalance there.
   struct Trial {
     LineMesh mesh;
-    std::vector<double> moved;  ///< Of the held ends and those nodes that go with them.
+    std::vector<double> moved;  ///< Displacements of the held ends and of the nodes that follow them.
     Imbalance out;
     bool contacts_stay = true;
   };
@@ -61,21 +61,21 @@ class EquilibriumTangent {
   StaticSolution solution_at(const Model& model, Trial trial, const Change& change, double sign) const;
   Imbalance along(const Change& change);
   void apply_inverse(const Imbalance& out, Change& change);
-  /// The change that takes an imbalance away.
-  Change answer(const Imbalance& out);
+  /// Returns the change that removes an imbalance.
+  Change solve_imbalance(const Imbalance& out);
 
   const Model* model_;
   const StaticSolution* solution_;
   StaticSystem system_;
   EquilibriumTarget target_;
   bool regular_ = false;
-  std::vector<char> carries_;  ///< By roller.
-  /// Of steel that remembers: changes looked at so far, and what they do; orthonormal in what they do.
-  std::vector<std::pair<Change, Imbalance>> known_;
+  std::vector<char> loaded_;  ///< Per roller.
+  /// For steel with memory: changes evaluated so far and their effects, orthonormal in the effects.
+  std::vector<std::pair<Change, Imbalance>> directions_;
 };
 
-/// The mesh of `model` where the nodes at the limits of its sections go with these and those between are spread;
-/// nothing where the sections follow each other otherwise than in `from`, of which `mesh` is one.
-std::optional<LineMesh> carried_mesh(const LineMesh& mesh, const Model& from, const Model& model);
+/// Returns `mesh`, which belongs to `from`, with the nodes at section limits moved to those of `model` and the nodes
+/// between interpolated; nullopt if the order of the sections differs.
+std::optional<LineMesh> moved_mesh(const LineMesh& mesh, const Model& from, const Model& model);
 
 }  // namespace overbend

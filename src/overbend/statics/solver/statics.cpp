@@ -12,28 +12,28 @@
 #include "statics/equations/bed_contacts.h"
 #include "statics/equations/touchdown.h"
 #include "statics/solver/anchored_lay.h"
-#include "statics/solver/carried_start.h"
+#include "statics/solver/continuation.h"
 #include "statics/solver/dragged_line.h"
-#include "statics/solver/static_obstacle.h"
-#include "statics/solver/static_start.h"
-#include "statics/solver/static_ways.h"
+#include "statics/solver/starting_point.h"
 #include "statics/solver/steady_laying.h"
 #include "statics/solver/support_outlier.h"
+#include "statics/solver/unsupported_statics.h"
+#include "statics/solver/warm_start.h"
 
 namespace overbend {
 namespace {
 
-constexpr int kMeshPasses = 6;         ///< Times the mesh may follow the touchdown found.
-constexpr double kLargestMiss = 0.01;  ///< Of what is wanted; ordinary lays miss it by 2e-4 at most.
+constexpr int kMeshPasses = 6;     ///< Number of times the mesh may follow the touchdown point.
+constexpr double kMaxMiss = 0.01;  ///< Relative to the target; ordinary lays are within 2e-4.
 
-/// Whether a line of given length is as long in the model as a mesh is.
+/// True if a line of given length has the length of the mesh.
 bool length_fits(const Model& model, const LineMesh& mesh) {
   const std::optional<double>& length = model.description.pipe.length;
   return !length || std::abs(mesh.total_length() - *length) <= 1e-9 * *length;
 }
 
-/// Whether a solution's mesh can stay: it is as long as the line, has the elements that are asked for, and its nodes
-/// lie where the sections of the model end.
+/// True if a solution's mesh can be kept: it has the length of the line, the requested element lengths, and nodes at
+/// the ends of the model's sections.
 bool mesh_fits(const Model& model, const StaticSolution& start) {
   const LineMesh& mesh = start.mesh;
   if (!length_fits(model, mesh) || !(model.description.mesh == start.mesh_asked)) return false;
@@ -51,84 +51,85 @@ bool mesh_fits(const Model& model, const StaticSolution& start) {
                              [&](const PipeAttachment& attached) { return node_there(attached.from_top); });
 }
 
-bool solve_from_shape(StaticCase& at, const LayShape& shape) {
-  make_elastic(at);
-  return solve_elastic(at, shape) && let_yield(at);
+bool solve_from_shape(EquilibriumProblem& problem, const LayShape& shape) {
+  make_elastic(problem);
+  return solve_elastic(problem, shape) && activate_plasticity(problem);
 }
 
-/// On another mesh than the one the state was solved on.
-bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
-  const LineState moved = at.state;
-  if (follow(at, "mesh moved to the touchdown found")) {
+/// Solves on another mesh than that of the state.
+bool solve_on_new_mesh(EquilibriumProblem& problem, const LayShape& shape) {
+  const LineState moved = problem.state;
+  if (solve_from_warm_start(problem, "mesh moved to the touchdown found")) {
     return true;
   }
-  at.state = moved;
-  make_elastic(at);
-  at.least_found = 0.0;
-  const bool solved = follow_softly(at) && let_yield(at);
-  return solved || (at.least_found == 0.0 && solve_from_shape(at, shape));
+  problem.state = moved;
+  make_elastic(problem);
+  problem.tension_at_compression = 0.0;
+  const bool solved = solve_with_penalty_continuation(problem) && activate_plasticity(problem);
+  return solved || (problem.tension_at_compression == 0.0 && solve_from_shape(problem, shape));
 }
 
-/// Zones of the mesh as the solution has them.
-MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::optional<ElementPlace>& touchdown) {
+/// Zones of the mesh according to the solution.
+MeshZones solved_zones(const EquilibriumProblem& problem, const MeshZones& built,
+                       const std::optional<ElementPlace>& touchdown) {
   MeshZones zones = built;
-  const double total = at.system.mesh().total_length();
+  const double total = problem.system.mesh().total_length();
   if (touchdown) {
     zones.touchdown = total - touchdown->s;
   }
-  if (const auto waterline = find_waterline(at.system, at.state)) {
+  if (const auto waterline = find_waterline(problem.system, problem.state)) {
     zones.waterline = total - waterline->s;
   }
-  zones.last_support = std::max(zones.last_support, support_end(at.system));
-  const bool dragged = is_dragged(at.model.description);
-  if (!dragged) zones.bottom_tension = at.state.far_force;
-  if (dragged || may_span(at.model)) {
-    zones.bed_edges = contact_edges(at.system, bed_contacts(at.system, at.state));
+  zones.last_support = std::max(zones.last_support, support_end(problem.system));
+  const bool dragged = is_dragged(problem.model.description);
+  if (!dragged) zones.bottom_tension = problem.state.far_force;
+  if (dragged || may_span(problem.model)) {
+    zones.bed_edges = contact_edges(problem.system, bed_contacts(problem.system, problem.state));
   }
   return zones;
 }
 
-/// From a solution close by: on its mesh, or on one whose sections lie elsewhere.
-bool solve_from(StaticCase& at, const StaticSolution& start, const LayPlane& plane) {
-  const bool same_line = at.system.mesh().s == start.mesh.s;
-  at.state = same_line ? start.state : interpolate(start.mesh, start.state, at.system.mesh(), plane);
-  bring_to_ends(at.system, start.pose, start.zones ? start.zones->last_support : 0.0, at.state);
-  const LineState brought = at.state;
-  if (follow(at, "from the last solution")) return true;
+/// Solves from a neighbouring solution: on its mesh, or on one with other section limits.
+bool solve_from(EquilibriumProblem& problem, const StaticSolution& start, const LayPlane& plane) {
+  const bool same_line = problem.system.mesh().s == start.mesh.s;
+  problem.state = same_line ? start.state : interpolate(start.mesh, start.state, problem.system.mesh(), plane);
+  move_to_ends(problem.system, start.pose, start.zones ? start.zones->last_support : 0.0, problem.state);
+  const LineState brought = problem.state;
+  if (solve_from_warm_start(problem, "from the last solution")) return true;
   if (same_line) return false;
-  at.state = brought;
-  return follow_softly(at) && let_yield(at);
+  problem.state = brought;
+  return solve_with_penalty_continuation(problem) && activate_plasticity(problem);
 }
 
-/// Whether every edge of contact on a shaped bed lies well inside the short elements made for one.
-bool edges_serve(const StaticCase& at, const MeshZones& built, const MeshZones& now) {
-  const double reach = 0.5 * soil_length(at.model, at.model.pipe_section().EI);
-  return std::ranges::all_of(now.bed_edges, [&](const LineStretch& edge) {
+/// True if every edge of contact on a shaped bed is well inside the short elements made for one.
+bool edges_fit_mesh(const EquilibriumProblem& problem, const MeshZones& built, const MeshZones& current) {
+  const double reach = 0.5 * soil_length(problem.model, problem.model.pipe_section().EI);
+  return std::ranges::all_of(current.bed_edges, [&](const LineStretch& edge) {
     return std::ranges::any_of(built.bed_edges, [&](const LineStretch& zone) {
       return edge.from > zone.from - reach && edge.to < zone.to + reach;
     });
   });
 }
 
-/// Whether the fine zone and the tail still stand where the pipe touches down.
-bool mesh_serves(const StaticCase& at, const MeshZones& built, const MeshZones& now) {
-  const MeshSizes sizes = mesh_sizes(at.model, built);
-  const double moved = now.touchdown - built.touchdown;
+/// True if the fine zone and the laid part still fit the touchdown point.
+bool mesh_fits_solution(const EquilibriumProblem& problem, const MeshZones& built, const MeshZones& current) {
+  const MeshSizes sizes = mesh_sizes(problem.model, built);
+  const double moved = current.touchdown - built.touchdown;
   const bool fine_zone = moved < 0.6 * sizes.touchdown_after && -moved < 0.4 * sizes.touchdown_before;
-  const bool supports = now.last_support < built.last_support + 2.0 * sizes.overbend;
-  const bool tail = at.model.description.pipe.length || is_dragged(at.model.description) ||
-                    now.total - now.touchdown > 1.5 * sizes.touchdown_after;
-  return fine_zone && supports && tail && edges_serve(at, built, now);
+  const bool supports = current.last_support < built.last_support + 2.0 * sizes.overbend;
+  const bool tail = problem.model.description.pipe.length || is_dragged(problem.model.description) ||
+                    current.total - current.touchdown > 1.5 * sizes.touchdown_after;
+  return fine_zone && supports && tail && edges_fit_mesh(problem, built, current);
 }
 
-/// Finds the line on which the pipe is laid, `aside` on a route that bends; where there is none, the state stays as it
-/// was. Whether it was found.
-bool settled_or_kept(StaticCase& at, double aside) {
-  const LineState before = at.state;
-  const bool bends = at.system.lays_steadily() && !at.system.plane().route.straight();
-  if (bends ? move_line(at, aside) : settle_steadily(at)) return true;
-  at.state = before;
-  at.report.history.emplace_back("steady laying: no line found on which the pipe comes to rest");
+/// Finds the line on which the pipe is laid, at the offset `aside` on a curved route. Returns false, with the state
+/// unchanged, if there is none.
+bool find_laid_line(EquilibriumProblem& problem, double aside) {
+  const LineState before = problem.state;
+  const bool bends = problem.system.lays_steadily() && !problem.system.plane().route.straight();
+  if (bends ? move_line(problem, aside) : solve_steady_laying(problem)) return true;
+  problem.state = before;
+  problem.report.history.emplace_back("steady laying: no laid line found");
   return false;
 }
 
@@ -136,65 +137,67 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
-/// A short line on the pipe takes the place of the tensioner, however that is set.
+/// A short line on the pipe may carry the load instead of the tensioner, independently of its setting.
 StaticFailure with_lines(const Model& model, StaticFailure failure) {
   if (model.description.lines.empty()) return failure;
   failure.why +=
-      ". A line on the pipe that is too short for where the pipe hangs holds it instead of the tensioner, whose "
-      "tension "
-      "cannot be set then: look for a length or a place of a line that does not fit";
+      ". A line on the pipe that is too short carries the pipe instead of the tensioner, whose tension then cannot be "
+      "set: check the lengths and positions of the lines";
   return failure;
 }
 
-/// `hanging`: what the pipe weighs between tensioner and seabed, without what is built into it; a short piece that
-/// floats would make it negative.
-StaticOutcome give_up(const StaticCase& at, double hanging) {
-  const int node = at.system.singular_node();
-  const std::string where = node < 0 ? "the whole line"
-                                     : fmt::format("node {} at s = {} from the anchor", node,
-                                                   shown(at.system.mesh().s[static_cast<std::size_t>(node)], "m", 1));
-  if (at.least_found > 0.0) {
-    return fail(with_lines(at.system.model(), compressed_at_seabed(at.target.value, at.least_found)));
+/// `suspended_weight`: weight of the plain pipe between tensioner and seabed [N], without structures built into it; a
+/// short buoyant piece would make it negative.
+StaticOutcome make_failure(const EquilibriumProblem& problem, double suspended_weight) {
+  const int node = problem.system.singular_node();
+  const std::string where = node < 0
+                                ? "the whole line"
+                                : fmt::format("node {} at s = {} from the anchor", node,
+                                              shown(problem.system.mesh().s[static_cast<std::size_t>(node)], "m", 1));
+  if (problem.tension_at_compression > 0.0) {
+    return fail(
+        with_lines(problem.system.model(), compressed_at_seabed(problem.target.value, problem.tension_at_compression)));
   }
-  if (!at.yielded.empty()) {
+  if (!problem.yield_message.empty()) {
     return fail(
         {"no equilibrium found: the pipe yields", "overbend",
-         fmt::format("with linear steel there is one, with pipe.steel.material none was found: {}; the yielding pipe "
-                     "folds there. A larger radius, a longer stinger or another tension bends it less",
-                     at.yielded)});
+         fmt::format("with linear steel an equilibrium exists, with pipe.steel.material none was found: {}; the "
+                     "yielding pipe folds there. A larger radius, a longer stinger or another tension bends it less",
+                     problem.yield_message)});
   }
-  const std::string what =
-      at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
-  const std::optional<SupportOutlier> outlier = support_outlier(at.system.model());
+  const std::string what = problem.missed_box_message.empty() ? "no equilibrium found"
+                                                              : "no equilibrium found: the pipe runs off its rollers";
+  const std::optional<SupportOutlier> outlier = support_outlier(problem.system.model());
   return fail(with_lines(
-      at.system.model(),
+      problem.system.model(),
       {what, where,
-       (outlier ? outlier_words(*outlier) + ". N" : "n") +
-           fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
-                       "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the "
-                       "line's weight). The tension is {:.2f} times the suspended weight of plain pipe; near 1 "
-                       "the pipe goes into compression at the seabed. Otherwise look for a box far off the "
-                       "curve of its neighbours, or a current too strong for so light a pipe{}",
-                       at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
-                       at.target.value / hanging, at.left)}));
+       (outlier ? outlier_message(*outlier) + ". N" : "n") +
+           fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the tension "
+                       "in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's weight). The "
+                       "tension is {:.2f} times the suspended weight of plain pipe; near 1 the pipe goes into "
+                       "compression at the seabed. Otherwise check for a box far off the curve of its neighbours, or a "
+                       "current too strong for so light a pipe{}",
+                       problem.is_exhausted() ? " within the limit of computational effort" : "",
+                       problem.report.force_residual, problem.target.value / suspended_weight,
+                       problem.missed_box_message)}));
 }
 
-/// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
-double found(StaticCase& at, const EquilibriumTarget& wanted) {
+/// Achieved value of the target. Tension is taken from the global force balance, not from strain.
+double achieved_value(EquilibriumProblem& problem, const EquilibriumTarget& wanted) {
   if (wanted.kind == EquilibriumTarget::Kind::anchor_distance) {
-    return wanted.value + at.system.target_error(at.state, wanted);
+    return wanted.value + problem.system.target_error(problem.state, wanted);
   }
-  at.system.evaluate(at.state, false);
-  const int last = at.system.mesh().nodes() - 1;
-  const Vec3 tangent = Eigen::Map<const Vec3>(at.state.q.data() + 6 * last + 3);
-  return at.system.end_reaction(last).dot(tangent.normalized());
+  problem.system.evaluate(problem.state, false);
+  const int last = problem.system.mesh().nodes() - 1;
+  const Vec3 tangent = Eigen::Map<const Vec3>(problem.state.q.data() + 6 * last + 3);
+  return problem.system.end_reaction(last).dot(tangent.normalized());
 }
 
-/// What was asked for, looked at once more by itself: the ways change the target while they follow a solution, and
-/// strains miss the forces where the pipe bends more sharply than its elements can.
-std::optional<StaticFailure> missed(StaticCase& at, const EquilibriumTarget& wanted) {
-  const double value = found(at, wanted);
-  if (std::abs(value - wanted.value) <= kLargestMiss * std::abs(wanted.value)) {
+/// Checks the target independently: the continuation methods change it temporarily, and strains deviate from the forces
+/// where the pipe bends more sharply than its elements can represent.
+std::optional<StaticFailure> check_target(EquilibriumProblem& problem, const EquilibriumTarget& wanted) {
+  const double value = achieved_value(problem, wanted);
+  if (std::abs(value - wanted.value) <= kMaxMiss * std::abs(wanted.value)) {
     return std::nullopt;
   }
   const bool tension = wanted.kind == EquilibriumTarget::Kind::top_tension;
@@ -205,35 +208,35 @@ std::optional<StaticFailure> missed(StaticCase& at, const EquilibriumTarget& wan
                                    shown(wanted.value, unit, 2), shown(value, unit, 2))};
 }
 
-/// Whether the axial stiffness steps so near the tensioner that the stretch of the node there is not that of the
-/// tension alone: neighbouring elements share it.
-bool shares_stretch(const StaticCase& at) {
-  constexpr std::size_t kReach = 20;  // elements; a step dies away by about four from each to the next
-  const auto& stiffness = at.system.line().elements.EA;
-  const std::size_t last = at.system.mesh().length.size() - 1;
+/// True if the axial stiffness changes so near the tensioner that the strain of the node there does not follow from the
+/// tension alone, as neighbouring elements share it.
+bool has_stiffness_step_at_top(const EquilibriumProblem& problem) {
+  constexpr std::size_t kReach = 20;  // elements; the effect of a step falls by a factor of about four per element
+  const auto& stiffness = problem.system.line().elements.EA;
+  const std::size_t last = problem.system.mesh().length.size() - 1;
   for (std::size_t e = last - std::min(last, kReach); e < last; ++e) {
     if (stiffness[e] != stiffness[last]) return true;
   }
   return false;
 }
 
-/// Beside such a step what is asked of the stretch is changed until the balance of the whole line has what is wanted.
-bool meet_by_balance(StaticCase& at, const EquilibriumTarget& wanted) {
-  constexpr int kMost = 8;
+/// Near such a change, corrects the target of the strain until the global balance has the wanted tension.
+bool correct_target_by_global_balance(EquilibriumProblem& problem, const EquilibriumTarget& wanted) {
+  constexpr int kMaxIterations = 8;
   constexpr double kNear = 1e-5;
-  if (wanted.kind != EquilibriumTarget::Kind::top_tension || !shares_stretch(at)) return true;
-  for (int i = 0; i < kMost; ++i) {
-    const double value = found(at, wanted);
+  if (wanted.kind != EquilibriumTarget::Kind::top_tension || !has_stiffness_step_at_top(problem)) return true;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const double value = achieved_value(problem, wanted);
     if (value <= 0.0 || std::abs(value - wanted.value) <= kNear * wanted.value) break;
-    at.target.value *= wanted.value / value;
-    if (!follow(at, "tension by the balance of the line")) return false;
+    problem.target.value *= wanted.value / value;
+    if (!solve_from_warm_start(problem, "tension by the balance of the line")) return false;
   }
   return true;
 }
 
 }  // namespace
 
-StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past) {
+StaticSystem system_with_history(const Model& model, LineMesh mesh, const LoadHistory& past) {
   StaticSystem system(model, model.mean_pose, std::move(mesh));
   if (past.across_rollers != 0.0) {
     Continuation continuation = system.continuation();
@@ -242,31 +245,31 @@ StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast&
   }
   if (past.solution && system.line().yielding.any) {
     const StaticSolution& before = *past.solution;
-    system.begin_with(moved_along({before.mesh, before.state.q, before.bending, before.pushes}, past.shift,
-                                  system.line().yielding, system.mesh()));
+    system.set_bending_history(moved_along({before.mesh, before.state.q, before.bending, before.pushes}, past.shift,
+                                           system.line().yielding, system.mesh()));
   }
   return system;
 }
 
 namespace {
 
-StaticOutcome solve_from_nothing(const Model& model, const LinePast& past);
+StaticOutcome solve_cold(const Model& model, const LoadHistory& past);
 
-/// Where a start does not lead to the equilibrium.
+/// Retry without a warm start if that does not converge.
 enum class ColdRetry { no, yes };
 
-/// Without a way round a bend of the route.
-StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, const LinePast& past,
+/// Solves without continuation in the curvature of the route.
+StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, const LoadHistory& past,
                             ColdRetry retry = ColdRetry::yes) {
   const auto begin = std::chrono::steady_clock::now();
-  if (const auto obstacle = static_obstacle(model.description)) {
-    return fail(*obstacle);
+  if (const auto unsupported = unsupported_in_statics(model.description)) {
+    return fail(*unsupported);
   }
   const LayPlane plane = lay_plane(model, model.mean_pose);
   const bool same_line = start != nullptr && mesh_fits(model, *start);
-  // pipe where a cable lay would stand deep in the bed: a guess of its own is nearer than another stage
+  // on a pipe mesh a cable lay would lie deep in the bed: its own initial shape is closer than another stage
   if (!same_line && is_dragged(model.description)) start = nullptr;
-  StartingPoint from = same_line ? point_beside(model, plane, *start) : starting_point(model, plane);
+  StartingPoint from = same_line ? starting_point_from_solution(model, plane, *start) : starting_point(model, plane);
   if (from.failure) {
     return fail(*from.failure);
   }
@@ -275,79 +278,79 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   }
   if (same_line) from.zones.total = start->mesh.total_length();
   const auto retry_or = [&](StaticFailure failure) {
-    return start != nullptr && retry == ColdRetry::yes ? solve_from_nothing(model, past) : fail(std::move(failure));
+    return start != nullptr && retry == ColdRetry::yes ? solve_cold(model, past) : fail(std::move(failure));
   };
-  StaticCase at{model,
-                system_with_past(model, same_line ? start->mesh : build_mesh(model, from.zones), past),
-                {},
-                from.target,
-                {}};
+  EquilibriumProblem problem{model,
+                             system_with_history(model, same_line ? start->mesh : build_mesh(model, from.zones), past),
+                             {},
+                             from.target,
+                             {}};
   bool solved = false;
   if (start != nullptr) {
-    at.report.method = "newton, from the last solution";
-    solved = solve_from(at, *start, plane);
+    problem.report.method = "newton, from the last solution";
+    solved = solve_from(problem, *start, plane);
     if (!solved) return retry_or({"no equilibrium found from the last solution", "", ""});
   } else {
-    solved = solve_from_shape(at, from.shape);
+    solved = solve_from_shape(problem, from.shape);
   }
-  const double aside = laid_beside(model);
+  const double aside = laid_offset_in_bend(model);
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
-    solved = meet_by_balance(at, from.target) && reach_winch(at, past);
+    solved = correct_target_by_global_balance(problem, from.target) && fit_cable_to_winch(problem, past);
     if (!solved) break;
-    if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) {
+    if (!find_laid_line(problem, aside) && start != nullptr && pass == 0) {
       return retry_or({"no line of steady laying found from the last solution", "", ""});
     }
-    const std::optional<ElementPlace> touchdown = landing(at.system, at.state);
-    const MeshZones now = zones_of(at, from.zones, touchdown);
+    const std::optional<ElementPlace> touchdown = landing(problem.system, problem.state);
+    const MeshZones current = solved_zones(problem, from.zones, touchdown);
     const bool touches = touchdown.has_value();
     if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
-      return fail(with_lines(model, never_touches(model, at.system.mesh().total_length())));
+      return fail(with_lines(model, never_touches(model, problem.system.mesh().total_length())));
     }
-    if (touches && mesh_serves(at, from.zones, now)) {
+    if (touches && mesh_fits_solution(problem, from.zones, current)) {
       break;
     }
     if (!from.shaped) {
       from = starting_point(model, plane);
       if (from.failure) return fail(*from.failure);
     }
-    from.zones = zones_of(at, from.zones, touchdown);
-    from.zones.touchdown = touches ? now.touchdown : 1.2 * at.system.mesh().total_length();
+    from.zones = solved_zones(problem, from.zones, touchdown);
+    from.zones.touchdown = touches ? current.touchdown : 1.2 * problem.system.mesh().total_length();
     from.zones.total = is_dragged(model.description)
-                           ? at.system.mesh().total_length()
+                           ? problem.system.mesh().total_length()
                            : model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
     if (auto failure = too_many_elements(model, from.zones)) {
       return fail(*failure);
     }
     LineMesh mesh = build_mesh(model, from.zones);
-    LineState moved = interpolate(at.system.mesh(), at.state, mesh, plane);
-    at.system = system_with_past(model, std::move(mesh), past);
-    at.state = std::move(moved);
-    pin_far_end(at.system, at.state);
-    solved = solve_on_new_mesh(at, from.shape);
+    LineState moved = interpolate(problem.system.mesh(), problem.state, mesh, plane);
+    problem.system = system_with_history(model, std::move(mesh), past);
+    problem.state = std::move(moved);
+    pin_far_end(problem.system, problem.state);
+    solved = solve_on_new_mesh(problem, from.shape);
   }
   if (!solved) {
     if (auto failure = shape_failure(from.shape)) return fail(*failure);
-    return give_up(at, hanging_weight(model, plane, model.pipe_section(), plane.bed(0.0)));
+    return make_failure(problem, suspended_pipe_weight(model, plane, model.pipe_section(), plane.bed(0.0)));
   }
-  if (auto failure = check_supports(model, at.system)) {
+  if (auto failure = check_supports(model, problem.system)) {
     return fail(*failure);
   }
-  if (auto failure = missed(at, from.target)) {
+  if (auto failure = check_target(problem, from.target)) {
     return fail(*failure);
   }
-  if (auto failure = check_dragged(at)) {
+  if (auto failure = check_dragged(problem)) {
     return fail(*failure);
   }
-  std::optional<StaticFailure> impossible = check_folds(at.system.mesh(), at.state.q);
-  if (!impossible) impossible = check_above_rollers(model, at.system, at.state);
+  std::optional<StaticFailure> impossible = check_folds(problem.system.mesh(), problem.state.q);
+  if (!impossible) impossible = check_above_rollers(model, problem.system, problem.state);
   if (impossible) return retry_or(*impossible);
-  at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  problem.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   StaticSolution solution;
-  solution.mesh = at.system.mesh();
-  solution.state = at.state;
-  solution.report = at.report;
-  solution.bending = at.system.bending_memory(at.state);
-  if (!solution.bending.empty()) solution.pushes = at.system.roller_pushes(at.state);
+  solution.mesh = problem.system.mesh();
+  solution.state = problem.state;
+  solution.report = problem.report;
+  solution.bending = problem.system.bending_memory(problem.state);
+  if (!solution.bending.empty()) solution.pushes = problem.system.roller_pushes(problem.state);
   solution.pose = model.mean_pose;
   solution.past = past;
   solution.zones = from.zones;
@@ -355,40 +358,40 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   return {std::move(solution), std::nullopt};
 }
 
-StaticOutcome solve_from_nothing(const Model& model, const LinePast& past) {
+StaticOutcome solve_cold(const Model& model, const LoadHistory& past) {
   return is_anchored(model) ? solve_anchored(model, past) : solve_at_once(model, nullptr, past);
 }
 
-/// A route that bends, from the straight one on: its arcs keep their lengths and turn more and more.
-StaticOutcome bend_in_steps(const Model& model, const LinePast& past) {
+/// Continuation in route curvature, from the straight route: the arcs keep their lengths and their angles grow.
+StaticOutcome continue_in_route_curvature(const Model& model, const LoadHistory& past) {
   constexpr int kSteps = 4;
   const RouteDescription& route = model.description.route;
   const double radius = route.corner_radius > 0.0 ? route.corner_radius : default_corner_radius(model);
   Model part = model;
   part.description.route = {};
-  StaticOutcome found = solve_at_once(part, nullptr, past);
-  for (int step = 1; step <= kSteps && found.solution; ++step) {
+  StaticOutcome outcome = solve_at_once(part, nullptr, past);
+  for (int step = 1; step <= kSteps && outcome.solution; ++step) {
     part.description.route.points.clear();
     part.description.route.legs = route_legs(route, radius);
     for (RouteLeg& leg : part.description.route.legs) {
       leg.angle *= static_cast<double>(step) / kSteps;
       leg.radius *= static_cast<double>(kSteps) / step;
     }
-    found = solve_at_once(step < kSteps ? part : model, &*found.solution, past);
+    outcome = solve_at_once(step < kSteps ? part : model, &*outcome.solution, past);
   }
-  return found;
+  return outcome;
 }
 
 }  // namespace
 
-StaticOutcome solve_statics(const Model& model, const StaticSolution* start, const LinePast& past) {
-  StaticOutcome outcome = start != nullptr ? solve_at_once(model, start, past) : solve_from_nothing(model, past);
+StaticOutcome solve_statics(const Model& model, const StaticSolution* start, const LoadHistory& past) {
+  StaticOutcome outcome = start != nullptr ? solve_at_once(model, start, past) : solve_cold(model, past);
   if (outcome.solution || outcome.failure->input || !model.description.route.given()) return outcome;
-  StaticOutcome bent = bend_in_steps(model, past);
+  StaticOutcome bent = continue_in_route_curvature(model, past);
   return bent.solution ? std::move(bent) : std::move(outcome);
 }
 
-StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LinePast& past) {
+StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LoadHistory& past) {
   return solve_at_once(model, &start, past, ColdRetry::no);
 }
 

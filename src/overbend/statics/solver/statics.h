@@ -1,4 +1,4 @@
-/// Static equilibrium of the line: the S (or J) from nothing.
+/// Static equilibrium of the line (S-lay or J-lay), without an initial solution.
 #pragma once
 
 #include <memory>
@@ -13,27 +13,28 @@
 
 namespace overbend {
 
-struct LinesAtRest;
+struct StaticLines;
 struct StaticSolution;
 
-/// How the line lay before it came to lie as it is looked for: its steel remembers.
-struct LinePast {
-  std::shared_ptr<const StaticSolution> solution;  ///< None: it has been laid as StaticSettings::history says.
-  double shift = 0.0;                              ///< By how much the line has moved away from the top since [m].
+/// Previous configuration of the line; needed for plastic history.
+struct LoadHistory {
+  std::shared_ptr<const StaticSolution> solution;  ///< If none, the laying history is StaticSettings::history.
+  double shift = 0.0;                              ///< Displacement of the line away from the top since then [m].
   double across_rollers = 0.0;  ///< Factor of the rollers' full lateral friction, to port: 1, 0 or -1.
 };
 
-/// A stinger on hinges as it was found.
-struct StingerAtRest {
-  std::vector<double> angles;     ///< Of each section about its own hinge [rad].
-  std::vector<double> stiffness;  ///< Fall of the moments with the angles of the floating ones, row by row [N m/rad].
-  std::vector<double> angle_up, angle_down;  ///< Between which hinge friction may leave each section [rad].
+/// Angles of a hinged stinger in equilibrium.
+struct StingerEquilibrium {
+  std::vector<double> angles;     ///< Per section, about its own hinge [rad].
+  std::vector<double> stiffness;  ///< Decrease of the moments with the angles of the floating sections, row by row [N
+                                  ///< m/rad].
+  std::vector<double> angle_up, angle_down;  ///< Range of each section's angle left by hinge friction [rad].
   Findings findings;
 };
 
-/// An equilibrium with the mesh it stands on: enough to recover results, to start the next case, to start dynamics.
+/// Equilibrium with its mesh: sufficient to recover results, to start the next case, or to start dynamics.
 struct StaticSolution {
-  StaticSolution();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  StaticSolution();  // These six are compiled once: copying all members is long, and many sources do it.
   StaticSolution(const StaticSolution&);
   StaticSolution(StaticSolution&&) noexcept;
   StaticSolution& operator=(const StaticSolution&);
@@ -43,38 +44,39 @@ struct StaticSolution {
   LineMesh mesh;
   LineState state;
   SolveReport report;
-  std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
-  std::vector<RollerPush> pushes;      ///< Of the rollers, where steel may yield: a line that moves on passes them.
-  VesselPose pose;                     ///< Of the vessel.
-  std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
-  Mat6 station_stiffness = Mat6::Zero();  ///< Of these about the centre of gravity of a hull that floats [N/m, N, N m].
-  std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
-  std::shared_ptr<const LinesAtRest> lines;  ///< Those that stand by themselves (lines_setup.h), where there are any.
-  LinePast past;                             ///< What it was solved from.
-  StingerAtRest stinger;                     ///< Of a stinger on hinges, see statics/stinger/stinger_rest.h.
-  std::optional<MeshZones> zones;            ///< What its mesh was made for.
-  MeshDescription mesh_asked;                ///< Elements that the model asked for.
+  std::vector<BendingMemory> bending;     ///< Plastic history per Gauss point; empty if nothing yields.
+  std::vector<RollerPush> pushes;         ///< Roller forces, if steel may yield: a line that moves on passes them.
+  VesselPose pose;                        ///< Pose of the vessel.
+  std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, if any.
+  Mat6 station_stiffness = Mat6::Zero();  ///< Stiffness of these about the centre of gravity of a floating hull [N/m,
+                                          ///< N, N m].
+  std::optional<WinchPlan> winches;       ///< Winch lengths during a pull-ahead.
+  std::shared_ptr<const StaticLines> lines;  ///< Lines without a lay (lines_setup.h), if any.
+  LoadHistory past;                          ///< Load history used in its solution.
+  StingerEquilibrium stinger;                ///< State of a hinged stinger, see statics/stinger/stinger_equilibrium.h.
+  std::optional<MeshZones> zones;            ///< Zones for which its mesh was made.
+  MeshDescription mesh_asked;                ///< Element lengths requested by the model.
 
   bool has_pipe() const { return !mesh.length.empty(); }
 };
 
-/// The equations of a line on a mesh, with its past.
-StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past);
+/// Equations of a line on a mesh, with its load history.
+StaticSystem system_with_history(const Model& model, LineMesh mesh, const LoadHistory& past);
 
-/// What a search for another tension may conclude from a failure.
+/// Conclusion from a failure for a search for another tension.
 enum class FailureKind {
   other,
-  tension_too_low,  ///< The line cannot hang or would be in compression at the seabed.
+  tension_too_low,  ///< The line cannot be suspended or would be in compression at the seabed.
   no_touchdown,     ///< The line ends before it reaches the seabed.
 };
 
-/// Why there is none.
+/// Reason why there is no solution.
 struct StaticFailure {
-  std::string what;    ///< One sentence: what went wrong.
-  std::string where;   ///< Place along the line, empty where it is the whole.
-  std::string why;     ///< The reason, and what would mend it.
-  bool input = false;  ///< The model asks for what is not computed: to be told as a fault of the file.
-  std::string key{};   ///< Of an input: the key of the model that it is about, empty where it is about none.
+  std::string what;    ///< One sentence: what failed.
+  std::string where;   ///< Place along the line; empty for the whole line.
+  std::string why;     ///< Reason, and how to correct it.
+  bool input = false;  ///< True if the model requests an unsupported analysis: reported as an error of the model file.
+  std::string key{};   ///< Key of the model file concerned; empty if none.
   FailureKind kind = FailureKind::other;
 };
 
@@ -83,10 +85,10 @@ struct StaticOutcome {
   std::optional<StaticFailure> failure;
 };
 
-/// Finds the equilibrium. `start`, where given, is the solution of a case close by (slider, continuation).
-StaticOutcome solve_statics(const Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
+/// Finds the equilibrium. `start`: solution of a neighbouring case for a warm start, if any (slider, continuation).
+StaticOutcome solve_statics(const Model& model, const StaticSolution* start = nullptr, const LoadHistory& past = {});
 
-/// The same from a neighbouring solution alone: where that does not lead to the equilibrium, nothing else is tried.
-StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LinePast& past = {});
+/// Same from a neighbouring solution only: fails if the warm start does not converge.
+StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LoadHistory& past = {});
 
 }  // namespace overbend

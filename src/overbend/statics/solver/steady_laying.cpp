@@ -4,39 +4,41 @@
 
 #include <cmath>
 
-#include "statics/solver/static_start.h"
+#include "statics/solver/starting_point.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kThere = 10.0;   ///< Way of the line that is left, over the tolerance of forces [m].
-constexpr double kNoise = 1e-6;   ///< A way as short that does not lessen the miss [m].
-constexpr double kNoSide = 1e-7;  ///< Miss of a pipe that nothing pushes aside [m].
-constexpr int kMostFailures = 8;  ///< Ways that find no equilibrium, or miss by more, each followed by half of it.
+constexpr double kToleranceLength = 10.0;  ///< Remaining displacement of the line over the force tolerance [m].
+constexpr double kNoise = 1e-6;            ///< Displacement below which a step need not reduce the miss [m].
+constexpr double kNoSide = 1e-7;           ///< Miss of a pipe without side load [m].
+constexpr int kMaxStepFailures = 8;        ///< Maximum number of steps without equilibrium or with a larger miss, each
+                                           ///< followed by half of it.
 
-/// What looking for the line may cost, apart from what the equilibrium did: a case must not be given up for it.
-class OwnWork {
+/// Counts the effort of the search for the line separately from that of the equilibrium, so that it does not exhaust
+/// it.
+class SeparateWork {
  public:
-  explicit OwnWork(StaticCase& at) : at_(at), before_(at.work) { at_.work = 0.0; }
-  ~OwnWork() { at_.work = before_; }
-  OwnWork(const OwnWork&) = delete;
-  OwnWork& operator=(const OwnWork&) = delete;
-  bool spent() const { return at_.work > kShare * at_.most_work(); }
+  explicit SeparateWork(EquilibriumProblem& problem) : at_(problem), before_(problem.work) { at_.work = 0.0; }
+  ~SeparateWork() { at_.work = before_; }
+  SeparateWork(const SeparateWork&) = delete;
+  SeparateWork& operator=(const SeparateWork&) = delete;
+  bool is_exhausted() const { return at_.work > kShare * at_.max_work(); }
 
  private:
   static constexpr double kShare = 0.25;
-  StaticCase& at_;
+  EquilibriumProblem& at_;
   double before_;
 };
 
-/// A step of the line by `way` [m]: the state goes along to first order, then into balance.
-bool take(StaticCase& at, const StaticSystem::LineChange& change, double way) {
-  LineState moved = at.state;
-  advance(moved, at.state, change.q, way);
-  moved.far_force += way * change.far_force;
+/// Moves the line by `step` [m]: first-order prediction of the state, then equilibrium.
+bool move_line_by(EquilibriumProblem& problem, const StaticSystem::LineChange& change, double step) {
+  LineState moved = problem.state;
+  advance(moved, problem.state, change.q, step);
+  moved.far_force += step * change.far_force;
   if (moved.far_force <= 0.0) return false;
-  at.state = std::move(moved);
-  return follow(at, "steady laying");
+  problem.state = std::move(moved);
+  return solve_from_warm_start(problem, "steady laying");
 }
 
 }  // namespace
@@ -46,47 +48,50 @@ LayRoute laid_route(const Model& model, const StaticSolution& solution) {
   LayRoute route = lay_route(model);
   if (!lays_steadily(model)) return route;
   const double aside = route.offset(Eigen::Map<const Vec3>(solution.state.q.data()));
-  return std::abs(aside) > kRounding ? route.beside(aside) : route;
+  return std::abs(aside) > kRounding ? route.parallel_route(aside) : route;
 }
 
-bool settle_steadily(StaticCase& at) {
-  if (!at.system.lays_steadily() || !at.system.plane().route.straight()) return true;
-  std::optional<double> miss = at.system.landing_miss(at.state);
+bool solve_steady_laying(EquilibriumProblem& problem) {
+  if (!problem.system.lays_steadily() || !problem.system.plane().route.straight()) return true;
+  std::optional<double> miss = problem.system.landing_miss(problem.state);
   if (!miss || std::abs(*miss) < kNoSide) return true;
-  const double there = kThere * at.model.description.statics.tolerance;
+  const double tolerance = kToleranceLength * problem.model.description.statics.tolerance;
   double share = 1.0;
   bool factored = false;
   StaticSystem::LineChange change;
   int failures = 0;
-  OwnWork work(at);
-  while (failures < kMostFailures && !work.spent()) {
+  SeparateWork work(problem);
+  while (failures < kMaxStepFailures && !work.is_exhausted()) {
     if (!factored) {
-      at.system.evaluate(at.state, true);
-      at.system.hold(true);
-      if (!at.system.factor(at.state, at.target) || at.system.line_change() == nullptr) return false;
-      at.work += at.size();
-      change = *at.system.line_change();
+      problem.system.evaluate(problem.state, true);
+      problem.system.hold(true);
+      if (!problem.system.factor(problem.state, problem.target) || problem.system.line_change() == nullptr) {
+        return false;
+      }
+      problem.work += problem.size();
+      change = *problem.system.line_change();
       factored = true;
     }
-    const double way = -share * *miss / change.miss;
-    if (std::abs(way) < there) return true;
-    const LineState before = at.state;
-    const std::optional<double> now = take(at, change, way) ? at.system.landing_miss(at.state) : std::nullopt;
-    if (now && std::abs(*now) < std::abs(*miss)) {
-      miss = now;
+    const double step = -share * *miss / change.miss;
+    if (std::abs(step) < tolerance) return true;
+    const LineState before = problem.state;
+    const std::optional<double> new_miss =
+        move_line_by(problem, change, step) ? problem.system.landing_miss(problem.state) : std::nullopt;
+    if (new_miss && std::abs(*new_miss) < std::abs(*miss)) {
+      miss = new_miss;
       share = std::min(1.0, 2.0 * share);
       factored = false;
     } else {
-      at.state = before;
+      problem.state = before;
       share *= 0.5;
       ++failures;
-      if (std::abs(way) < kNoise) return true;  // the forces' own tolerance hides the rest
+      if (std::abs(step) < kNoise) return true;  // the tolerance of the forces hides the rest
     }
   }
   return false;
 }
 
-double laid_beside(const Model& model) {
+double laid_offset_in_bend(const Model& model) {
   if (!lays_steadily(model) || !model.description.route.given()) return 0.0;
   Model straight = model;
   straight.description.route = {};
@@ -94,23 +99,23 @@ double laid_beside(const Model& model) {
   return outcome.solution ? laid_route(straight, *outcome.solution).shift() : 0.0;
 }
 
-bool move_line(StaticCase& at, double to_port) {
-  const LineMesh& mesh = at.system.mesh();
-  const LayRoute& route = at.system.plane().route;
-  const auto now = [&] { return route.offset(Eigen::Map<const Vec3>(at.state.q.data())); };
-  double step = to_port - now();
-  OwnWork work(at);
-  for (int failures = 0; failures < kMostFailures && !work.spent();) {
-    const double left = to_port - now();
+bool move_line(EquilibriumProblem& problem, double to_port) {
+  const LineMesh& mesh = problem.system.mesh();
+  const LayRoute& route = problem.system.plane().route;
+  const auto present_offset = [&] { return route.offset(Eigen::Map<const Vec3>(problem.state.q.data())); };
+  double step = to_port - present_offset();
+  SeparateWork work(problem);
+  for (int failures = 0; failures < kMaxStepFailures && !work.is_exhausted();) {
+    const double left = to_port - present_offset();
     if (std::abs(left) < kNoise) return true;
     step = std::abs(step) < std::abs(left) ? std::copysign(step, left) : left;
-    const LineState before = at.state;
+    const LineState before = problem.state;
     for (std::size_t node = 0; node < mesh.s.size(); ++node) {
-      Eigen::Map<Vec3> r(at.state.q.data() + 6 * node);
+      Eigen::Map<Vec3> r(problem.state.q.data() + 6 * node);
       r += (1.0 - mesh.s[node] / mesh.total_length()) * step * route.port(route.distance(r));
     }
-    if (follow(at, "line moved aside")) continue;
-    at.state = before;
+    if (solve_from_warm_start(problem, "line moved aside")) continue;
+    problem.state = before;
     step *= 0.5;
     ++failures;
   }

@@ -5,8 +5,8 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMixed = 6;    ///< Steps that are remembered; 3 to 10 solve about as many random lays.
-constexpr double kWorthwhile = 0.7;  ///< Share of a step that may stand against those before and still be mixed.
+constexpr std::size_t kMixed = 6;      ///< Number of stored steps; 3 to 10 solve about as many random lays.
+constexpr double kMaxRemainder = 0.7;  ///< Maximum remaining share of a step for which it is mixed.
 
 Eigen::VectorXd joined(const std::vector<double>& step, double share, double force) {
   Eigen::VectorXd all(static_cast<Eigen::Index>(step.size()) + 1);
@@ -17,26 +17,26 @@ Eigen::VectorXd joined(const std::vector<double>& step, double share, double for
 }  // namespace
 
 void StepMixing::mix(std::vector<double>& step, double& force) {
-  Eigen::VectorXd now = joined(step, 1.0, force);
-  if (asked_.size() == now.size() && taken_.size() == now.size()) {
+  Eigen::VectorXd mixed = joined(step, 1.0, force);
+  if (asked_.size() == mixed.size() && taken_.size() == mixed.size()) {
     if (changes_.size() == kMixed) changes_.erase(changes_.begin());
-    changes_.push_back({now - asked_, taken_});
+    changes_.push_back({mixed - asked_, taken_});
   }
-  asked_ = now;
+  asked_ = mixed;
   taken_.resize(0);
   if (changes_.empty()) return;
-  Eigen::MatrixXd change(now.size(), static_cast<Eigen::Index>(changes_.size()));
+  Eigen::MatrixXd change(mixed.size(), static_cast<Eigen::Index>(changes_.size()));
   for (std::size_t i = 0; i < changes_.size(); ++i) change.col(static_cast<Eigen::Index>(i)) = changes_[i].asked;
-  const Eigen::VectorXd share = least_squares(change, now);
-  if ((now - change * share).norm() > kWorthwhile * now.norm()) return;
+  const Eigen::VectorXd share = least_squares(change, mixed);
+  if ((mixed - change * share).norm() > kMaxRemainder * mixed.norm()) return;
   for (std::size_t i = 0; i < changes_.size(); ++i) {
-    now -= share(static_cast<Eigen::Index>(i)) * (changes_[i].asked + changes_[i].taken);
+    mixed -= share(static_cast<Eigen::Index>(i)) * (changes_[i].asked + changes_[i].taken);
   }
-  Eigen::Map<Eigen::VectorXd>(step.data(), now.size() - 1) = now.head(now.size() - 1);
-  force = now(now.size() - 1);
+  Eigen::Map<Eigen::VectorXd>(step.data(), mixed.size() - 1) = mixed.head(mixed.size() - 1);
+  force = mixed(mixed.size() - 1);
 }
 
-void StepMixing::took(const std::vector<double>& step, double share, double force) {
+void StepMixing::record_taken(const std::vector<double>& step, double share, double force) {
   taken_ = joined(step, share, force);
 }
 

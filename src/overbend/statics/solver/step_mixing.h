@@ -1,4 +1,4 @@
-/// Acceleration of an iteration whose tangent is not exact.
+/// Acceleration of an iteration with an inexact tangent.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,15 @@
 
 namespace overbend {
 
-/// Where the tangent leaves out that steel remembers what bent it upstream, Newton's steps are those of a fixed-point
-/// iteration. What the last of them changed in the next tells what is left out (Anderson 1965, Walker and Ni 2011).
+/// Without plastic strain from supports upstream in the tangent, Newton's steps are those of a fixed-point iteration.
+/// Changes between successive steps approximate the omitted part (Anderson 1965, Walker and Ni 2011).
 class StepMixing {
  public:
-  /// Mixes the last steps into this one of a line and its far force.
+  /// Mixes the previous steps into this step of a line and its far force.
   void mix(std::vector<double>& step, double& force);
-  /// What became of the step mixed last.
-  void took(const std::vector<double>& step, double share, double force);
+  /// Records the part of the last mixed step that was taken.
+  void record_taken(const std::vector<double>& step, double share, double force);
+  /// Discards the stored steps.
   void forget();
 
  private:

@@ -13,9 +13,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kFarthestBox = 1000.0;                  ///< The longest pipelay vessels measure half of it [m].
-constexpr double kLargestTurn = 0.5 * std::numbers::pi;  ///< Of the support line at one box [rad].
-constexpr double kLeastOffset = 15.0;                    ///< A sign mistaken on an ordinary stinger is left alone [m].
+constexpr double kFarthestBox = 1000.0;              ///< Twice the length of the longest pipelay vessels [m].
+constexpr double kMaxTurn = 0.5 * std::numbers::pi;  ///< Maximum turn of the support line at one box [rad].
+constexpr double kMinOffset = 15.0;                  ///< A wrong sign on an ordinary stinger is not reported here
+                                                     ///< [m].
 
 /// Angle by which the line a, b, c turns at b [rad].
 double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -23,20 +24,21 @@ double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
-/// Largest turn along the points without the one at `left_out`.
-double largest_turn(const std::vector<Vec3>& points, std::size_t left_out) {
+/// Maximum turn along the points without the one at `left_out` [rad].
+double max_turn_without(const std::vector<Vec3>& points, std::size_t left_out) {
   std::vector<Vec3> rest = points;
   if (left_out < rest.size()) {
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(left_out));
   }
-  double largest = 0.0;
+  double max_turn = 0.0;
   for (std::size_t i = 1; i + 1 < rest.size(); ++i) {
-    largest = std::max(largest, turn(rest[i - 1], rest[i], rest[i + 1]));
+    max_turn = std::max(max_turn, turn(rest[i - 1], rest[i], rest[i + 1]));
   }
-  return largest;
+  return max_turn;
 }
 
-/// Distance of a point from the line through its neighbours, at the end through the two before it [m].
+/// Distance of a point from the line through its neighbours; at the end from the line through the two points before it
+/// [m].
 double off_neighbours(const std::vector<Vec3>& points, std::size_t i) {
   const bool last = i + 1 == points.size();
   const Vec3& from = points[last ? i - 2 : i - 1];
@@ -45,11 +47,11 @@ double off_neighbours(const std::vector<Vec3>& points, std::size_t i) {
   return (off - off.dot(along) * along).norm();
 }
 
-/// The box without which the line turns least; points begin with the tensioner.
-std::size_t strayed(const std::vector<Vec3>& points) {
+/// Index of the box without which the maximum turn is smallest; points begin with the tensioner.
+std::size_t find_outlier(const std::vector<Vec3>& points) {
   std::size_t found = 1;
   for (std::size_t i = 2; i < points.size(); ++i) {
-    found = largest_turn(points, i) < largest_turn(points, found) ? i : found;
+    found = max_turn_without(points, i) < max_turn_without(points, found) ? i : found;
   }
   return found;
 }
@@ -68,13 +70,13 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
                                        shown(far, "m", 0), shown(kFarthestBox, "m", 0))};
     }
   }
-  const double sharpest = largest_turn(points, points.size());
-  if (sharpest <= kLargestTurn) {
+  const double sharpest = max_turn_without(points, points.size());
+  if (sharpest <= kMaxTurn) {
     return std::nullopt;
   }
-  const std::size_t worst = strayed(points);
+  const std::size_t worst = find_outlier(points);
   const double off = off_neighbours(points, worst);
-  if (off < kLeastOffset) {
+  if (off < kMinOffset) {
     return std::nullopt;
   }
   const SupportBox& box = model.supports.boxes[worst - 1];

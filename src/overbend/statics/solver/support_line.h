@@ -1,4 +1,4 @@
-/// Whether ramp and stinger can be meant as the model has them.
+/// Plausibility of the positions of ramp and stinger.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// Names the box that no pipe can be meant to pass: farther from the tensioner than any stinger reaches, or such that
-/// the line from the tensioner over the middles of the boxes turns by more than a right angle, least without it, and
-/// far off that line. Such places come from a slip (mm read as m, a digit too many); a box that merely stands proud is
-/// left to the solution.
+/// Returns a failure that names a box no pipe can pass: farther from the tensioner than any stinger reaches, or a box
+/// whose removal straightens the line from the tensioner over the boxes most, where that line turns by more than a
+/// right angle, and far off it. Such positions are typing errors (mm read as m, an extra digit); a box that is merely
+/// high is left to the solution.
 std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& plane);
 
 }  // namespace overbend

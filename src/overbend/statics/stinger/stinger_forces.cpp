@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "mechanics/stinger_section.h"
-#include "model/vessel/stinger_turn.h"
+#include "model/vessel/stinger_rotation.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kStripLength = 1.0;  ///< [m]
-constexpr int kLeastStrips = 8, kMostStrips = 40;
-constexpr double kRod = 1.0 / 12.0;  ///< Of an even rod about its middle, over m L^2.
+constexpr int kMinStrips = 8, kMaxStrips = 40;
+constexpr double kRod = 1.0 / 12.0;  ///< Moment of inertia of a uniform rod about its middle, over m L^2.
 
 Vec3 place_W(const Model& model, std::size_t section, const StingerPoint& drawn, double y = 0.0) {
   const StingerSectionDescription& described = model.description.supports.sections[section];
@@ -20,13 +20,13 @@ Vec3 place_W(const Model& model, std::size_t section, const StingerPoint& drawn,
                          point_on_section(described, model.supports.sections[section], drawn, y));
 }
 
-/// A tank's axis in W.
+/// Axis of a tank in W.
 struct TankAxis {
   Vec3 from, to;
   double length;
 };
 
-TankAxis axis_of(const Model& model, std::size_t section, const StingerTankDescription& tank) {
+TankAxis make_tank_axis(const Model& model, std::size_t section, const StingerTankDescription& tank) {
   const Vec3 from = place_W(model, section, tank.from, tank.y), to = place_W(model, section, tank.to, tank.y);
   return {from, to, (to - from).norm()};
 }
@@ -52,11 +52,11 @@ double drawn_length(const StingerTankDescription& tank) {
   return std::hypot(tank.to.x - tank.from.x, tank.to.z - tank.from.z);
 }
 
-double square_distance(const HingeAxis& hinge, const Vec3& at) {
-  return hinge.axis_W.cross(at - hinge.at_W).squaredNorm();
+double square_distance(const HingeAxis& hinge, const Vec3& point) {
+  return hinge.axis_W.cross(point - hinge.at_W).squaredNorm();
 }
 
-/// Length of the even rod that stands for the body: from the hinge to the last box of the section.
+/// Length of the uniform rod that represents the body: from the hinge to the last box of the section.
 double body_length(const Model& model, std::size_t section) {
   double length = 0.0;
   for (const SupportBox& box : model.supports.boxes) {
@@ -70,16 +70,17 @@ double body_inertia(const Model& model, std::size_t section, const HingeAxis& hi
   const StingerBodyDescription& body = *model.description.supports.sections[section].body;
   const double length = body_length(model, section);
   const double square = body.radius_of_gyration ? std::pow(*body.radius_of_gyration, 2) : kRod * length * length;
-  const Vec3 at = place_W(model, section, body.at), water = place_W(model, section, body.buoyancy_at.value_or(body.at));
-  return body.weight / kGravity * (square + square_distance(hinge, at)) +
+  const Vec3 centre = place_W(model, section, body.at),
+             water = place_W(model, section, body.buoyancy_at.value_or(body.at));
+  return body.weight / kGravity * (square + square_distance(hinge, centre)) +
          body.added_mass * square_distance(hinge, water);
 }
 
-/// Shell and ballast as a rod, and the water that is pushed across the axis: only the part of the way across counts,
-/// which is the distance along the axis from the foot of the hinge.
+/// Shell and ballast as a rod, and added mass across the axis: only the component of motion across counts, which is
+/// proportional to the distance along the axis from the foot of the perpendicular from the hinge.
 double tank_inertia(const Model& model, std::size_t section, const StingerTankDescription& tank,
                     const HingeAxis& hinge) {
-  const TankAxis axis = axis_of(model, section, tank);
+  const TankAxis axis = make_tank_axis(model, section, tank);
   const Vec3 along = (axis.to - axis.from) / axis.length;
   const double foot = -(axis.from - hinge.at_W).dot(along);
   const double mass = (tank.weight + tank.ballast * tank_capacity(tank, model.water_weight_density)) / kGravity;
@@ -90,29 +91,29 @@ double tank_inertia(const Model& model, std::size_t section, const StingerTankDe
   return mass * (kRod * axis.length * axis.length + square_distance(hinge, 0.5 * (axis.from + axis.to))) + water;
 }
 
-/// Of the current across a tank's axis, strip by strip (Morison et al. 1950).
+/// Adds the current drag across a tank's axis, strip by strip (Morison et al. 1950).
 void add_drag(const Model& model, std::size_t section, const StingerTankDescription& tank,
               std::vector<PointForce>& forces) {
-  const TankAxis axis = axis_of(model, section, tank);
+  const TankAxis axis = make_tank_axis(model, section, tank);
   const Vec3 along = (axis.to - axis.from) / axis.length;
   const int strips = tank_strips(axis.length);
   for (int i = 0; i < strips; ++i) {
-    const auto at = [&](double share) { return Vec3(axis.from + (i + share) / strips * (axis.to - axis.from)); };
-    const TankAxis strip{at(0.0), at(1.0), axis.length / strips};
+    const auto point_at = [&](double share) { return Vec3(axis.from + (i + share) / strips * (axis.to - axis.from)); };
+    const TankAxis strip{point_at(0.0), point_at(1.0), axis.length / strips};
     const WetPart wet = wet_part(strip);
-    const Vec3 current = current_at(model.current, at(0.5).z()), across = current - current.dot(along) * along;
+    const Vec3 current = current_at(model.current, point_at(0.5).z()), across = current - current.dot(along) * along;
     const double drag = 0.5 * model.water_density * tank.drag * tank.diameter * (wet.to - wet.from) * strip.length;
-    if (drag > 0.0) forces.push_back({drag * across.norm() * across, at(0.5 * (wet.from + wet.to))});
+    if (drag > 0.0) forces.push_back({drag * across.norm() * across, point_at(0.5 * (wet.from + wet.to))});
   }
 }
 
-/// Of the current on the body, across the section.
+/// Adds the current drag on the body, across the section.
 void add_drag(const Model& model, std::size_t section, const StingerBodyDescription& body,
               std::vector<PointForce>& forces) {
-  const Vec3 at = place_W(model, section, body.buoyancy_at.value_or(body.at));
+  const Vec3 point = place_W(model, section, body.buoyancy_at.value_or(body.at));
   const Vec3 across = model.mean_pose.R_WV * Vec3::UnitY().cross(section_reach_V(model, section).normalized());
-  const double flow = across.dot(current_at(model.current, at.z()));
-  forces.push_back({0.5 * model.water_density * body.drag_area * std::abs(flow) * flow * across, at});
+  const double flow = across.dot(current_at(model.current, point.z()));
+  forces.push_back({0.5 * model.water_density * body.drag_area * std::abs(flow) * flow * across, point});
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ Vec3 section_reach_V(const Model& model, std::size_t section) {
 }
 
 int tank_strips(double length) {
-  return std::clamp(static_cast<int>(std::ceil(length / kStripLength)), kLeastStrips, kMostStrips);
+  return std::clamp(static_cast<int>(std::ceil(length / kStripLength)), kMinStrips, kMaxStrips);
 }
 
 double tank_capacity(const StingerTankDescription& tank, double water_weight_density) {
@@ -152,7 +153,7 @@ double tank_capacity(const StingerTankDescription& tank, double water_weight_den
 }
 
 FloatingTank floating_tank(const Model& model, std::size_t section, const StingerTankDescription& tank) {
-  const TankAxis axis = axis_of(model, section, tank);
+  const TankAxis axis = make_tank_axis(model, section, tank);
   const WetPart wet = wet_part(axis);
   FloatingTank floats;
   floats.weight = tank.weight + tank.ballast * tank_capacity(tank, model.water_weight_density);
@@ -165,11 +166,11 @@ FloatingTank floating_tank(const Model& model, std::size_t section, const Stinge
   return floats;
 }
 
-double spring_force(const StingerSectionDescription& section, const StingerSection& now,
+double spring_force(const StingerSectionDescription& section, const StingerSection& turned_section,
                     const StingerSpringDescription& spring) {
   const Vec3 barge_S(spring.on_barge.x, 0.0, spring.on_barge.z);
   const double drawn = std::hypot(spring.on_stinger.x - spring.on_barge.x, spring.on_stinger.z - spring.on_barge.z);
-  const double length = (point_on_section(section, now, spring.on_stinger) - barge_S).norm();
+  const double length = (point_on_section(section, turned_section, spring.on_stinger) - barge_S).norm();
   const double force = spring.pretension + spring.stiffness * (length - drawn);
   return spring.wire ? std::max(force, 0.0) : force;
 }
@@ -198,9 +199,9 @@ std::vector<PointForce> section_forces(const Model& model, std::size_t section) 
   for (const StingerSpringDescription& spring : described.springs) {
     const Vec3 barge_S(spring.on_barge.x, 0.0, spring.on_barge.z);
     const Vec3 at_W = place_W(model, section, spring.on_stinger);
-    const Vec3 way = point_from_ramp(model, model.mean_pose, barge_S) - at_W;
+    const Vec3 to_vessel = point_from_ramp(model, model.mean_pose, barge_S) - at_W;
     const double force = spring_force(described, model.supports.sections[section], spring);
-    if (way.norm() > 0.0) forces.push_back({force * way.normalized(), at_W});
+    if (to_vessel.norm() > 0.0) forces.push_back({force * to_vessel.normalized(), at_W});
   }
   return forces;
 }

@@ -7,19 +7,22 @@
 
 #include "base/constants.h"
 #include "base/shown_unit.h"
-#include "model/vessel/stinger_turn.h"
+#include "model/vessel/stinger_rotation.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kBalanced = 2e-8;  ///< Of a moment, over what is added up in it.
+constexpr double kBalanced = 2e-8;  ///< Tolerance of a moment relative to the sum of its contributions.
 constexpr double kFirstStep = 2.0 * kDegree;
-constexpr double kLongestStep = 8.0 * kDegree;
-constexpr double kShortestStep = 1e-9;  ///< [rad]
-constexpr double kOvershoot = 0.5;      ///< Of the moment along a step, turned round at its end: the step is shortened.
-constexpr int kMostTrials = 120;
-constexpr double kLook = 1e-5;                                         ///< For differences [rad].
-constexpr double kTries[] = {0.0, 3.0, -3.0, 6.0, -6.0, 12.0, -12.0};  ///< Angles to begin at [deg].
+constexpr double kMaxStep = 8.0 * kDegree;
+constexpr double kMinStep = 1e-9;   ///< [rad]
+constexpr double kOvershoot = 0.5;  ///< Share of the moment along a step whose reversal at the end of the step
+                                    ///< shortens it.
+constexpr int kMaxTrials = 120;
+constexpr double kDifference = 1e-5;  ///< Step of finite differences [rad].
+constexpr double kStartOffsets[] = {0.0,  3.0,  -3.0, 6.0,
+                                    -6.0, 12.0, -12.0};  ///< Offsets of the first angle that are tried at
+                                                         ///< the start [deg].
 
 double magnitudes(const HingeAxis& hinge, const std::vector<PointForce>& forces) {
   double sum = 0.0;
@@ -29,13 +32,13 @@ double magnitudes(const HingeAxis& hinge, const std::vector<PointForce>& forces)
 
 }  // namespace
 
-StingerSearch::StingerSearch(Model& model, const LinePast& past, std::vector<std::size_t> floating,
+StingerSearch::StingerSearch(Model& model, const LoadHistory& past, std::vector<std::size_t> floating,
                              std::vector<double> wanted)
     : model_(model), past_(past), floating_(std::move(floating)) {
   const auto n = static_cast<Eigen::Index>(floating_.size());
   wanted_ = Eigen::VectorXd::Zero(n);
-  low_ = Eigen::VectorXd::Constant(n, -kFurthestTurn);
-  high_ = Eigen::VectorXd::Constant(n, kFurthestTurn);
+  low_ = Eigen::VectorXd::Constant(n, -kMaxStingerAngle);
+  high_ = Eigen::VectorXd::Constant(n, kMaxStingerAngle);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     if (!wanted.empty()) wanted_[i] = wanted[k];
@@ -51,25 +54,27 @@ Eigen::VectorXd StingerSearch::clipped(const Eigen::VectorXd& angles) const {
   return angles.cwiseMax(low_).cwiseMin(high_);
 }
 
-Eigen::VectorXd StingerSearch::of_floating(const std::vector<double>& angles) const {
-  Eigen::VectorXd own(static_cast<Eigen::Index>(floating_.size()));
-  for (Eigen::Index i = 0; i < own.size(); ++i) own[i] = angles[floating_[static_cast<std::size_t>(i)]];
-  return own;
+Eigen::VectorXd StingerSearch::select_floating(const std::vector<double>& angles) const {
+  Eigen::VectorXd floating_angles(static_cast<Eigen::Index>(floating_.size()));
+  for (Eigen::Index i = 0; i < floating_angles.size(); ++i) {
+    floating_angles[i] = angles[floating_[static_cast<std::size_t>(i)]];
+  }
+  return floating_angles;
 }
 
-std::optional<StingerTrial> StingerSearch::at(const Eigen::VectorXd& angles) {
+std::optional<StingerTrial> StingerSearch::solve_at(const Eigen::VectorXd& angles) {
   ++trials_;
   for (std::size_t k = 0; k < floating_.size(); ++k) {
     angles_[floating_[k]] = angles[static_cast<Eigen::Index>(k)];
   }
-  turn_stinger(model_.supports, angles_);
-  StaticOutcome outcome = solve_statics(model_, last_ && !afresh_ ? &*last_ : nullptr, past_);
+  rotate_stinger(model_.supports, angles_);
+  StaticOutcome outcome = solve_statics(model_, last_ && !cold_ ? &*last_ : nullptr, past_);
   if (outcome.failure) {
     if (!pipe_failure_) pipe_failure_ = std::move(outcome.failure);
     return std::nullopt;
   }
   StingerTrial trial{angles, {}, {}, std::move(*outcome.solution)};
-  StaticSystem system = system_with_past(model_, trial.solution.mesh, past_);
+  StaticSystem system = system_with_history(model_, trial.solution.mesh, past_);
   system.evaluate(trial.solution.state, false);
   const std::vector<std::vector<PointForce>> pipe = pipe_on_sections(system);
   const std::vector<double> moments = hinge_moments(model_, pipe);
@@ -86,27 +91,27 @@ std::optional<StingerTrial> StingerSearch::at(const Eigen::VectorXd& angles) {
   return trial;
 }
 
-/// At the angles given, or at others where the pipe has no equilibrium there: the first section turns with all the
-/// rest.
+/// Starts at the given angles, or at others if the pipe has no equilibrium there: the first section turns with all
+/// those behind it.
 bool StingerSearch::begin(const Eigen::VectorXd& from) {
-  for (const double offset : kTries) {
+  for (const double offset : kStartOffsets) {
     Eigen::VectorXd angles = from;
     angles[0] += offset * kDegree;
     if (offset != 0.0 && clipped(angles) != angles) continue;
-    now_ = at(clipped(angles));
-    if (now_) return true;
+    current_ = solve_at(clipped(angles));
+    if (current_) return true;
   }
   return false;
 }
 
-Eigen::VectorXd StingerSearch::lack(const StingerTrial& trial) const {
+Eigen::VectorXd StingerSearch::unbalanced_moment(const StingerTrial& trial) const {
   return trial.moments - wanted_;
 }
 
-/// Those that no stop holds against the moment.
-std::vector<int> StingerSearch::free_ones(const StingerTrial& trial) const {
+/// Sections that no stop holds against the moment.
+std::vector<int> StingerSearch::free_sections(const StingerTrial& trial) const {
   std::vector<int> free;
-  const Eigen::VectorXd moment = lack(trial);
+  const Eigen::VectorXd moment = unbalanced_moment(trial);
   for (int i = 0; i < static_cast<int>(moment.size()); ++i) {
     const bool stopped =
         (trial.angles[i] >= high_[i] && moment[i] >= 0.0) || (trial.angles[i] <= low_[i] && moment[i] <= 0.0);
@@ -115,33 +120,33 @@ std::vector<int> StingerSearch::free_ones(const StingerTrial& trial) const {
   return free;
 }
 
-bool StingerSearch::at_rest(const StingerTrial& trial, const std::vector<int>& free) const {
-  const Eigen::VectorXd moment = lack(trial);
+bool StingerSearch::is_balanced(const StingerTrial& trial, const std::vector<int>& free) const {
+  const Eigen::VectorXd moment = unbalanced_moment(trial);
   return std::all_of(free.begin(), free.end(),
                      [&](int i) { return std::abs(moment[i]) <= kBalanced * trial.scale[i]; });
 }
 
-/// Newton's with what is known of the stiffness, or straight along the moments; not longer than a step may be.
+/// Newton direction with the present stiffness, or steepest descent; limited to the maximum step.
 Eigen::VectorXd StingerSearch::direction(const std::vector<int>& free) const {
-  const Eigen::VectorXd moment = lack(*now_);
+  const Eigen::VectorXd moment = unbalanced_moment(*current_);
   const Eigen::MatrixXd part = stiffness_(free, free);
   const Eigen::VectorXd along = moment(free);
   const auto limited = [&](const Eigen::VectorXd& inner) {
-    Eigen::VectorXd way = Eigen::VectorXd::Zero(moment.size());
-    way(free) = inner * std::min(1.0, longest_ / inner.cwiseAbs().maxCoeff());
-    return Eigen::VectorXd(clipped(now_->angles + way) - now_->angles);
+    Eigen::VectorXd increment = Eigen::VectorXd::Zero(moment.size());
+    increment(free) = inner * std::min(1.0, max_step_ / inner.cwiseAbs().maxCoeff());
+    return Eigen::VectorXd(clipped(current_->angles + increment) - current_->angles);
   };
   const Eigen::LLT<Eigen::MatrixXd> factors(part);
   if (factors.info() == Eigen::Success) {
-    Eigen::VectorXd way = limited(factors.solve(along));
-    if (way.dot(moment) > 0.0) return way;
+    Eigen::VectorXd increment = limited(factors.solve(along));
+    if (increment.dot(moment) > 0.0) return increment;
   }
-  return limited(along.cwiseQuotient(now_->scale(free)));
+  return limited(along.cwiseQuotient(current_->scale(free)));
 }
 
-/// Lets the stiffness have the change of moments that was seen, as far as it stays positive definite; where moments
-/// grow along the way, it is softer than was thought.
-void StingerSearch::learn(const StingerTrial& before, const StingerTrial& after) {
+/// Updates the stiffness with the observed change of moments, as far as it stays positive definite; halves it if
+/// moments grow along the step.
+void StingerSearch::update_stiffness(const StingerTrial& before, const StingerTrial& after) {
   const Eigen::VectorXd s = after.angles - before.angles, y = before.moments - after.moments;
   const double sy = s.dot(y);
   if (!(sy > 1e-6 * s.norm() * y.norm())) {
@@ -152,34 +157,34 @@ void StingerSearch::learn(const StingerTrial& before, const StingerTrial& after)
   stiffness_ += y * y.transpose() / sy - known * known.transpose() / s.dot(known);
 }
 
-/// Solutions that start from each other may lie on two branches, between which the moment jumps: from here on, each
-/// trial starts from nothing. A jump that is left then is the pipe's.
-bool StingerSearch::begin_afresh(const StingerTrial& from) {
-  jumps_ = afresh_;
-  if (afresh_) return false;
-  afresh_ = true;
+/// Solutions with warm starts may lie on two branches between which the moment jumps: from here on each trial starts
+/// without one. A jump that remains is physical.
+bool StingerSearch::restart_cold(const StingerTrial& from) {
+  jumps_ = cold_;
+  if (cold_) return false;
+  cold_ = true;
   trials_ = 0;
-  longest_ = kFirstStep;
-  std::optional<StingerTrial> again = at(from.angles);
+  max_step_ = kFirstStep;
+  std::optional<StingerTrial> again = solve_at(from.angles);
   if (!again) return false;
-  now_ = std::move(again);
+  current_ = std::move(again);
   return true;
 }
 
-/// The moment along the way turns round before its end: closes in on where (Illinois: Dowell and Jarratt 1971).
-bool StingerSearch::shorten(const Eigen::VectorXd& way, double slope, double share, StingerTrial beyond) {
-  const StingerTrial from = *now_;
-  double low = 0.0, high = share, at_low = slope, at_high = lack(beyond).dot(way);
+/// The moment along the step changes sign before its end: find the zero (Illinois: Dowell and Jarratt 1971).
+bool StingerSearch::shorten(const Eigen::VectorXd& increment, double slope, double share, StingerTrial beyond) {
+  const StingerTrial from = *current_;
+  double low = 0.0, high = share, at_low = slope, at_high = unbalanced_moment(beyond).dot(increment);
   int side = 0;
   StingerTrial nearest = std::move(beyond);
-  while (std::abs(lack(nearest).dot(way)) > kOvershoot * slope) {
-    if ((high - low) * way.cwiseAbs().maxCoeff() < kShortestStep || trials_ > kMostTrials) {
-      return begin_afresh(from);
+  while (std::abs(unbalanced_moment(nearest).dot(increment)) > kOvershoot * slope) {
+    if ((high - low) * increment.cwiseAbs().maxCoeff() < kMinStep || trials_ > kMaxTrials) {
+      return restart_cold(from);
     }
     const double next = low + (high - low) * std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
-    std::optional<StingerTrial> trial = at(from.angles + next * way);
+    std::optional<StingerTrial> trial = solve_at(from.angles + next * increment);
     if (!trial) return false;
-    const double along = lack(*trial).dot(way);
+    const double along = unbalanced_moment(*trial).dot(increment);
     if (along > 0.0) {
       low = next;
       at_low = along;
@@ -193,69 +198,72 @@ bool StingerSearch::shorten(const Eigen::VectorXd& way, double slope, double sha
     }
     nearest = std::move(*trial);
   }
-  learn(from, nearest);
-  now_ = std::move(nearest);
+  update_stiffness(from, nearest);
+  current_ = std::move(nearest);
   return true;
 }
 
 bool StingerSearch::step(const std::vector<int>& free) {
-  const Eigen::VectorXd way = direction(free);
-  const double slope = lack(*now_).dot(way);
+  const Eigen::VectorXd full_step = direction(free);
+  const double slope = unbalanced_moment(*current_).dot(full_step);
   double share = 1.0;
-  std::optional<StingerTrial> next = at(now_->angles + way);
+  std::optional<StingerTrial> next = solve_at(current_->angles + full_step);
   while (!next) {
     share *= 0.5;
-    longest_ *= 0.5;
+    max_step_ *= 0.5;
     if (share < 0.01) return false;
-    last_ = now_->solution;
-    next = at(now_->angles + share * way);
+    last_ = current_->solution;
+    next = solve_at(current_->angles + share * full_step);
   }
-  const double after = lack(*next).dot(way);
+  const double after = unbalanced_moment(*next).dot(full_step);
   if (after < -kOvershoot * slope) {
-    longest_ = std::max(0.5 * longest_, kShortestStep);
-    return shorten(way, slope, share, std::move(*next));
+    max_step_ = std::max(0.5 * max_step_, kMinStep);
+    return shorten(full_step, slope, share, std::move(*next));
   }
-  if (after > kOvershoot * slope) longest_ = std::min(2.0 * longest_, kLongestStep);
-  learn(*now_, *next);
-  now_ = std::move(next);
+  if (after > kOvershoot * slope) max_step_ = std::min(2.0 * max_step_, kMaxStep);
+  update_stiffness(*current_, *next);
+  current_ = std::move(next);
   return true;
 }
 
-/// No stop holds it, only the end of the range that is looked at.
+/// True if a section is at the end of the search range without a stop.
 bool StingerSearch::turned_too_far() const {
   for (std::size_t k = 0; k < floating_.size(); ++k) {
     const bool stops = model_.description.supports.sections[floating_[k]].limits.has_value();
-    if (!stops && std::abs(now_->angles[static_cast<Eigen::Index>(k)]) >= kFurthestTurn) return true;
+    if (!stops && std::abs(current_->angles[static_cast<Eigen::Index>(k)]) >= kMaxStingerAngle) return true;
   }
   return false;
 }
 
 StaticFailure StingerSearch::failure() const {
-  if (!now_) return *pipe_failure_;
-  const Eigen::VectorXd left = lack(*now_);
+  if (!current_) return *pipe_failure_;
+  const Eigen::VectorXd left = unbalanced_moment(*current_);
   Eigen::Index worst = 0;
-  Eigen::VectorXd share = left.cwiseAbs().cwiseQuotient(now_->scale);
+  Eigen::VectorXd share = left.cwiseAbs().cwiseQuotient(current_->scale);
   for (Eigen::Index i = 0; i < share.size(); ++i) {
     const auto& limits = model_.description.supports.sections[floating_[static_cast<std::size_t>(i)]].limits;
-    if (limits && (now_->angles[i] >= high_[i] || now_->angles[i] <= low_[i])) share[i] *= 1e-9;  // its stop holds it
+    if (limits && (current_->angles[i] >= high_[i] || current_->angles[i] <= low_[i])) {
+      share[i] *= 1e-9;
+    }  // held by its stop
   }
   share.maxCoeff(&worst);
   const std::size_t section = floating_[static_cast<std::size_t>(worst)];
   const std::string& name = model_.description.supports.sections[section].name;
   const std::string where = name.empty() ? std::string("the stinger") : "stinger section '" + name + "'";
-  const double angle = now_->angles[worst] / kDegree, moment = left[worst];
+  const double angle = current_->angles[worst] / kDegree, moment = left[worst];
   if (jumps_) {
-    return {"the stinger finds no rest", where,
-            fmt::format("near an angle of {:.2f} deg the moment about its hinge jumps from one sign to the other: the "
-                        "pipe changes its contacts there",
+    return {"no equilibrium of the stinger found", where,
+            fmt::format("near an angle of {:.2f} deg the moment about its hinge changes sign abruptly: the pipe "
+                        "changes its contacts there",
                         angle)};
   }
-  std::string why = fmt::format("at an angle of {:.2f} deg a moment of {} about its hinge still turns the tip {}",
-                                angle, shown(std::abs(moment), "N m", 0), moment > 0.0 ? "down" : "up");
+  std::string why =
+      fmt::format("at an angle of {:.2f} deg a moment of {} about its hinge is unbalanced and turns the tip {}", angle,
+                  shown(std::abs(moment), "N m", 0), moment > 0.0 ? "down" : "up");
   if (pipe_failure_) {
     why += fmt::format(", and beyond that the pipe has no equilibrium ({})", pipe_failure_->what);
   } else {
-    why += ": weight, buoyancy and pipe do not balance; give more or less buoyancy, or limits";
+    why += ": weight, buoyancy and pipe do not balance; change the buoyancy, or give limits";
   }
   return {"no equilibrium of the stinger found", where, why};
 }
@@ -265,21 +273,22 @@ StaticOutcome StingerSearch::find(const std::vector<double>& angles, const Stati
   angles_ = angles;
   const auto n = static_cast<Eigen::Index>(floating_.size());
   if (start != nullptr) last_ = *start;
-  longest_ = kFirstStep;
-  if (!begin(clipped(of_floating(angles)))) return {std::nullopt, failure()};
-  stiffness_ = now_->scale.asDiagonal();
+  max_step_ = kFirstStep;
+  if (!begin(clipped(select_floating(angles)))) return {std::nullopt, failure()};
+  stiffness_ = current_->scale.asDiagonal();
   if (static_cast<Eigen::Index>(stiffness.size()) == n * n) {
     stiffness_ = Eigen::Map<const Eigen::MatrixXd>(stiffness.data(), n, n);
   }
-  for (std::vector<int> free = free_ones(*now_); !at_rest(*now_, free); free = free_ones(*now_)) {
-    if (trials_ > kMostTrials || !step(free)) return {std::nullopt, failure()};
+  for (std::vector<int> free = free_sections(*current_); !is_balanced(*current_, free);
+       free = free_sections(*current_)) {
+    if (trials_ > kMaxTrials || !step(free)) return {std::nullopt, failure()};
   }
   if (turned_too_far()) return {std::nullopt, failure()};
   for (std::size_t k = 0; k < floating_.size(); ++k) {
-    angles_[floating_[k]] = now_->angles[static_cast<Eigen::Index>(k)];
+    angles_[floating_[k]] = current_->angles[static_cast<Eigen::Index>(k)];
   }
-  turn_stinger(model_.supports, angles_);
-  StaticSolution found = std::move(now_->solution);
+  rotate_stinger(model_.supports, angles_);
+  StaticSolution found = std::move(current_->solution);
   found.stinger.angles = angles_;
   found.stinger.stiffness.assign(stiffness_.data(), stiffness_.data() + stiffness_.size());
   return {std::move(found), std::nullopt};
@@ -288,17 +297,17 @@ StaticOutcome StingerSearch::find(const std::vector<double>& angles, const Stati
 std::optional<Eigen::MatrixXd> StingerSearch::stiffness(const std::vector<double>& angles,
                                                         const StaticSolution& solution) {
   angles_ = angles;
-  const Eigen::VectorXd here = of_floating(angles);
-  const Eigen::Index n = here.size();
+  const Eigen::VectorXd floating_angles = select_floating(angles);
+  const Eigen::Index n = floating_angles.size();
   Eigen::MatrixXd falls(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::VectorXd look = kLook * Eigen::VectorXd::Unit(n, i);
+    const Eigen::VectorXd look = kDifference * Eigen::VectorXd::Unit(n, i);
     last_ = solution;
-    const std::optional<StingerTrial> up = at(here - look);
+    const std::optional<StingerTrial> up = solve_at(floating_angles - look);
     last_ = solution;
-    const std::optional<StingerTrial> down = at(here + look);
+    const std::optional<StingerTrial> down = solve_at(floating_angles + look);
     if (!up || !down) return std::nullopt;
-    falls.col(i) = (up->moments - down->moments) / (2.0 * kLook);
+    falls.col(i) = (up->moments - down->moments) / (2.0 * kDifference);
   }
   return falls;
 }

@@ -1,66 +1,67 @@
-/// Angles of a stinger's sections at which the moments about their hinges are those wanted.
+/// Search for the angles of a stinger's sections at which the moments about their hinges have wanted values.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "statics/stinger/stinger_rest.h"
+#include "statics/stinger/stinger_equilibrium.h"
 
 namespace overbend {
 
-/// Pipe and stinger at trial angles of the sections that float.
+/// Pipe and stinger at trial angles of the floating sections.
 struct StingerTrial {
   Eigen::VectorXd angles;   ///< [rad]
   Eigen::VectorXd moments;  ///< About their hinges [N m].
-  Eigen::VectorXd scale;    ///< Sum of the magnitudes of what is added up in them [N m].
+  Eigen::VectorXd scale;    ///< Sum of the magnitudes of the contributions to the moments [N m].
   StaticSolution solution;
 };
 
 class StingerSearch {
  public:
-  /// `floating`: sections that may turn. The moments are brought to `wanted`, zero where it is empty.
-  StingerSearch(Model& model, const LinePast& past, std::vector<std::size_t> floating, std::vector<double> wanted = {});
+  /// `floating`: sections that may turn. `wanted`: moments to reach; zero if empty.
+  StingerSearch(Model& model, const LoadHistory& past, std::vector<std::size_t> floating,
+                std::vector<double> wanted = {});
 
-  /// From angles of all sections, and an equilibrium near them where there is one; the stiffness of the moments where
-  /// that is known, of the floating sections row by row. The supports of the model are left where the answer is.
+  /// Searches from the angles of all sections, with a neighbouring equilibrium and the stiffness of the moments
+  /// (floating sections, row by row) if known. Leaves the supports of the model at the solution.
   StaticOutcome find(const std::vector<double>& angles, const StaticSolution* start,
                      const std::vector<double>& stiffness);
 
-  /// Pipe and stinger at these angles; nothing where there is no equilibrium of the pipe.
-  std::optional<StingerTrial> at(const Eigen::VectorXd& angles);
+  /// Solves the pipe at these angles; nullopt if it has no equilibrium.
+  std::optional<StingerTrial> solve_at(const Eigen::VectorXd& angles);
 
-  /// Fall of the moments with the angles at an equilibrium, by central differences [N m/rad]. `angles` are those of
+  /// Decrease of the moments with the angles at an equilibrium, by central differences [N m/rad]. `angles`: those of
   /// all sections.
   std::optional<Eigen::MatrixXd> stiffness(const std::vector<double>& angles, const StaticSolution& solution);
 
  private:
-  Eigen::VectorXd of_floating(const std::vector<double>& angles) const;
+  Eigen::VectorXd select_floating(const std::vector<double>& angles) const;
   bool begin(const Eigen::VectorXd& from);
-  Eigen::VectorXd lack(const StingerTrial& trial) const;
-  std::vector<int> free_ones(const StingerTrial& trial) const;
-  bool at_rest(const StingerTrial& trial, const std::vector<int>& free) const;
+  Eigen::VectorXd unbalanced_moment(const StingerTrial& trial) const;
+  std::vector<int> free_sections(const StingerTrial& trial) const;
+  bool is_balanced(const StingerTrial& trial, const std::vector<int>& free) const;
   Eigen::VectorXd direction(const std::vector<int>& free) const;
   bool step(const std::vector<int>& free);
-  bool shorten(const Eigen::VectorXd& way, double slope, double share, StingerTrial beyond);
-  bool begin_afresh(const StingerTrial& from);
-  void learn(const StingerTrial& before, const StingerTrial& after);
+  bool shorten(const Eigen::VectorXd& increment, double slope, double share, StingerTrial beyond);
+  bool restart_cold(const StingerTrial& from);
+  void update_stiffness(const StingerTrial& before, const StingerTrial& after);
   Eigen::VectorXd clipped(const Eigen::VectorXd& angles) const;
   bool turned_too_far() const;
   StaticFailure failure() const;
 
   Model& model_;
-  const LinePast& past_;
+  const LoadHistory& past_;
   std::vector<std::size_t> floating_;
   Eigen::VectorXd wanted_, low_, high_;
-  std::vector<double> angles_;  ///< Of all sections.
+  std::vector<double> angles_;  ///< All sections.
   std::optional<StaticSolution> last_;
-  std::optional<StingerTrial> now_;
+  std::optional<StingerTrial> current_;
   std::optional<StaticFailure> pipe_failure_;
   Eigen::MatrixXd stiffness_;
-  double longest_ = 0.0;  ///< Step at most [rad].
+  double max_step_ = 0.0;  ///< Maximum step [rad].
   int trials_ = 0;
   bool jumps_ = false;
-  bool afresh_ = false;  ///< Trials start from nothing.
+  bool cold_ = false;  ///< Trials start without a warm start.
 };
 
 }  // namespace overbend

@@ -9,45 +9,47 @@
 namespace overbend {
 namespace {
 
-/// Whether `word` is in a name as one of its parts, between points, brackets and underscores.
+/// True if `word` is one of the parts of a name, separated by points, brackets and underscores.
 bool has_word(const std::string& name, const std::string& word) {
   const auto parts = [](char c) { return std::string("._()[]/ ").find(c) != std::string::npos; };
-  for (std::size_t at = name.find(word); at != std::string::npos; at = name.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || parts(name[at - 1])) && (end == name.size() || parts(name[end]))) return true;
+  for (std::size_t found = name.find(word); found != std::string::npos; found = name.find(word, found + 1)) {
+    const std::size_t end = found + word.size();
+    if ((found == 0 || parts(name[found - 1])) && (end == name.size() || parts(name[end]))) return true;
   }
   return false;
 }
 
-bool changed(const std::vector<const StudyCase*>& group) {
-  return std::ranges::any_of(
-      group, [](const StudyCase* one) { return has_code(one->findings, FindingCode::record_not_stationary); });
+bool has_non_stationary_case(const std::vector<const StudyCase*>& group) {
+  return std::ranges::any_of(group, [](const StudyCase* study_case) {
+    return has_code(study_case->findings, FindingCode::record_not_stationary);
+  });
 }
 
-StudyExtreme extreme_of(const std::vector<const StudyCase*>& group, std::size_t output, bool largest, double duration) {
+StudyExtreme make_extreme(const std::vector<const StudyCase*>& group, std::size_t output, bool is_maximum,
+                          double duration) {
   StudyExtreme extreme;
   extreme.group = group.front()->group;
   extreme.output = output;
-  extreme.largest = largest;
+  extreme.is_maximum = is_maximum;
   std::vector<double> values;
-  for (const StudyCase* one : group) values.push_back(*one->values[output]);
+  for (const StudyCase* study_case : group) values.push_back(*study_case->values[output]);
   extreme.runs = static_cast<int>(values.size());
-  const SeedStatistics s = seed_statistics(values, largest ? SeedExtreme::largest : SeedExtreme::smallest, duration);
+  const SeedStatistics s = seed_statistics(values, is_maximum ? SeedExtreme::maximum : SeedExtreme::minimum, duration);
   extreme.mean = s.mean;
   extreme.std = s.std;
-  extreme.worst = largest ? s.max : s.min;
-  extreme.enough = s.enough && !changed(group);
+  extreme.worst = is_maximum ? s.max : s.min;
+  extreme.enough = s.enough && !has_non_stationary_case(group);
   extreme.gumbel = {s.estimate, s.low, s.high};
   return extreme;
 }
 
-/// Peaks of every case of a group; nothing where one has none.
+/// Peaks of every case of a group; empty if one has none.
 std::vector<std::vector<HistoryPeaks>> group_peaks(const std::vector<const StudyCase*>& group,
                                                    const PeaksOfCase& peaks) {
   std::vector<std::vector<HistoryPeaks>> all;
-  if (!peaks || changed(group)) return all;
-  for (const StudyCase* one : group) {
-    all.push_back(peaks(*one));
+  if (!peaks || has_non_stationary_case(group)) return all;
+  for (const StudyCase* study_case : group) {
+    all.push_back(peaks(*study_case));
     if (all.back().empty()) return {};
   }
   return all;
@@ -57,14 +59,14 @@ void add_group(StudyResults& results, const std::vector<const StudyCase*>& group
                const PeaksOfCase& peaks) {
   const std::vector<std::vector<HistoryPeaks>> seen = group_peaks(group, peaks);
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
-    const std::optional<bool> largest = looks_for_largest(results.outputs[i].name);
-    if (!largest || results.outputs[i].text) continue;
+    const std::optional<bool> is_maximum = is_maximum_output(results.outputs[i].name);
+    if (!is_maximum || results.outputs[i].text) continue;
     const bool everywhere =
-        std::ranges::all_of(group, [&](const StudyCase* one) { return one->values[i].has_value(); });
+        std::ranges::all_of(group, [&](const StudyCase* study_case) { return study_case->values[i].has_value(); });
     if (!everywhere) continue;
-    StudyExtreme extreme = extreme_of(group, i, *largest, duration);
+    StudyExtreme extreme = make_extreme(group, i, *is_maximum, duration);
     if (!seen.empty()) {
-      if (const auto fit = acer_of_result(seen, results.outputs[i].name)) {
+      if (const auto fit = fit_result_acer(seen, results.outputs[i].name)) {
         extreme.acer = StudyEstimate{fit->estimate.value, fit->estimate.low, fit->estimate.high};
       }
     }
@@ -74,21 +76,21 @@ void add_group(StudyResults& results, const std::vector<const StudyCase*>& group
 
 }  // namespace
 
-std::optional<bool> looks_for_largest(const std::string& output) {
-  const auto any = [&](std::initializer_list<const char*> words) {
-    return std::ranges::any_of(words, [&](const char* word) { return has_word(output, word); });
+std::optional<bool> is_maximum_output(const std::string& output) {
+  const auto any = [&](std::initializer_list<const char*> candidates) {
+    return std::ranges::any_of(candidates, [&](const char* word) { return has_word(output, word); });
   };
   if (any({"min", "smallest", "least"})) return false;
   if (any({"max", "largest", "utilisation"})) return true;
-  if (output == "dynamic.top_tension") return true;  // stands for its largest value
+  if (output == "dynamic.top_tension") return true;  // stands for its maximum
   return std::nullopt;
 }
 
 void fill_extremes(StudyResults& results, double duration, const PeaksOfCase& peaks) {
   results.extremes.clear();
   std::map<std::size_t, std::vector<const StudyCase*>> groups;
-  for (const StudyCase& one : results.cases) {
-    if (one.state == StudyCaseState::done && one.seed) groups[one.group].push_back(&one);
+  for (const StudyCase& study_case : results.cases) {
+    if (study_case.state == StudyCaseState::done && study_case.seed) groups[study_case.group].push_back(&study_case);
   }
   for (const auto& [number, group] : groups) {
     if (group.size() >= 2) add_group(results, group, duration, peaks);

@@ -13,7 +13,7 @@
 namespace overbend {
 namespace {
 
-/// "KEY: message" of a model's findings on one of the keys.
+/// Returns "KEY: message" of a model's findings on one of the keys.
 std::set<std::string> about(const std::vector<KeySetting>& keys, const Findings& findings) {
   std::set<std::string> found;
   for (const Finding& finding : findings) {
@@ -42,24 +42,23 @@ double set_value(const std::vector<KeySetting>& keys, const std::string& key, co
   return otherwise;
 }
 
-/// Seas whose shape changes with their height: a higher sea may load the pipe less.
-std::optional<std::string> gamma_remark(const WavesDescription& waves, const StudyCases& cases) {
-  constexpr std::size_t kMostLooked = 20'000;
+/// Warns of seas whose shape changes with their height: a higher sea may load the pipe less.
+std::optional<std::string> make_gamma_remark(const WavesDescription& waves, const StudyCases& cases) {
+  constexpr std::size_t kMaxCases = 20'000;
   if (!follows_rule(waves)) return std::nullopt;
   std::vector<double> gammas;
-  for (std::size_t number = 0; number < std::min(cases.count(), kMostLooked); ++number) {
+  for (std::size_t number = 0; number < std::min(cases.count(), kMaxCases); ++number) {
     const std::vector<KeySetting> keys = cases.question(number).keys;
     gammas.push_back(jonswap_gamma(set_value(keys, "environment.waves.hs", "m", waves.hs),
                                    set_value(keys, "environment.waves.tp", "s", waves.tp)));
   }
-  const auto [least, most] = std::minmax_element(gammas.begin(), gammas.end());
-  if (*most - *least < 0.01) return std::nullopt;
+  const auto [min, max] = std::minmax_element(gammas.begin(), gammas.end());
+  if (*max - *min < 0.01) return std::nullopt;
   return fmt::format(
       "the peak enhancement of JONSWAP follows height and period by the rule of DNV-RP-C205, from {:.3g} to {:.3g} in "
-      "this "
-      "study: seas of different height have different shapes, and a higher one may load the pipe less; give "
+      "this study: seas of different height have different shapes, and a higher one may load the pipe less; give "
       "environment.waves.gamma to compare seas of one shape",
-      *least, *most);
+      *min, *max);
 }
 
 }  // namespace
@@ -73,12 +72,12 @@ Findings study_findings(const CaseBase& base, const StudyCases& cases) {
     try {
       const Description description = base.described(keys, false);
       std::set<std::string> found = about(keys, description.findings);
-      if (looked) std::erase_if(found, [&](const std::string& words) { return !common.contains(words); });
+      if (looked) std::erase_if(found, [&](const std::string& message) { return !common.contains(message); });
       common = std::move(found);
       looked = true;
       random = random || is_random(description.environment.waves);
       waves = description.environment.waves;
-    } catch (const std::runtime_error&) {  // the case itself says why
+    } catch (const std::runtime_error&) {  // the case itself reports the error
     }
   }
   Findings findings;
@@ -86,7 +85,7 @@ Findings study_findings(const CaseBase& base, const StudyCases& cases) {
   if (looked && !random && cases.seeds() > 1) {
     findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
   }
-  if (std::optional<std::string> remark = gamma_remark(waves, cases)) {
+  if (std::optional<std::string> remark = make_gamma_remark(waves, cases)) {
     findings.push_back({FindingCode::study_inputs, std::move(*remark)});
   }
   return findings;

@@ -1,4 +1,4 @@
-/// What of a study changes nothing.
+/// Inputs of a study that have no effect.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace overbend {
 
-/// What the models of the first, the middle and the last case are all warned of at a key that the study varies, such as
-/// a key that the waves do not use, and seeds of a sea that is not random in any of them. Cases that are no model are
-/// passed over.
+/// Returns warnings at varied keys that the models of the first, the middle and the last case have in common, such as a
+/// key that the waves do not use, and seeds of a sea that is not random in any of them. Cases with an invalid model are
+/// skipped.
 Findings study_findings(const CaseBase& base, const StudyCases& cases);
 
 }  // namespace overbend

@@ -16,26 +16,26 @@ namespace {
 namespace fs = std::filesystem;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr double kLongest = 5.0;  ///< Of a dynamic analysis in the probe [s].
+constexpr double kMaxProbeTime = 5.0;  ///< Maximum wall time of a dynamic analysis in the probe [s].
 
 double seconds_since(SteadyClock::time_point then) {
   return std::chrono::duration<double>(SteadyClock::now() - then).count();
 }
 
-/// A folder that goes with its owner.
-class PassingFolder {
+/// A temporary folder, removed by the destructor.
+class ProbeFolder {
  public:
-  PassingFolder() {
+  ProbeFolder() {
     std::string pattern = (fs::temp_directory_path() / "overbend-probe-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw UnusableFolder("no temporary folder can be made: " + pattern);
+    if (mkdtemp(pattern.data()) == nullptr) throw UnusableFolder("cannot create a temporary folder: " + pattern);
     path_ = pattern;
   }
-  ~PassingFolder() {
+  ~ProbeFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
+  ProbeFolder(const ProbeFolder&) = delete;
+  ProbeFolder& operator=(const ProbeFolder&) = delete;
   const fs::path& path() const { return path_; }
 
  private:
@@ -46,8 +46,8 @@ class PassingFolder {
 
 StudyProbe probe_study(const CaseBase& base, const StudyCases& cases, const std::function<bool()>& stop) {
   StudyProbe probe;
-  const PassingFolder folder;
-  CaseNeighbour neighbour;
+  const ProbeFolder folder;
+  CaseWarmStart neighbour;
   SteadyClock::time_point begun = SteadyClock::now();
   if (base.study().analysis == StudyAnalysis::statics) neighbour.start = base_start(base);
   probe.before = seconds_since(begun);
@@ -57,26 +57,26 @@ StudyProbe probe_study(const CaseBase& base, const StudyCases& cases, const std:
   for (const std::size_t number : std::set<std::size_t>{0, cases.count() / 2, last}) {
     if (stop()) break;
     begun = SteadyClock::now();
-    CaseConduct conduct;
+    CaseEvaluationOptions conduct;
     conduct.folder = folder.path() / case_folder(number);
     double done = 1.0;
     SteadyClock::time_point running = begun;
     double prepared = 0.0;
-    conduct.progress = [&](const DynamicProgress& at, double from) {
+    conduct.progress = [&](const DynamicProgress& progress, double from) {
       if (prepared == 0.0) {
         prepared = seconds_since(begun);
         running = SteadyClock::now();
       }
-      done = std::max(1e-3, (at.time - from) / (at.end - from));
+      done = std::max(1e-3, (progress.time - from) / (progress.end - from));
     };
-    conduct.stop = [&] { return stop() || (prepared > 0.0 && seconds_since(running) > kLongest); };
-    const CaseAnswer answer = evaluate_case(base, cases.question(number), neighbour, conduct);
-    if (answer.ending != RunEnding::done && answer.ending != RunEnding::interrupted) {
+    conduct.stop = [&] { return stop() || (prepared > 0.0 && seconds_since(running) > kMaxProbeTime); };
+    const CaseResult answer = evaluate_case(base, cases.question(number), neighbour, conduct);
+    if (answer.ending != RunStatus::done && answer.ending != RunStatus::interrupted) {
       probe.failures.push_back(fmt::format("case {} has no solution: {}", number, answer.why));
       continue;
     }
     const double spent = seconds_since(begun);
-    sum += answer.ending == RunEnding::done ? spent : prepared + (spent - prepared) / done;
+    sum += answer.ending == RunStatus::done ? spent : prepared + (spent - prepared) / done;
     ++solved;
   }
   if (solved > 0) probe.seconds = sum / solved;

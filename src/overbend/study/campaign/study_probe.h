@@ -1,4 +1,4 @@
-/// How long a study takes, from a few of its cases.
+/// Estimate of the duration of a study from a few of its cases.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,13 @@
 namespace overbend {
 
 struct StudyProbe {
-  double seconds = 0.0;               ///< Of a case, on one core; 0 where none could be solved.
-  double before = 0.0;                ///< Once, before the first case.
+  double seconds = 0.0;               ///< Time of a case on one core [s]; 0 if none could be solved.
+  double before = 0.0;                ///< Time before the first case [s].
   std::vector<std::string> failures;  ///< Cases of the probe without a solution.
 };
 
-/// Solves the first, the middle and the last case into a folder that is thrown away. A dynamic analysis is cut off
-/// after some seconds, and what it would take in all follows from how far it came.
+/// Solves the first, the middle and the last case in a temporary folder. A dynamic analysis is stopped after some
+/// seconds, and its total time is extrapolated from its progress.
 StudyProbe probe_study(const CaseBase& base, const StudyCases& cases, const std::function<bool()>& stop);
 
 }  // namespace overbend

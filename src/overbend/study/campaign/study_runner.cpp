@@ -28,10 +28,10 @@ double seconds_since(SteadyClock::time_point then) {
   return std::chrono::duration<double>(SteadyClock::now() - then).count();
 }
 
-/// Statics of dynamic analyses: solved once for the seeds of one model, kept as long as one of them is at work.
+/// Statics of dynamic analyses: solved once for the seeds of one model, kept while one of them runs.
 class SharedStatics {
  public:
-  RunEnd take(const CaseBase& base, const CaseQuestion& question, std::size_t group, CaseNeighbour& neighbour) {
+  RunResult take(const CaseBase& base, const CaseInput& question, std::size_t group, CaseWarmStart& neighbour) {
     std::shared_ptr<Entry> entry;
     {
       const std::lock_guard<std::mutex> hold(mutex_);
@@ -41,9 +41,11 @@ class SharedStatics {
     }
     const std::lock_guard<std::mutex> hold(entry->mutex);
     if (entry->neighbour.prepared == nullptr) {
-      if (RunEnd end = prepare_neighbour(base, question, entry->neighbour); end.ending != RunEnding::done) return end;
+      if (RunResult end = prepare_warm_start(base, question, entry->neighbour); end.ending != RunStatus::done) {
+        return end;
+      }
     }
-    // The entry lives as long as its statics are at work.
+    // The entry lives as long as its statics are in use.
     neighbour.prepared = std::shared_ptr<const PreparedCase>(entry, entry->neighbour.prepared.get());
     neighbour.keys = entry->neighbour.keys;
     return {};
@@ -52,7 +54,7 @@ class SharedStatics {
  private:
   struct Entry {
     std::mutex mutex;
-    CaseNeighbour neighbour;
+    CaseWarmStart neighbour;
   };
   std::mutex mutex_;
   std::map<std::size_t, std::weak_ptr<Entry>> entries_;
@@ -61,7 +63,7 @@ class SharedStatics {
 class StudyWork {
  public:
   StudyWork(const CaseBase& base, const StudyCases& cases, const fs::path& folder, const StudyRunOptions& options,
-            StudyWatch& watch)
+            StudyObserver& watch)
       : base_(base),
         cases_(cases),
         folder_(folder),
@@ -82,7 +84,7 @@ class StudyWork {
       return tally_;
     }
     work_in_threads(useful_threads(options_.threads, blocks_.size()), [this] { work(); });
-    if (fault_) std::rethrow_exception(fault_);
+    if (error_) std::rethrow_exception(error_);
     tally_.interrupted = handled_ < open_.size();
     return tally_;
   }
@@ -105,7 +107,8 @@ class StudyWork {
 
   bool is_static() const { return base_.study().analysis == StudyAnalysis::statics; }
 
-  /// What a thread takes at once: open cases with one anchor; of other analyses than statics, each by itself.
+  /// Divides the open cases into blocks for a thread: cases with one anchor; for other analyses than statics, single
+  /// cases.
   void list_blocks() {
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const std::vector<std::size_t> anchors = is_static() ? cases_.anchors(open_[i]) : std::vector<std::size_t>();
@@ -128,7 +131,7 @@ class StudyWork {
       stopped_ = true;
     } catch (...) {
       const std::lock_guard<std::mutex> hold(mutex_);
-      if (!fault_) fault_ = std::current_exception();
+      if (!error_) error_ = std::current_exception();
       stopped_ = true;
     }
   }
@@ -139,33 +142,33 @@ class StudyWork {
   };
 
   void run(const Block& block) {
-    std::shared_ptr<const LayStart> beside;
+    std::shared_ptr<const LayWarmStart> anchor_start;
     for (const std::size_t number : block.cases) {
       if (ends()) return;
-      CaseNeighbour neighbour;
+      CaseWarmStart neighbour;
       neighbour.start = start_;
       if (start_ && block.anchor && number != *block.anchor) {
-        if (!beside) beside = start_at(*block.anchor);
-        neighbour.start = beside;
-        if (beside != start_) neighbour.other = start_;
+        if (!anchor_start) anchor_start = start_at(*block.anchor);
+        neighbour.start = anchor_start;
+        if (anchor_start != start_) neighbour.fallback_start = start_;
       }
-      if (run(number, neighbour) && number == block.anchor) beside = neighbour.found ? neighbour.found : start_;
+      if (run(number, neighbour) && number == block.anchor) anchor_start = neighbour.found ? neighbour.found : start_;
     }
   }
 
-  /// The equilibrium of an anchor; that of the base where it has none.
-  std::shared_ptr<const LayStart> start_at(std::size_t anchor) const {
-    CaseNeighbour neighbour;
+  /// Returns the equilibrium of an anchor; that of the base model if it has none.
+  std::shared_ptr<const LayWarmStart> start_at(std::size_t anchor) const {
+    CaseWarmStart neighbour;
     neighbour.start = start_;
     evaluate_case(base_, cases_.question(anchor), neighbour, {});
     return neighbour.found ? neighbour.found : start_;
   }
 
-  /// Whether it was solved here.
-  bool run(std::size_t number, CaseNeighbour& neighbour) {
+  /// Returns true if the case was solved by this process.
+  bool run(std::size_t number, CaseWarmStart& neighbour) {
     const fs::path place = folder_ / case_folder(number), claim = place / "claim";
-    std::error_code fault;
-    fs::create_directories(place, fault);
+    std::error_code error;
+    fs::create_directories(place, error);
     if (!worker_.claim(claim)) {
       count(&StudyTally::elsewhere);
       return false;
@@ -175,54 +178,56 @@ class StudyWork {
       count(&StudyTally::before);
       return false;
     }
-    StudyCase one = cases_.at(number);
-    const CaseAnswer answer = solve(one, neighbour);
-    const RunEnding ending = answer.ending;
-    if (ending != RunEnding::interrupted) {
-      write_case_record(one, cases_.inputs(), outputs_, folder_,
+    StudyCase study_case = cases_.at(number);
+    const CaseResult answer = solve(study_case, neighbour);
+    const RunStatus ending = answer.ending;
+    if (ending != RunStatus::interrupted) {
+      write_case_record(study_case, cases_.inputs(), outputs_, folder_,
                         cases_.seeds() > 1 ? answer.peaks : std::vector<HistoryPeaks>());
     }
     release_claims(claim);
-    if (ending == RunEnding::interrupted) {
+    if (ending == RunStatus::interrupted) {
       stopped_ = true;
       return false;
     }
-    count(one.state == StudyCaseState::done ? &StudyTally::done : &StudyTally::failed);
-    watch_.ended(one);
+    count(study_case.state == StudyCaseState::done ? &StudyTally::done : &StudyTally::failed);
+    watch_.ended(study_case);
     return true;
   }
 
-  CaseAnswer solve(StudyCase& one, CaseNeighbour& neighbour) {
+  CaseResult solve(StudyCase& study_case, CaseWarmStart& neighbour) {
     const SteadyClock::time_point begun = SteadyClock::now();
-    const CaseQuestion question = cases_.question(one.number);
-    const CaseConduct conduct{
-        folder_ / one.folder, base_.study().keep, options_.checkpoint_every, [this] { return ends(); }, {},
-        &hdf5_lock()};
-    CaseAnswer answer;
+    const CaseInput question = cases_.question(study_case.number);
+    const CaseEvaluationOptions conduct{folder_ / study_case.folder,
+                                        base_.study().keep,
+                                        options_.checkpoint_every,
+                                        [this] { return ends(); },
+                                        {},
+                                        &hdf5_lock()};
+    CaseResult answer;
     if (base_.study().analysis == StudyAnalysis::dynamic) {
-      static_cast<RunEnd&>(answer) = statics_.take(base_, question, one.group, neighbour);
+      static_cast<RunResult&>(answer) = statics_.take(base_, question, study_case.group, neighbour);
     }
-    if (answer.ending == RunEnding::done) answer = evaluate_case(base_, question, neighbour, conduct);
-    if (answer.ending == RunEnding::no_solution && is_static() && !conduct.keep) {
-      answer = by_a_neighbour(one.number, neighbour, std::move(answer));
+    if (answer.ending == RunStatus::done) answer = evaluate_case(base_, question, neighbour, conduct);
+    if (answer.ending == RunStatus::no_solution && is_static() && !conduct.keep) {
+      answer = solve_from_neighbours(study_case.number, neighbour, std::move(answer));
     }
-    take_answer(answer, base_.study().analysis, outputs_, one);
-    one.wall_time = seconds_since(begun);
+    store_result(answer, base_.study().analysis, outputs_, study_case);
+    study_case.wall_time = seconds_since(begun);
     return answer;
   }
 
-  /// Another way to a case without a solution: from the anchors around it through all cases between. `failed` is its
-  /// answer so far.
-  CaseAnswer by_a_neighbour(std::size_t number, CaseNeighbour& neighbour, CaseAnswer failed) const {
+  /// Retries a case without a solution from its anchors, through all cases between. `failed` is its result so far.
+  CaseResult solve_from_neighbours(std::size_t number, CaseWarmStart& neighbour, CaseResult failed) const {
     for (const std::size_t anchor : cases_.anchors(number)) {
       if (anchor == number) continue;
       neighbour.start = start_at(anchor);
-      for (std::size_t at = anchor; at != number;) {
-        if (watch_.stop()) return {{RunEnding::interrupted, "interrupted"}};
-        at = at < number ? at + 1 : at - 1;
-        CaseAnswer answer = evaluate_case(base_, cases_.question(at), neighbour, {});
+      for (std::size_t current = anchor; current != number;) {
+        if (watch_.stop()) return {{RunStatus::interrupted, "interrupted"}};
+        current = current < number ? current + 1 : current - 1;
+        CaseResult answer = evaluate_case(base_, cases_.question(current), neighbour, {});
         if (neighbour.found) neighbour.start = neighbour.found;
-        if (at == number && answer.ending == RunEnding::done) return answer;
+        if (current == number && answer.ending == RunStatus::done) return answer;
       }
     }
     return failed;
@@ -238,58 +243,58 @@ class StudyWork {
   const StudyCases& cases_;
   const fs::path& folder_;
   const StudyRunOptions& options_;
-  StudyWatch& watch_;
+  StudyObserver& watch_;
   WorkerFile worker_;
   std::vector<StudyOutput> outputs_;
   std::vector<std::size_t> open_;
   std::vector<Block> blocks_;
-  std::shared_ptr<const LayStart> start_;
+  std::shared_ptr<const LayWarmStart> start_;
   SharedStatics statics_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> stopped_{false};
-  std::mutex mutex_;  ///< Of what follows.
+  std::mutex mutex_;  ///< Protects the following members.
   StudyTally tally_;
-  std::size_t handled_ = 0;  ///< Of the open cases, those that this process need not look at again.
-  std::exception_ptr fault_;
+  std::size_t handled_ = 0;  ///< Number of open cases that this process has finished with.
+  std::exception_ptr error_;
 };
 
-/// Why a case that has failed alone leaves its record as it is.
-const char* kept_words(RunEnding ending) {
-  return ending == RunEnding::no_solution ? "; the study found a solution from the cases around, and its record is kept"
+/// Reason that a case run alone and failed keeps its record.
+const char* kept_record_message(RunStatus ending) {
+  return ending == RunStatus::no_solution ? "; the study found a solution from other cases, and its record is kept"
                                           : "; the study has a result of this case, and its record is kept";
 }
 
 }  // namespace
 
-void StudyWatch::begin(std::size_t /*open*/, std::size_t /*finished*/) {}
-void StudyWatch::ended(const StudyCase& /*one*/) {}
-void StudyWatch::tried(const TrialTold& /*trial*/) {}
+void StudyObserver::begin(std::size_t /*open*/, std::size_t /*finished*/) {}
+void StudyObserver::ended(const StudyCase& /*one*/) {}
+void StudyObserver::tried(const TrialReport& /*trial*/) {}
 
 StudyTally run_study_cases(const CaseBase& base, const StudyCases& cases, const fs::path& folder,
-                           const StudyRunOptions& options, StudyWatch& watch) {
+                           const StudyRunOptions& options, StudyObserver& watch) {
   return StudyWork(base, cases, folder, options, watch).go();
 }
 
 StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs::path& folder, std::size_t number,
                          const std::function<bool()>& stop) {
   const SteadyClock::time_point begun = SteadyClock::now();
-  StudyCase one = cases.at(number);
-  const CaseConduct conduct{folder / one.folder, true, 60.0, stop, {}, &hdf5_lock()};
-  CaseNeighbour neighbour;
-  const CaseAnswer answer = evaluate_case(base, cases.question(number), neighbour, conduct);
+  StudyCase study_case = cases.at(number);
+  const CaseEvaluationOptions conduct{folder / study_case.folder, true, 60.0, stop, {}, &hdf5_lock()};
+  CaseWarmStart neighbour;
+  const CaseResult answer = evaluate_case(base, cases.question(number), neighbour, conduct);
   const std::vector<StudyOutput> outputs = study_outputs(base);
-  take_answer(answer, base.study().analysis, outputs, one);
-  one.wall_time = seconds_since(begun);
-  if (answer.ending == RunEnding::interrupted) {
-    one.state = StudyCaseState::open;
-    return one;
+  store_result(answer, base.study().analysis, outputs, study_case);
+  study_case.wall_time = seconds_since(begun);
+  if (answer.ending == RunStatus::interrupted) {
+    study_case.state = StudyCaseState::open;
+    return study_case;
   }
-  if (one.state == StudyCaseState::failed && recorded_state(folder, number) == StudyCaseState::done) {
-    one.reason += kept_words(answer.ending);
-    return one;
+  if (study_case.state == StudyCaseState::failed && recorded_state(folder, number) == StudyCaseState::done) {
+    study_case.reason += kept_record_message(answer.ending);
+    return study_case;
   }
-  write_case_record(one, cases.inputs(), outputs, folder);
-  return one;
+  write_case_record(study_case, cases.inputs(), outputs, folder);
+  return study_case;
 }
 
 namespace {
@@ -298,20 +303,20 @@ namespace {
 void add_serious_findings(StudyResults& results) {
   constexpr std::size_t kShown = 10;
   std::vector<Findings> of_cases;
-  for (const StudyCase& one : results.cases) {
-    if (one.state == StudyCaseState::done) of_cases.push_back(serious_findings(one.findings));
+  for (const StudyCase& study_case : results.cases) {
+    if (study_case.state == StudyCaseState::done) of_cases.push_back(serious_findings(study_case.findings));
   }
   std::vector<SharedFinding> shared = shared_findings(of_cases);
-  std::ranges::stable_sort(shared, std::greater<>(), [](const SharedFinding& one) { return one.runs.size(); });
-  for (const SharedFinding& one : shared) {
-    Finding finding = one.worst;
+  std::ranges::stable_sort(shared, std::greater<>(), [](const SharedFinding& finding) { return finding.runs.size(); });
+  for (const SharedFinding& group : shared) {
+    Finding finding = group.worst;
     if (results.findings.size() >= kShown) {
       finding.message = fmt::format("{} more serious findings of cases are in their records, case.json",
-                                    shared.size() - static_cast<std::size_t>(&one - shared.data()));
+                                    shared.size() - static_cast<std::size_t>(&group - shared.data()));
       results.findings.push_back(std::move(finding));
       break;
     }
-    finding.message = fmt::format("{} of {} solved cases: {}", one.runs.size(), of_cases.size(), one.text());
+    finding.message = fmt::format("{} of {} solved cases: {}", group.runs.size(), of_cases.size(), group.text());
     results.findings.push_back(std::move(finding));
   }
 }
@@ -321,7 +326,8 @@ void add_serious_findings(StudyResults& results) {
 StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
   add_serious_findings(results);
-  fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
+  fill_extremes(results, recorded_duration(folder),
+                [&](const StudyCase& study_case) { return recorded_peaks(folder, study_case); });
   return results;
 }
 

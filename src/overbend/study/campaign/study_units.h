@@ -1,4 +1,4 @@
-/// What a study is divided into among processes: its cases, or the rows of a chart of operability.
+/// Units into which a study is divided among processes: its cases, or the rows of an operability chart.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 namespace overbend {
 
 struct StudyUnits {
-  std::size_t count = 0;            ///< Numbered from 0.
-  std::vector<std::size_t> open;    ///< Without an answer.
-  std::vector<std::size_t> failed;  ///< Their answer is that they failed.
+  std::size_t count = 0;            ///< Number of units, numbered from 0.
+  std::vector<std::size_t> open;    ///< Units without a result.
+  std::vector<std::size_t> failed;  ///< Units that have failed.
 };
 
-/// As the records in the study's folder tell; all open where there is no folder.
+/// Reads the units from the records in the study's folder; all are open if there is no folder.
 StudyUnits study_units(const CaseBase& base, const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-// The base model of a study with keys set anew.
+// The base model of a study with changed keys.
 #include <algorithm>
 #include <stdexcept>
 
@@ -11,9 +11,9 @@ namespace overbend {
 namespace {
 
 YamlNode parsed(const Description& description) {
-  Diagnostics faults;
-  std::optional<YamlNode> tree = parse_yaml(description.source_text, description.source_file, faults);
-  if (!tree || faults.has_errors()) throw std::runtime_error("the text of the base model cannot be read again");
+  Diagnostics diagnostics;
+  std::optional<YamlNode> tree = parse_yaml(description.source_text, description.source_file, diagnostics);
+  if (!tree || diagnostics.has_errors()) throw std::runtime_error("the text of the base model cannot be parsed again");
   return std::move(*tree);
 }
 
@@ -31,8 +31,8 @@ CaseBase::CaseBase(Description base, StudyDescription study)
 std::vector<YamlChange> CaseBase::changes(const std::vector<KeySetting>& keys) const {
   std::vector<YamlChange> list;
   for (const KeySetting& setting : keys) {
-    const auto parts = name_parts(setting.key);
-    if (!parts) throw std::runtime_error("'" + setting.key + "' is no key");
+    const auto parts = split_result_path(setting.key);
+    if (!parts) throw std::runtime_error("'" + setting.key + "' is not a key");
     for (const ChosenKey& key : chosen_keys(tree_, *parts)) {
       list.push_back({key.path, YamlChange::Kind::scalar, setting.value});
     }
@@ -40,14 +40,14 @@ std::vector<YamlChange> CaseBase::changes(const std::vector<KeySetting>& keys) c
   return list;
 }
 
-/// The short way by the tree; by the text where a key is not there yet in an odd place, or where files that only a
-/// whole reading takes up decide.
-Description CaseBase::described(const std::vector<KeySetting>& keys, bool still) const {
+/// Edits the parsed tree if possible; edits and reads the text if a key is missing in an unusual place, or if files
+/// that only a complete reading loads are needed.
+Description CaseBase::described(const std::vector<KeySetting>& keys, bool statics_only) const {
   const std::vector<YamlChange> list = changes(keys);
   const bool hull_files = base_.vessel.coupled.has_value();
-  if (still && !hull_files) {
+  if (statics_only && !hull_files) {
     YamlNode tree = tree_;
-    if (edit_tree(tree, list)) return taken(read_still_model(tree, base_.source_file));
+    if (edit_tree(tree, list)) return taken(read_statics_inputs(tree, base_.source_file));
   }
   Description model = taken(read_model_text(edit_yaml(base_.source_text, list), base_.source_file));
   set_duration(model, study_.duration);

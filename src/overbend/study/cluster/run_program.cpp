@@ -24,9 +24,9 @@ std::optional<Pipe> open_pipe() {
   return Pipe{FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-std::optional<pid_t> spawned(const std::vector<std::string>& words, const Pipe& out, const Pipe& err) {
+std::optional<pid_t> spawned(const std::vector<std::string>& command, const Pipe& out, const Pipe& err) {
   std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions{};
   posix_spawn_file_actions_init(&actions);
@@ -34,12 +34,12 @@ std::optional<pid_t> spawned(const std::vector<std::string>& words, const Pipe& 
   posix_spawn_file_actions_adddup2(&actions, out.write.id(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err.write.id(), STDERR_FILENO);
   pid_t id = 0;
-  const int fault = ::posix_spawnp(&id, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  const int error = ::posix_spawnp(&id, arguments.front(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  return fault == 0 ? std::optional(id) : std::nullopt;
+  return error == 0 ? std::optional(id) : std::nullopt;
 }
 
-/// False at the end.
+/// Returns false at the end.
 bool take(const FileDescriptor& from, std::string& text) {
   std::array<char, 4096> buffer{};
   const ssize_t count = ::read(from.id(), buffer.data(), buffer.size());
@@ -48,7 +48,7 @@ bool take(const FileDescriptor& from, std::string& text) {
   return count > 0;
 }
 
-/// Both at once: neither pipe may fill up while the other is waited for.
+/// Reads both at once: neither pipe may fill up while the other is waited for.
 void read_both(const Pipe& out, const Pipe& err, ProgramOutput& into) {
   bool out_open = true, err_open = true;
   while (out_open || err_open) {
@@ -62,10 +62,10 @@ void read_both(const Pipe& out, const Pipe& err, ProgramOutput& into) {
 
 }  // namespace
 
-std::optional<ProgramOutput> run_program(const std::vector<std::string>& words) {
+std::optional<ProgramOutput> run_program(const std::vector<std::string>& command) {
   std::optional<Pipe> out = open_pipe(), err = open_pipe();
-  if (!out || !err || words.empty()) return std::nullopt;
-  const std::optional<pid_t> id = spawned(words, *out, *err);
+  if (!out || !err || command.empty()) return std::nullopt;
+  const std::optional<pid_t> id = spawned(command, *out, *err);
   out->write = FileDescriptor();
   err->write = FileDescriptor();
   if (!id) return std::nullopt;

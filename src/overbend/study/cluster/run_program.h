@@ -1,4 +1,4 @@
-/// Another program as a child process, without a shell.
+/// Runs another program as a child process, without a shell.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 namespace overbend {
 
 struct ProgramOutput {
-  int code = 0;  ///< Exit code; 128 and the signal where one ended it.
+  int code = 0;  ///< Exit code; 128 plus the signal if one terminated it.
   std::string out, err;
 };
 
-/// Runs the program of that name on the PATH with the words after it as arguments, each exactly as it is, and waits for
-/// it; its input is empty. Nothing where there is no such program.
-std::optional<ProgramOutput> run_program(const std::vector<std::string>& words);
+/// Runs the program named by the first item of `command`, found on the PATH, with the other items as arguments,
+/// unchanged, and waits for it; its input is empty. Empty if there is no such program.
+std::optional<ProgramOutput> run_program(const std::vector<std::string>& command);
 
 }  // namespace overbend

@@ -1,5 +1,5 @@
-/// Studies on a cluster that runs Slurm: job arrays that share the study's folder. Only sbatch, squeue and scontrol are
-/// called; what is finished is known from the folder alone.
+/// Studies on a Slurm cluster: job arrays that share the study's folder. Only sbatch, squeue and scontrol are called;
+/// the finished cases are known from the folder alone.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,31 @@
 
 namespace overbend {
 
-/// What Slurm refuses or does not have; one sentence for the user.
-class SlurmFault : public std::runtime_error {
+/// Slurm rejects a job or is not available; one-line message for the user.
+class SlurmError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An array that was submitted.
+/// A submitted job array.
 struct SlurmJob {
   std::string id;
-  std::size_t count = 0;           ///< Tasks that the cases are divided among.
-  std::vector<std::size_t> tasks;  ///< Those of them that this array has.
+  std::size_t count = 0;           ///< Number of tasks into which the cases are divided.
+  std::vector<std::size_t> tasks;  ///< Tasks of this array.
 };
 
-/// The arrays submitted for a study so far, of DIR/slurm/jobs.json. Throws std::runtime_error where that is damaged.
+/// Reads the arrays submitted for a study so far from DIR/slurm/jobs.json. Throws std::runtime_error if the file is
+/// damaged.
 std::vector<SlurmJob> slurm_jobs(const std::filesystem::path& folder);
 
-/// Writes DIR/slurm/job.sh, submits an array for the cases of these numbers, and remembers it in DIR/slurm/jobs.json.
-/// `cases` in all; a study that was submitted before keeps its number of tasks. `more`: options of the command for
-/// every task. Throws SlurmFault.
+/// Writes DIR/slurm/job.sh, submits an array for the cases of these numbers, and records it in DIR/slurm/jobs.json.
+/// `cases` is the total number; a study that was submitted before keeps its number of tasks. `more`: options of the
+/// command for every task. Throws SlurmError.
 SlurmJob submit_to_slurm(const SlurmStudy& study, const SlurmOptions& options, std::size_t cases,
                          const std::vector<std::size_t>& open, const std::vector<std::string>& more = {});
 
-/// The state in the queue ("PENDING", "RUNNING") of tasks that are there still, by number; nothing where squeue cannot
-/// tell. Jobs that Slurm has forgotten have none.
+/// Returns the queue states ("PENDING", "RUNNING") of the remaining tasks by number; empty if squeue fails. Jobs
+/// unknown to Slurm have none.
 std::optional<std::map<std::size_t, std::string>> slurm_queue(const std::vector<SlurmJob>& jobs);
 
 }  // namespace overbend

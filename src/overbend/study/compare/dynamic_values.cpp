@@ -12,17 +12,17 @@ class Collector {
   void add(const std::string& name, const std::string& text, const std::string& unit, double value, bool key = false) {
     if (std::isfinite(value)) values_.push_back({"dynamic." + name, text, unit, value, key});
   }
-  void add(const std::string& name, const std::string& text, const std::string& unit, const Spread& spread) {
+  void add(const std::string& name, const std::string& text, const std::string& unit, const SummaryStatistics& spread) {
     add(name + ".max", text + ", largest", unit, spread.max, true);
     add(name + ".min", text + ", smallest", unit, spread.min, true);
     add(name + ".mean", text + ", mean", unit, spread.mean);
     add(name + ".std", text + ", standard deviation", unit, spread.std);
   }
-  void add_region(const std::string& key, const std::string& words, const DynamicRegion& region) {
-    add(key + ".max_bending_moment.max", words + ": largest bending moment", "N m", region.bending_moment.over_time.max,
+  void add_region(const std::string& key, const std::string& label, const DynamicRegion& region) {
+    add(key + ".max_bending_moment.max", label + ": largest bending moment", "N m", region.bending_moment.over_time.max,
         true);
-    add(key + ".max_von_mises.max", words + ": largest von Mises stress", "Pa", region.von_mises.over_time.max, true);
-    add(key + ".max_strain.max", words + ": largest strain", "1", region.strain.over_time.max, true);
+    add(key + ".max_von_mises.max", label + ": largest von Mises stress", "Pa", region.von_mises.over_time.max, true);
+    add(key + ".max_strain.max", label + ": largest strain", "1", region.strain.over_time.max, true);
   }
   std::vector<ResultValue> take() { return std::move(values_); }
 
@@ -42,7 +42,7 @@ std::vector<ResultValue> dynamic_values(const StaticResults& statics, const Dyna
     all.add("stinger_tip_clearance", "Stinger tip clearance", "m", results.stinger_tip_clearance);
   }
   all.add("smallest_tension.min", "Smallest effective tension along the line", "N",
-          results.smallest_tension.over_time.min, true);
+          results.min_effective_tension.over_time.min, true);
   if (statics.overbend) all.add_region("overbend", "Overbend", results.overbend);
   if (statics.tower) all.add_region("tower", "Tower", results.tower);
   all.add_region("sagbend", "Sagbend", results.sagbend);
@@ -52,7 +52,7 @@ std::vector<ResultValue> dynamic_values(const StaticResults& statics, const Dyna
     all.add(name + "contact_share", "Fraction of time in contact of " + box.name, "1", box.contact_share);
   }
   all.add("impact_count", "Number of impacts", "1", static_cast<double>(results.impact_count));
-  if (const CheckRow* worst = worst_check(results.checks)) {
+  if (const CheckRow* worst = find_governing_check(results.checks)) {
     all.add("checks.worst.utilisation", "Largest utilisation over time", "1", worst->utilisation, true);
   }
   return all.take();

@@ -1,4 +1,4 @@
-/// The single numbers of a dynamic analysis, by the names that they have in summary.json.
+/// Scalar results of a dynamic analysis, with their names in summary.json.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace overbend {
 
-/// Tensions and places over time, extremes of the regions, reactions of the supports, the largest utilisation.
+/// Returns tensions and positions over time, extremes of the regions, reactions of the supports, and the maximum
+/// utilisation.
 std::vector<ResultValue> dynamic_values(const StaticResults& statics, const DynamicResults& results);
 
 }  // namespace overbend

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is read of a folder.
+/// Contents read from a folder.
 struct Read {
   ComparedFolder folder;
   std::string model_text;
@@ -30,7 +30,7 @@ struct Read {
   FolderCurves curves;
 };
 
-const char* words_of(ResultsKind kind) {
+const char* kind_label(ResultsKind kind) {
   switch (kind) {
     case ResultsKind::statics:
       return "a static analysis";
@@ -39,15 +39,15 @@ const char* words_of(ResultsKind kind) {
     case ResultsKind::seeds:
       return "several seeds";
     default:
-      return "an operation on the line";
+      return "a lay operation";
   }
 }
 
-Json summary_of(const fs::path& folder) {
+Json read_summary(const fs::path& folder) {
   return read_json_file(folder / "summary.json");
 }
 
-/// Utilisations by the checks' own names: which stand in a list, and where, hangs on the model.
+/// Utilisations by the names of the checks: their positions in lists depend on the model.
 void take_checks(Read& read, const std::string& front, const CheckTable& checks) {
   for (const CheckRow& row : checks.rows) {
     if (!row.judged()) continue;
@@ -62,7 +62,7 @@ void append(std::vector<ResultValue>& values, std::vector<ResultValue>&& more) {
 }
 
 void take_pipe(Read& read, const StaticResults& results) {
-  if (const CheckRow* worst = worst_check(results.checks)) read.folder.governing = worst->name;
+  if (const CheckRow* worst = find_governing_check(results.checks)) read.folder.governing = worst->name;
   read.values = result_values(results);
   std::erase_if(read.values, [](const ResultValue& value) { return value.name.starts_with("checks.list["); });
   take_checks(read, "", results.checks);
@@ -85,7 +85,7 @@ void take_dynamics(Read& read, const fs::path& h5) {
   append(read.values, moored_dynamic_values(stored.results));
   take_checks(read, "dynamic.", stored.results.checks);
   read.folder.findings = all_findings(stored.statics.results, stored.results);
-  if (const CheckRow* worst = worst_check(stored.results.checks)) read.folder.governing = worst->name;
+  if (const CheckRow* worst = find_governing_check(stored.results.checks)) read.folder.governing = worst->name;
   add_curves(read.curves, stored.statics.results, stored.results);
 }
 
@@ -98,7 +98,7 @@ void take_run(Read& read, const fs::path& h5) {
   }
 }
 
-/// Names of the stages that can be compared: their key values.
+/// Key values of the stages that have results.
 void take_operation(Read& read, const fs::path& h5) {
   const StoredOperation stored = read_operation_results(h5);
   read.model_text = stored.model_text;
@@ -129,10 +129,10 @@ void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
   for (const auto& item : seeds["statistics"].items()) {
     const std::string& name = item.key();
     const Json& statistics = item.value();
-    const auto put = [&](const std::string& part, const std::string& words, const Json& value) {
+    const auto put = [&](const std::string& part, const std::string& label, const Json& value) {
       if (!value.is_number()) return;
       read.values.push_back({fmt::format("seeds.statistics.{}.{}", name, part),
-                             statistics["description"].get<std::string>() + ", " + words,
+                             statistics["description"].get<std::string>() + ", " + label,
                              statistics["units"].get<std::string>(), value.get<double>(), part == "mean"});
     };
     put("mean", "mean over the seeds", statistics["mean"]);
@@ -140,8 +140,8 @@ void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
     put("min", "smallest of the seeds", statistics["min"]);
     for (const char* fit : {"gumbel", "acer"}) {
       if (!statistics.contains(fit) || !statistics[fit].is_object()) continue;
-      const std::string words = fit == std::string("acer") ? "three hours by ACER" : "three hours by Gumbel";
-      put(std::string(fit) + ".estimate", words, statistics[fit]["estimate"]);
+      const std::string label = fit == std::string("acer") ? "three hours by ACER" : "three hours by Gumbel";
+      put(std::string(fit) + ".estimate", label, statistics[fit]["estimate"]);
     }
   }
 }
@@ -150,7 +150,7 @@ Read read_folder(const fs::path& place) {
   const fs::path folder = fs::is_directory(place) ? place : place.parent_path();
   Read read;
   read.folder.path = place.string();
-  const Json summary = summary_of(folder);
+  const Json summary = read_summary(folder);
   if (summary.is_object() && summary.contains("seeds")) {
     read.folder.kind = ResultsKind::seeds;
     take_seeds(read, folder, summary);
@@ -165,14 +165,14 @@ Read read_folder(const fs::path& place) {
     } else {
       take_run(read, h5);
     }
-  } catch (const std::runtime_error& fault) {
-    const std::string what = fault.what();
+  } catch (const std::runtime_error& error) {
+    const std::string what = error.what();
     throw std::runtime_error(what.find(h5.string()) == std::string::npos ? place.string() + ": " + what : what);
   }
   return read;
 }
 
-/// The last parts of the paths that tell them apart.
+/// Names the folders by as few final parts of their paths as distinguish them.
 void name_folders(std::vector<Read>& all) {
   const auto last_parts = [](const std::string& path, std::size_t count) {
     fs::path full = fs::absolute(path).lexically_normal(), name;
@@ -184,8 +184,9 @@ void name_folders(std::vector<Read>& all) {
   };
   for (std::size_t parts = 1; parts < 12; ++parts) {
     for (Read& read : all) read.folder.name = last_parts(read.folder.path, parts);
-    const bool apart = std::ranges::all_of(all, [&](const Read& one) {
-      return std::ranges::count_if(all, [&](const Read& other) { return other.folder.name == one.folder.name; }) == 1;
+    const bool apart = std::ranges::all_of(all, [&](const Read& read) {
+      return std::ranges::count_if(
+                 all, [&](const Read& candidate) { return candidate.folder.name == read.folder.name; }) == 1;
     });
     if (apart) return;
   }
@@ -203,34 +204,34 @@ std::vector<ComparedResult> compared_results(const std::vector<Read>& all) {
   std::vector<ComparedResult> results;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const ResultValue& value : all[i].values) {
-      auto at = std::ranges::find_if(results, [&](const auto& known) { return known.name == value.name; });
-      if (at == results.end()) {
+      auto found = std::ranges::find_if(results, [&](const auto& known) { return known.name == value.name; });
+      if (found == results.end()) {
         results.push_back({value.name, value.text, value.unit, value.key, {}});
         results.back().values.resize(all.size());
-        at = std::prev(results.end());
+        found = std::prev(results.end());
       }
-      if (std::isfinite(value.value)) at->values[i] = value.value;
+      if (std::isfinite(value.value)) found->values[i] = value.value;
     }
   }
-  // Of what only one folder has there is nothing to compare.
+  // Results of one folder only cannot be compared.
   std::erase_if(results, [](const ComparedResult& result) {
     return std::ranges::count_if(result.values, [](const auto& value) { return value.has_value(); }) < 2;
   });
-  std::ranges::stable_sort(results, std::greater<>(), &ComparedResult::largest_change);
+  std::ranges::stable_sort(results, std::greater<>(), &ComparedResult::max_relative_change);
   return results;
 }
 
-std::vector<std::string> notes_of(const std::vector<Read>& all) {
+std::vector<std::string> make_notes(const std::vector<Read>& all) {
   const bool mixed =
       std::ranges::any_of(all, [&](const Read& read) { return read.folder.kind != all.front().folder.kind; });
   if (!mixed) return {};
   std::string kinds;
   for (const Read& read : all) {
-    kinds += (kinds.empty() ? "" : "; ") + read.folder.name + " is of " + words_of(read.folder.kind);
+    kinds += (kinds.empty() ? "" : "; ") + read.folder.name + " is " + kind_label(read.folder.kind);
   }
   return {"The folders hold results of different analyses (" + kinds +
-          "). Only what at least two of them share is compared; of dynamic analyses and seeds that is their static "
-          "state."};
+          "). Only results that at least two of them have are compared; for dynamic analyses and seeds this includes "
+          "their static state."};
 }
 
 }  // namespace
@@ -242,7 +243,7 @@ FolderComparison compare_folders(const std::vector<fs::path>& folders) {
   FolderComparison comparison;
   comparison.keys = compared_keys(all);
   comparison.results = compared_results(all);
-  comparison.notes = notes_of(all);
+  comparison.notes = make_notes(all);
   std::vector<FolderCurves> curves;
   for (Read& read : all) {
     comparison.folders.push_back(std::move(read.folder));

@@ -1,4 +1,4 @@
-/// Two or more folders of results beside each other, whatever made them.
+/// Comparison of two or more folders of results of any kind.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace overbend {
 
-/// Reads folders of static and dynamic analyses, of seeds and of operations on the line, or their results.h5. The first
-/// is what the others are compared with. Mixtures are compared on what they share; `notes` say what is left out.
-/// Throws std::runtime_error, naming the folder, where one holds no results that can be compared.
+/// Reads folders of static and dynamic analyses, of seeds and of lay operations, or their results.h5. The first is the
+/// reference. Different kinds are compared in the results that they share; `notes` say what is left out. Throws
+/// std::runtime_error, naming the folder, if one holds no results that can be compared.
 FolderComparison compare_folders(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace overbend

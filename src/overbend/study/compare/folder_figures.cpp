@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kAlong = "distance from the tensioner";
 
-double factor_of(const char* si) {
+double unit_factor(const char* si) {
   return shown_unit(si).factor;
 }
 
@@ -36,24 +36,24 @@ std::vector<double> times(const std::vector<double>& values, double factor) {
   return out;
 }
 
-double top_of(const StaticResults& results) {
+double top_position(const StaticResults& results) {
   double top = 0.0;
   for (const Station& station : results.stations) top = std::max(top, station.s);
   return top;
 }
 
-/// Thinned histories: low and high of each stretch one after the other.
+/// Adds a decimated history: minimum and maximum of each interval in turn.
 void add_history(FolderCurves& curves, const DynamicResults& results, const std::string& name, const std::string& title,
                  const std::string& quantity, const char* si) {
-  const auto at = std::ranges::find(results.histories, name, &HistorySummary::name);
-  if (at == results.histories.end() || at->low.size() != at->high.size() || at->low.empty()) return;
-  const double count = static_cast<double>(at->low.size());
+  const auto history = std::ranges::find(results.histories, name, &HistorySummary::name);
+  if (history == results.histories.end() || history->low.size() != history->high.size() || history->low.empty()) return;
+  const double count = static_cast<double>(history->low.size());
   const double stretch = (results.duration + results.build_up) / count;
   std::vector<double> time, values;
-  for (std::size_t i = 0; i < at->low.size(); ++i) {
+  for (std::size_t i = 0; i < history->low.size(); ++i) {
     const double from = -results.build_up + stretch * static_cast<double>(i);
     time.insert(time.end(), {from + 0.25 * stretch, from + 0.75 * stretch});
-    values.insert(values.end(), {factor_of(si) * at->low[i], factor_of(si) * at->high[i]});
+    values.insert(values.end(), {unit_factor(si) * history->low[i], unit_factor(si) * history->high[i]});
   }
   add(curves, title, "time [s]", headed(quantity, si), time, values);
 }
@@ -62,14 +62,14 @@ void add_history(FolderCurves& curves, const DynamicResults& results, const std:
 
 void add_curves(FolderCurves& curves, const StaticResults& results) {
   std::vector<double> s, astern, height, tension, moment, stress;
-  const double top = top_of(results);
+  const double top = top_position(results);
   for (const Station& station : results.stations) {
-    s.push_back(factor_of("m") * (top - station.s));
-    astern.push_back(factor_of("m") * station.astern);
-    height.push_back(factor_of("m") * station.p_W.z());
-    tension.push_back(factor_of("N") * station.effective_tension);
-    moment.push_back(factor_of("N m") * station.bending_moment);
-    stress.push_back(factor_of("Pa") * station.von_mises);
+    s.push_back(unit_factor("m") * (top - station.s));
+    astern.push_back(unit_factor("m") * station.astern);
+    height.push_back(unit_factor("m") * station.p_W.z());
+    tension.push_back(unit_factor("N") * station.effective_tension);
+    moment.push_back(unit_factor("N m") * station.bending_moment);
+    stress.push_back(unit_factor("Pa") * station.von_mises);
   }
   add(curves, "Static shape", headed("distance astern of the stern shoe", "m"), headed("height", "m"), astern, height);
   add(curves, "Static effective tension", headed(kAlong, "m"), headed("tension", "N"), s, tension);
@@ -79,10 +79,10 @@ void add_curves(FolderCurves& curves, const StaticResults& results) {
 
 void add_curves(FolderCurves& curves, const StaticResults& statics, const DynamicResults& results) {
   std::vector<double> s;
-  const double top = top_of(statics);
-  for (const double station : results.station_s) s.push_back(factor_of("m") * (top - station));
+  const double top = top_position(statics);
+  for (const double station : results.station_s) s.push_back(unit_factor("m") * (top - station));
   const auto envelope = [&](const char* title, const char* label, const std::vector<double>& values, const char* si) {
-    add(curves, title, headed(kAlong, "m"), headed(label, si), s, times(values, factor_of(si)));
+    add(curves, title, headed(kAlong, "m"), headed(label, si), s, times(values, unit_factor(si)));
   };
   envelope("Largest effective tension over time", "tension", results.effective_tension.max, "N");
   envelope("Smallest effective tension over time", "tension", results.effective_tension.min, "N");
@@ -104,12 +104,12 @@ std::vector<OverlaidFigure> overlaid(const std::vector<FolderCurves>& folders) {
   std::vector<OverlaidFigure> figures;
   for (std::size_t i = 0; i < folders.size(); ++i) {
     for (const FolderCurve& curve : folders[i]) {
-      auto at = std::ranges::find(figures, curve.title, &OverlaidFigure::title);
-      if (at == figures.end()) {
+      auto found = std::ranges::find(figures, curve.title, &OverlaidFigure::title);
+      if (found == figures.end()) {
         figures.push_back({curve.title, curve.x_label, curve.y_label, {}});
-        at = std::prev(figures.end());
+        found = std::prev(figures.end());
       }
-      at->curves.push_back({i, curve.x, curve.y});
+      found->curves.push_back({i, curve.x, curve.y});
     }
   }
   std::erase_if(figures, [](const OverlaidFigure& figure) { return figure.curves.size() < 2; });

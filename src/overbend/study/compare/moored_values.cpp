@@ -9,18 +9,19 @@
 namespace overbend {
 namespace {
 
-constexpr double kNothing = 1e-9;  ///< What is smaller is rounding, and its change means nothing [m, rad, N].
+constexpr double kRounding = 1e-9;  ///< Smaller values are rounding errors [m, rad, N].
 
 class Collector {
  public:
   void add(const std::string& name, const std::string& text, const std::string& unit, double value, bool key = false) {
-    values_.push_back({name, text, unit, std::abs(value) < kNothing ? 0.0 : value, key});
+    values_.push_back({name, text, unit, std::abs(value) < kRounding ? 0.0 : value, key});
   }
   void add(const std::string& name, const std::string& text, const std::string& unit,
            const std::optional<double>& value, bool key = false) {
     if (value) add(name, text, unit, *value, key);
   }
-  void add_motion(const std::string& name, const std::string& text, const std::string& unit, const MotionSpread& m) {
+  void add_motion(const std::string& name, const std::string& text, const std::string& unit,
+                  const MotionStatistics& m) {
     add(name + ".max", text + ", largest", unit, m.whole.max, true);
     add(name + ".min", text + ", smallest", unit, m.whole.min, true);
     add(name + ".mean", text + ", mean", unit, m.whole.mean);
@@ -34,7 +35,7 @@ class Collector {
   std::vector<ResultValue> values_;
 };
 
-/// Puts the shifts of a vessel under a name.
+/// Adds the offsets of a vessel under a name prefix.
 struct ShiftVisitor {
   Collector& all;
   std::string front, stage;
@@ -56,7 +57,7 @@ void add_state(const std::string& front, const std::string& stage, const MooredS
     all.add(name + "fairlead_tension", text + "tension at the fairlead", "N", line.fairlead_tension, true);
     all.add(name + "anchor_tension", text + "tension at the anchor", "N", line.anchor_tension);
     all.add(name + "length", text + "unstressed length", "m", line.length);
-    all.add(name + "length_on_bed", text + "length on the bed", "m", line.on_bed);
+    all.add(name + "length_on_bed", text + "length on the seabed", "m", line.on_bed);
     all.add(name + "utilisation", text + "tension over the breaking load", "1", line.utilisation);
     all.add(name + "anchor_utilisation", text + "load over the holding power of the anchor", "1",
             line.anchor_utilisation);
@@ -78,9 +79,9 @@ std::vector<ResultValue> moored_dynamic_values(const DynamicResults& results) {
   Collector all;
   if (results.vessel) {
     const VesselDynamics& v = *results.vessel;
-    const std::array<std::pair<const char*, const MotionSpread*>, 3> shifts = {
+    const std::array<std::pair<const char*, const MotionStatistics*>, 3> shifts = {
         {{"surge", &v.surge}, {"sway", &v.sway}, {"heave", &v.heave}}};
-    const std::array<std::pair<const char*, const MotionSpread*>, 3> turns = {
+    const std::array<std::pair<const char*, const MotionStatistics*>, 3> turns = {
         {{"roll", &v.roll}, {"pitch", &v.pitch}, {"yaw", &v.yaw}}};
     const auto text = [](const char* name) { return std::string("Vessel: ") + name; };
     all.add("dynamic.vessel.offset.max", "Vessel: horizontal offset, largest", "m", v.offset.whole.max, true);
@@ -95,7 +96,7 @@ std::vector<ResultValue> moored_dynamic_values(const DynamicResults& results) {
     all.add(name + "anchor_tension.max", line.name + ": tension at the anchor, largest", "N",
             line.anchor_tension.whole.max);
     all.add(name + "utilisation", line.name + ": largest tension over the breaking load", "1", line.utilisation);
-    all.add(name + "least_on_bed", line.name + ": least length on the bed", "m", line.least_on_bed);
+    all.add(name + "least_on_bed", line.name + ": minimum length on the seabed", "m", line.min_on_seabed);
   }
   return all.take();
 }

@@ -1,4 +1,4 @@
-/// The single numbers of a vessel on mooring lines, by the names that they have in summary.json.
+/// Scalar results of a vessel on mooring lines, with their names in summary.json.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// Where the vessel lies, its natural periods, and what its lines bear; of the stages of an operation as well.
+/// Returns the vessel's offset, its natural periods, and the loads of its lines, also at the stages of an operation.
 std::vector<ResultValue> mooring_values(const MooringResults& results);
 
-/// Motions, slow and wave part, and tensions over time; none of a run without moorings.
+/// Returns motions with their slow and wave parts, and tensions over time; empty for a run without moorings.
 std::vector<ResultValue> moored_dynamic_values(const DynamicResults& results);
 
 }  // namespace overbend

@@ -14,7 +14,7 @@
 namespace overbend {
 namespace {
 
-/// The values of a goal as one number, whatever it is.
+/// Value of a condition or of the objective.
 std::optional<double> shown_value(const SeekPoint& point, const SeekGoal& goal) {
   if (!goal.is) return named_result(point.summary, goal.result);
   return decisive_value(point, {goal.result, goal.unit, *goal.is, goal.wanted});
@@ -64,7 +64,7 @@ SeekResults started_results(const SeekModel& model, const SeekDescription& seek)
   return results;
 }
 
-void tell_path(const SeekHistory& history, SeekResults& results) {
+void add_path(const SeekHistory& history, SeekResults& results) {
   results.evaluations = static_cast<int>(history.points().size());
   for (const SeekPoint& point : history.points()) {
     if (point.probe) continue;
@@ -78,7 +78,7 @@ void tell_path(const SeekHistory& history, SeekResults& results) {
   }
 }
 
-void tell_answer(const SeekPoint& point, SeekResults& results) {
+void add_answer(const SeekPoint& point, SeekResults& results) {
   for (std::size_t i = 0; i < results.unknowns.size(); ++i) {
     SeekUnknown& unknown = results.unknowns[i];
     const double range = unknown.to - unknown.from;
@@ -101,24 +101,25 @@ std::vector<YamlChange> answer_changes(const Description& description, const See
 
 namespace {
 
-/// What was found is reached from models close by. Where the answer's own statics give something else, it has to be
-/// known before the barge is set so.
+/// Compares the answer, which was reached from neighbouring models, with its statics from scratch: a different
+/// equilibrium must be known before the barge is set up by it.
 void compare_with_statics(const SeekModel& model, SeekOutcome& outcome) {
   SeekResults& results = outcome.results;
-  constexpr double kSame = 0.02;  // of the largest reaction: other meshes change it by a thousandth
+  constexpr double kSame = 0.02;  // relative to the largest reaction: other meshes change it by 0.1 %
   constexpr const char* kReaction = "static.largest_reaction.value";
   std::vector<double> values;
   for (const SeekUnknown& unknown : results.unknowns) values.push_back(unknown.answer);
   const SeekPoint found = model.solve(values, outcome.start ? &*outcome.start : nullptr);
   const SeekPoint alone = model.solve(values, nullptr);
   if (!found.solved() || !alone.solved()) return;
-  const std::optional<double> here = named_result(found.summary, kReaction),
-                              there = named_result(alone.summary, kReaction);
-  if (!here || !there || std::abs(*here - *there) <= kSame * *here) return;
+  const std::optional<double> found_reaction = named_result(found.summary, kReaction),
+                              cold_reaction = named_result(alone.summary, kReaction);
+  if (!found_reaction || !cold_reaction) return;
+  if (std::abs(*found_reaction - *cold_reaction) <= kSame * *found_reaction) return;
   results.remarks.push_back(
-      fmt::format("solved by itself the model with the answer has another equilibrium, with {} as largest reaction of "
-                  "a roller in place of {}: it has several, which differ in the rollers that bear",
-                  shown(*there, "N", 1), shown(*here, "N", 1)));
+      fmt::format("solved from scratch, the model with the answer has another equilibrium, with {} as largest "
+                  "reaction of a roller instead of {}: it has several, which differ in the rollers that carry load",
+                  shown(*cold_reaction, "N", 1), shown(*found_reaction, "N", 1)));
 }
 
 }  // namespace
@@ -127,8 +128,8 @@ SeekOutcome seek(const Description& description, const SeekDescription& wanted, 
   const auto start = std::chrono::steady_clock::now();
   const InterruptionScope scope(stop);
   const SeekModel model(description, wanted, stop);
-  const bool one = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
-  SeekOutcome outcome = one ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);
+  const bool is_single = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
+  SeekOutcome outcome = is_single ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);
   if (is_lay_operation(description.operation.type) && model.stages() == nullptr) {
     outcome.results.remarks.push_back(no_stage_finding(description, false).message);
   }

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/name_parts.h"
 #include "base/require.h"
+#include "base/result_path.h"
 #include "base/threads.h"
 #include "base/units.h"
-#include "model/description/sought_operations.h"
+#include "model/description/seek_operations.h"
 #include "modelfile/fields/seek_values.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/chosen_keys.h"
@@ -18,25 +18,25 @@
 namespace overbend {
 namespace {
 
-/// What the model has there: in its text, or by default.
+/// Present value of a key: from the model text, or its default.
 std::optional<double> present_value(const Description& model, const YamlNode& tree, const std::string& path,
                                     const Field& row) {
   std::string rest;
   const std::vector<YamlSpot> spots = follow_path(tree, path, rest);
   const std::string text = rest.empty() ? spots.back().node->text : row.fallback;
   if (text.empty()) return kept_length(model, path);
-  const ScalarReading reading = read_value_of(text, row);
+  const ScalarReading reading = read_row_value(text, row);
   return reading.value ? std::optional(reading.value->number) : std::nullopt;
 }
 
-SeekUnknown unknown_of(const Description& model, const SeekVariable& variable, const ChosenKey& key,
-                       const YamlNode& tree) {
+SeekUnknown make_unknown(const Description& model, const SeekVariable& variable, const ChosenKey& key,
+                         const YamlNode& tree) {
   const Field* row = varied_row(variable.key);
   require(row != nullptr, "a checked seek varies keys of the table");
   const std::optional<double> present = present_value(model, tree, key.path, *row);
   SeekUnknown unknown{.path = key.path, .name = key.name, .unit = variable.unit, .show = variable.show};
   if (variable.within) {
-    if (!present) throw SeekFault(key.name + " has no value in the model to go `within` of; give from and to");
+    if (!present) throw SeekError(key.name + " has no value in the model, which `within` needs; give from and to");
     unknown.from = std::max(*present - *variable.within, row->range.low);
     unknown.to = std::min(*present + *variable.within, row->range.high);
   } else {
@@ -48,13 +48,13 @@ SeekUnknown unknown_of(const Description& model, const SeekVariable& variable, c
 }
 
 YamlNode parsed(const Description& description) {
-  Diagnostics faults;
-  std::optional<YamlNode> tree = parse_yaml(description.source_text, description.source_file, faults);
-  if (!tree || faults.has_errors()) throw SeekFault("the text of the model cannot be read again");
+  Diagnostics diagnostics;
+  std::optional<YamlNode> tree = parse_yaml(description.source_text, description.source_file, diagnostics);
+  if (!tree || diagnostics.has_errors()) throw SeekError("the text of the model cannot be parsed again");
   return std::move(*tree);
 }
 
-/// Distance in parts of the bounds.
+/// Squared distance, with the keys in parts of their bounds.
 double distance(const std::vector<SeekUnknown>& unknowns, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -69,19 +69,19 @@ double distance(const std::vector<SeekUnknown>& unknowns, const std::vector<doub
 SeekModel::SeekModel(const Description& description, const SeekDescription& seek, std::function<bool()> stop)
     : base_(description), tree_(parsed(description)), stop_(std::move(stop)) {
   for (const SeekVariable& variable : seek.vary) {
-    for (const ChosenKey& key : chosen_keys(tree_, name_parts(variable.key).value())) {
-      unknowns_.push_back(unknown_of(base_, variable, key, tree_));
+    for (const ChosenKey& key : chosen_keys(tree_, split_result_path(variable.key).value())) {
+      unknowns_.push_back(make_unknown(base_, variable, key, tree_));
     }
   }
-  if (unknowns_.empty()) throw SeekFault("no item of the model is chosen by the keys to vary");
-  if (!is_sought_by_stages(base_.operation.type)) {
-    base_.operation = {};  // which neither statics nor the search looks at
+  if (unknowns_.empty()) throw SeekError("the keys to vary match no item of the model");
+  if (!is_seek_over_stages(base_.operation.type)) {
+    base_.operation = {};  // used neither by statics nor by the search
     return;
   }
   try {
     stages_.emplace(base_, seek, unknowns_);
-  } catch (const std::invalid_argument& fault) {
-    throw SeekFault(fault.what());
+  } catch (const std::invalid_argument& error) {
+    throw SeekError(error.what());
   }
 }
 
@@ -96,14 +96,15 @@ std::vector<YamlChange> SeekModel::changes(const std::vector<double>& values, in
   return list;
 }
 
-/// The short way by the tree; by the text where a key is not there yet or the files of the hull might not fit any more.
+/// Edits the parsed tree if possible; edits and reads the text if a key is missing or the files of the hull may no
+/// longer fit.
 Description SeekModel::described(const std::vector<double>& values) const {
   const std::vector<YamlChange> list = changes(values, 17);
   const bool files = base_.vessel.coupled &&
                      std::ranges::any_of(list, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
   YamlNode tree = tree_;
   ModelReading reading = !files && edit_tree(tree, list)
-                             ? read_still_model(tree, base_.source_file)
+                             ? read_statics_inputs(tree, base_.source_file)
                              : read_model_text(edit_yaml(base_.source_text, list), base_.source_file);
   if (!reading.description) {
     const std::vector<std::string> errors = reading.diagnostics.lines(Severity::error);
@@ -123,27 +124,27 @@ SeekPoint SeekModel::solve(const std::vector<double>& values, const StaticSoluti
     }
     Model model = build_model(described(values));
     StaticRun found = run_statics(model, start);
-    if (found.failure && start != nullptr) found = run_statics(model);  // the start may have been too far off
+    if (found.failure && start != nullptr) found = run_statics(model);  // the start may have been too far away
     if (found.failure) {
       point.failure = failure_line(*found.failure);
     } else {
       point.summary = static_summary_json(*found.results);
       point.solution = std::move(found.solution);
     }
-  } catch (const std::runtime_error& fault) {
-    point.failure = fault.what();
+  } catch (const std::runtime_error& error) {
+    point.failure = error.what();
   }
   return point;
 }
 
 const SeekPoint* SeekHistory::nearest(const std::vector<double>& values) const {
   const SeekPoint* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (const SeekPoint& point : points_) {
     const double far = distance(model_.unknowns(), point.values, values);
-    if (point.solution && point.serves && far < least) {
+    if (point.solution && point.serves && far < min_distance) {
       best = &point;
-      least = far;
+      min_distance = far;
     }
   }
   return best;
@@ -153,7 +154,7 @@ const SeekPoint& SeekHistory::at(const std::vector<double>& values) {
   for (const SeekPoint& point : points_) {
     if (point.values == values) return point;
   }
-  model_.go_on();
+  model_.throw_if_cancelled();
   const SeekPoint* start = nearest(values);
   SeekPoint& point = points_.emplace_back(model_.solve(values, start != nullptr ? &*start->solution : nullptr));
   point.serves = serve_;
@@ -162,13 +163,14 @@ const SeekPoint& SeekHistory::at(const std::vector<double>& values) {
 
 std::vector<const SeekPoint*> SeekHistory::at_all(const std::vector<std::vector<double>>& values,
                                                   const std::vector<double>& around) {
-  model_.go_on();
+  model_.throw_if_cancelled();
   const SeekPoint* start = nearest(around);
   const StaticSolution* from = start != nullptr ? &*start->solution : nullptr;
   std::vector<const SeekPoint*> all;
   std::vector<SeekPoint*> open;
-  for (const std::vector<double>& one : values) {
-    open.push_back(&points_.emplace_back(SeekPoint{.values = one, .summary = {}, .solution = {}, .failure = {}}));
+  for (const std::vector<double>& point_values : values) {
+    open.push_back(
+        &points_.emplace_back(SeekPoint{.values = point_values, .summary = {}, .solution = {}, .failure = {}}));
     all.push_back(open.back());
   }
   std::atomic<std::size_t> next = 0;

@@ -1,4 +1,4 @@
-/// One key, one condition: the whole interval is looked at.
+/// One key, one condition: the whole interval is scanned.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,15 +7,15 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "numerics/root_scan.h"
-#include "report/studies/seek_words.h"
+#include "report/studies/seek_texts.h"
 #include "study/goal_seek/seek.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSlopeStep = 1e-4;  // of the bounds, either way
+constexpr double kSlopeStep = 1e-4;  // of the bounds, in both directions
 
-/// Supports in contact, by name.
+/// Names of the supports in contact.
 std::vector<std::string> carrying(const SeekPoint& point) {
   std::vector<std::string> names;
   const Json supports = point.summary.value("/static/supports"_json_pointer, Json::array());
@@ -32,16 +32,18 @@ std::vector<std::string> without(const std::vector<std::string>& names, const st
   return left;
 }
 
-/// What changes at the supports when the key rises over the jump.
+/// Describes the changes of contact when the key rises across the jump.
 std::string change_of_contact(const SeekPoint& below, const SeekPoint& above) {
   const std::vector<std::string> before = carrying(below), after = carrying(above);
   const std::vector<std::string> gone = without(before, after), come = without(after, before);
-  std::vector<std::string> words;
-  if (!gone.empty()) words.push_back(join_words(gone, "and") + (gone.size() > 1 ? " let go" : " lets go"));
-  if (!come.empty()) {
-    words.push_back(join_words(come, "and") + (come.size() > 1 ? " come into contact" : " comes into contact"));
+  std::vector<std::string> changes;
+  if (!gone.empty()) {
+    changes.push_back(join_items(gone, "and") + (gone.size() > 1 ? " lose contact" : " loses contact"));
   }
-  return join_words(words, "and");
+  if (!come.empty()) {
+    changes.push_back(join_items(come, "and") + (come.size() > 1 ? " come into contact" : " comes into contact"));
+  }
+  return join_items(changes, "and");
 }
 
 class OneKey {
@@ -55,7 +57,8 @@ class OneKey {
   SeekOutcome run() {
     int evaluated = 0;
     const ScannedFunction f = [this, &evaluated](double x) {
-      history_.hand_on(evaluated++ < ScanSettings{}.points);  // brackets are closed from the points of the grid
+      history_.set_warm_start_source(evaluated++ <
+                                     ScanSettings{}.points);  // brackets are refined from the points of the grid
       return off(x);
     };
     results_.goals[0].before = decisive_value(history_.at({unknown_.before}), condition_);
@@ -64,18 +67,18 @@ class OneKey {
     settings.both_ends = inequality();  // the answer lies on the side where the limit is kept
     const RootScan scan = scan_roots(f, unknown_.from, unknown_.to, settings);
     results_.monotone = is_monotone(scan);
-    tell_jumps(scan);
-    const std::vector<double> answers = answers_of(scan);
+    add_jumps(scan);
+    const std::vector<double> answers = find_answers(scan);
     results_.found = !answers.empty();
     if (results_.found) {
       results_.others.assign(answers.begin() + 1, answers.end());
-      tell_slope(answers.front());
-      tell_answer(history_.at({answers.front()}), results_);
+      add_slope(answers.front());
+      add_answer(history_.at({answers.front()}), results_);
       remark();
     } else {
-      results_.why = why_none(results_, scan_words(scan));
+      results_.why = no_answer_reason(results_, find_scan_range(scan));
     }
-    tell_path(history_, results_);
+    add_path(history_, results_);
     SeekOutcome outcome{std::move(results_), {}};
     if (outcome.results.found) outcome.start = history_.at({answers.front()}).solution;
     return outcome;
@@ -85,7 +88,7 @@ class OneKey {
   bool inequality() const { return condition_.relation != SeekRelation::equals; }
   bool holds(double off) const { return condition_.relation == SeekRelation::at_most ? off <= 0.0 : off >= 0.0; }
 
-  /// The result less the value wanted.
+  /// Result minus required value.
   std::optional<double> off(double x) {
     const SeekPoint& point = history_.at({x});
     if (!point.solved()) return std::nullopt;
@@ -96,11 +99,11 @@ class OneKey {
   void require_one_value() {
     const SeekPoint& point = history_.points().front();
     if (inequality() || !point.solved() || goal_values(point, condition_.result).size() < 2) return;
-    throw SeekFault(condition_.result + " stands for several values, which one key cannot make equal to one; " +
+    throw SeekError(condition_.result + " has several values, which one key cannot all make equal to the target; " +
                     "vary several keys, or choose one item");
   }
 
-  void tell_jumps(const RootScan& scan) {
+  void add_jumps(const RootScan& scan) {
     for (const Crossing& c : scan.crossings) {
       if (!c.jump) continue;
       results_.jumps.push_back({0.5 * (c.low + c.high), c.at_low + condition_.value, c.at_high + condition_.value,
@@ -108,9 +111,9 @@ class OneKey {
     }
   }
 
-  /// In the order in which they are told: of `equals` the nearest to the model's own value first, of a limit the least
-  /// value of the key with which it holds.
-  std::vector<double> answers_of(const RootScan& scan) const {
+  /// Returns the answers in the order of reporting: for `equals` the nearest to the model's own value first, for a
+  /// limit the minimum value of the key that meets it.
+  std::vector<double> find_answers(const RootScan& scan) const {
     std::vector<double> answers;
     if (inequality()) {
       const auto first = std::find_if(scan.points.begin(), scan.points.end(),
@@ -126,7 +129,7 @@ class OneKey {
     return answers;
   }
 
-  void tell_slope(double answer) {
+  void add_slope(double answer) {
     const double h = kSlopeStep * (unknown_.to - unknown_.from);
     const double low = std::max(answer - h, unknown_.from), high = std::min(answer + h, unknown_.to);
     const std::optional<double> at_low = off(low), at_high = off(high);
@@ -135,12 +138,12 @@ class OneKey {
 
   void remark() {
     if (inequality() && results_.unknowns[0].at_bound) {
-      results_.remarks.push_back("the limit holds already at the lower bound of " + unknown_.name);
+      results_.remarks.push_back("the limit is already met at the lower bound of " + unknown_.name);
     }
     if (inequality() && !results_.monotone.value_or(true)) {
       results_.remarks.push_back(condition_.result +
-                                 " turns between the bounds: the limit may be exceeded again above " +
-                                 quantity_words(results_.unknowns[0].answer, unknown_));
+                                 " is not monotonic between the bounds: the limit may be exceeded again above " +
+                                 quantity_text(results_.unknowns[0].answer, unknown_));
     }
     if (!results_.others.empty()) {
       results_.remarks.push_back(fmt::format("there are {} answers; the one nearest to the model's own value is taken",
@@ -148,22 +151,22 @@ class OneKey {
     }
   }
 
-  /// Least and largest value reached, and where there is no equilibrium.
-  ScanWords scan_words(const RootScan& scan) const {
-    ScanWords words;
+  /// Minimum and maximum value reached, and the values without an equilibrium.
+  ScanSummary find_scan_range(const RootScan& scan) const {
+    ScanSummary range;
     for (const ScannedPoint& point : scan.points) {
       if (!point.value) {
-        words.gaps.push_back(point.x);
+        range.gaps.push_back(point.x);
         continue;
       }
       const double value = *point.value + condition_.value;
-      words.least = std::min(words.least.value_or(value), value);
-      words.largest = std::max(words.largest.value_or(value), value);
+      range.minimum = std::min(range.minimum.value_or(value), value);
+      range.maximum = std::max(range.maximum.value_or(value), value);
     }
     for (const SeekPoint& point : history_.points()) {
-      if (words.failure.empty()) words.failure = point.failure;
+      if (range.failure.empty()) range.failure = point.failure;
     }
-    return words;
+    return range;
   }
 
   SeekCondition condition_;

@@ -1,7 +1,7 @@
 #include "study/goal_seek/seek_run.h"
 
 #include "base/interruption.h"
-#include "model/description/sought_operations.h"
+#include "model/description/seek_operations.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/moved_text.h"
 #include "report/report.h"
@@ -26,27 +26,27 @@ Description with_answer(const Description& description, const SeekDescription& w
   const std::string text = edit_yaml(description.source_text, answer_changes(description, wanted, results));
   ModelReading reading = read_model_text(text, description.source_file);
   if (!reading.description) {
-    throw SeekFault("the model with the answer put in: " + reading.diagnostics.lines(Severity::error).front());
+    throw SeekError("the model with the answer: " + reading.diagnostics.lines(Severity::error).front());
   }
   return std::move(*reading.description);
 }
 
-/// All stages of the lift or pull that is written. The search went the same way.
+/// Solves all stages of the written lift or pull. The search took the same steps.
 void solve_stages(SeekRun& run) {
   run.operation = solve_operation(run.answer);
   run.results.stages = stage_lines(run.answer, run.results.unknowns);
 }
 
-/// The statics of the model that is written; what is told is what they say.
+/// Solves the statics of the written model; these are reported.
 void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
   Model model = build_model(run.answer);
   run.statics = run_statics(model, start ? &*start : nullptr);
   if (run.statics.failure) {
     run.results.found = false;
-    run.results.why = "the model with the answer put in has no equilibrium: " + failure_line(*run.statics.failure);
+    run.results.why = "the model with the answer has no equilibrium: " + failure_line(*run.statics.failure);
     return;
   }
-  tell_hull(model, *run.statics.results);
+  add_hull_results(model, *run.statics.results);
 }
 
 void write_answer(const SeekRun& run, const fs::path& folder) {
@@ -68,7 +68,7 @@ SeekRun run_seek(const Description& description, const SeekDescription& wanted, 
   SeekRun run{std::move(outcome.results), {}, {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
-  if (is_sought_by_stages(run.answer.operation.type)) {
+  if (is_seek_over_stages(run.answer.operation.type)) {
     solve_stages(run);
     return run;
   }

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "base/name_parts.h"
+#include "base/result_path.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml/yaml_edit.h"
 #include "modelfile/yaml/yaml_path.h"
@@ -27,14 +27,14 @@ std::string stage_name(const Stages& stages, std::size_t index) {
   return stages[index].name.empty() ? "stage " + std::to_string(index + 1) : stages[index].name;
 }
 
-/// The stage that a key belongs to.
+/// Stage that a key belongs to.
 std::optional<std::size_t> stage_of_key(const std::string& path) {
   if (!path.starts_with(kStages)) return std::nullopt;
   const auto index = leading_index(path.substr(kStages.size()));
   return index ? std::optional(index->first) : std::nullopt;
 }
 
-/// The line whose length at a stage the key is.
+/// Line whose length at a stage is the key.
 std::optional<std::string> line_of_length(const std::string& path) {
   constexpr std::string_view kLengths = "].lengths.";
   const std::size_t found = path.find(kLengths);
@@ -42,9 +42,9 @@ std::optional<std::string> line_of_length(const std::string& path) {
   return path.substr(found + kLengths.size());
 }
 
-/// The last stage that a result is of.
+/// Last stage that a result belongs to.
 std::size_t last_stage(const Stages& stages, const std::string& result) {
-  const auto parts = name_parts(parsed_result_name(result).path);
+  const auto parts = split_result_path(parsed_result_name(result).path);
   std::size_t last = 0;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const bool every = !parts || parts->size() < 3 || parts->front().text != "operation";
@@ -53,7 +53,7 @@ std::size_t last_stage(const Stages& stages, const std::string& result) {
   return last;
 }
 
-/// Values of a line along its nodes, by the names of the results that are their largest.
+/// Values of a line along its nodes, and the name of the result that is their maximum.
 struct Along {
   std::string_view result, name;
   double (*value)(const LiftedNode&);
@@ -71,21 +71,21 @@ Json stage_json(const StageResult& stage) {
   Json json = stage_summary_json(stage);
   for (const LiftedLine& line : stage.lay->lift->lines) {
     Json& along = json["lines"][line.name]["along"];
-    for (const Along& one : kAlong) {
-      Json& values = along[std::string(one.name)] = Json::array();
-      for (const LiftedNode& node : line.nodes) values.push_back(one.value(node));
+    for (const Along& quantity : kAlong) {
+      Json& values = along[std::string(quantity.name)] = Json::array();
+      for (const LiftedNode& node : line.nodes) values.push_back(quantity.value(node));
     }
   }
   return json;
 }
 
-std::runtime_error failure_of(const StageResult& stage) {
+std::runtime_error make_stage_error(const StageResult& stage) {
   return std::runtime_error(
       fmt::format("stage '{}': {}: {}", stage.stage.name, stage.failure->what, stage.failure->why));
 }
 
-/// The check used most at any stage.
-Json worst_of(const Json& stages) {
+/// Returns the check with the highest utilisation of all stages.
+Json find_worst_check(const Json& stages) {
   Json worst;
   for (const Json& stage : stages) {
     const Json found = stage.value("/checks/worst"_json_pointer, Json());
@@ -95,7 +95,7 @@ Json worst_of(const Json& stages) {
   return worst;
 }
 
-/// A group or list in one line.
+/// Returns a mapping or list in one line.
 std::string flow_text(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::scalar) return yaml_scalar(node.text);
   std::string text;
@@ -118,7 +118,7 @@ SeekStages::SeekStages(const Description& description, const SeekDescription& se
   for (const SeekUnknown& unknown : unknowns) {
     const std::optional<std::size_t> stage = stage_of_key(unknown.path);
     if (stage && *stage > last_) {
-      throw std::invalid_argument(fmt::format("{} belongs to a stage behind '{}', the last that results are asked of",
+      throw std::invalid_argument(fmt::format("{} belongs to a stage after '{}', the last whose results are used",
                                               unknown.name, stage_name(stages, last_)));
     }
     first_ = std::min(first_, stage.value_or(0));
@@ -142,7 +142,7 @@ Json SeekStages::solve(const Description& description) const {
   const OperationResults results =
       solve_operation(description, [&](const StageResult&, std::size_t) { return ++done <= last_; });
   for (const StageResult& stage : results.stages) {
-    if (stage.failure) throw failure_of(stage);
+    if (stage.failure) throw make_stage_error(stage);
   }
   return operation_summary_json(results);
 }
@@ -152,20 +152,21 @@ Json SeekStages::solve_lift_stages(const Description& description) const {
   Json stages = stages_;
   for (std::size_t i = first_; i <= last_; ++i) {
     const StageResult stage = lift.next(description.operation.lay.stages);
-    if (stage.failure) throw failure_of(stage);
+    if (stage.failure) throw make_stage_error(stage);
     stages.push_back(stage_json(stage));
   }
-  Json summary = {{"checks", {{"worst", worst_of(stages)}}}};
+  Json summary = {{"checks", {{"worst", find_worst_check(stages)}}}};
   summary["operation"]["stages"] = std::move(stages);
   return summary;
 }
 
-std::string SeekStages::largest_along(const std::string& result) const {
+std::string SeekStages::max_along(const std::string& result) const {
   const ResultName name = parsed_result_name(result);
-  const bool largest = name.function == ResultFunction::none || name.function == ResultFunction::largest;
-  for (const Along& one : kAlong) {
-    if (!before_ || !largest || !name.path.ends_with("." + std::string(one.result))) continue;
-    return name.path.substr(0, name.path.size() - one.result.size()) + "along." + std::string(one.name) + "[*]";
+  const bool is_maximum = name.function == ResultFunction::none || name.function == ResultFunction::maximum;
+  for (const Along& quantity : kAlong) {
+    if (!before_ || !is_maximum || !name.path.ends_with("." + std::string(quantity.result))) continue;
+    return name.path.substr(0, name.path.size() - quantity.result.size()) + "along." + std::string(quantity.name) +
+           "[*]";
   }
   return "";
 }
@@ -186,9 +187,9 @@ std::optional<double> kept_length(const Description& description, const std::str
     if (length != stages[i].lengths.end()) return length->value;
     if (std::ranges::find(stages[i].tensions, *line, &LineValue::line) != stages[i].tensions.end()) return std::nullopt;
   }
-  const auto own = std::ranges::find(description.lines, *line, &FreeLineDescription::name);
-  if (own == description.lines.end()) return std::nullopt;
-  return drawn_position(description).lengths[static_cast<std::size_t>(own - description.lines.begin())];
+  const auto line_description = std::ranges::find(description.lines, *line, &FreeLineDescription::name);
+  if (line_description == description.lines.end()) return std::nullopt;
+  return nominal_position(description).lengths[static_cast<std::size_t>(line_description - description.lines.begin())];
 }
 
 std::vector<std::string> stage_lines(const Description& answer, const std::vector<SeekUnknown>& unknowns) {
@@ -196,7 +197,7 @@ std::vector<std::string> stage_lines(const Description& answer, const std::vecto
   for (const SeekUnknown& unknown : unknowns) {
     if (const std::optional<std::size_t> stage = stage_of_key(unknown.path)) stages.insert(*stage);
   }
-  Diagnostics none;  // the text was read without any before
+  Diagnostics none;  // the text was parsed without errors before
   const std::optional<YamlNode> tree = parse_yaml(answer.source_text, answer.source_file, none);
   std::vector<std::string> lines;
   for (const std::size_t stage : stages) {

@@ -16,13 +16,13 @@
 namespace overbend {
 namespace {
 
-using Told = std::function<bool(const LayTableRow&, std::size_t of)>;
+using TableRowCallback = std::function<bool(const LayTableRow&, std::size_t of)>;
 
-/// Makes the rows of one table.
+/// Calculates the rows of one table.
 class TableMaker {
  public:
-  TableMaker(const Description& description, const LayTableDescription& asked, Told told)
-      : cases_(description), asked_(asked), told_(std::move(told)) {
+  TableMaker(const Description& description, const LayTableDescription& asked, TableRowCallback on_row)
+      : cases_(description), asked_(asked), on_row_(std::move(on_row)) {
     table_.title = description.title;
     table_.version = kVersion;
     table_.vary = asked.vary;
@@ -35,9 +35,9 @@ class TableMaker {
     if (is_lay_operation(cases_.description().operation.type)) {
       table_.findings.push_back(no_stage_finding(cases_.description(), false));
     }
-    if (!cases_.own().lay) {
+    if (!cases_.given_lay().lay) {
       table_.findings.push_back(
-          {FindingCode::case_without_solution, "the model's own lay has no equilibrium: " + cases_.own().reason});
+          {FindingCode::case_without_solution, "the model's own lay has no equilibrium: " + cases_.given_lay().reason});
     }
     if (table_.route) {
       along_route();
@@ -70,14 +70,14 @@ class TableMaker {
     }
   }
 
-  static LayTableRow row_of(LayRowKind kind, double value, const LayCase& lay) {
+  static LayTableRow make_row(LayRowKind kind, double value, const LayCase& lay) {
     LayTableRow row;
     row.kind = kind;
     row.varied = value;
     row.depth = lay.depth;
     row.lay = lay.lay;
     const bool reserved = lay.lay && lay.lay->verdict == VerdictKind::reserved;
-    row.reason = reserved && kind == LayRowKind::step ? "" : lay.reason;  // its findings say it
+    row.reason = reserved && kind == LayRowKind::step ? "" : lay.reason;  // the findings give the reason
     row.serious = lay.serious;
     return row;
   }
@@ -85,28 +85,28 @@ class TableMaker {
   bool add(LayTableRow row, int solves_before, std::size_t of) {
     row.solves = cases_.solves() - solves_before;
     table_.rows.push_back(std::move(row));
-    return !told_ || told_(table_.rows.back(), of);
+    return !on_row_ || on_row_(table_.rows.back(), of);
   }
 
   void along_route() {
     for (const RouteDepth& point : asked_.profile) {
       const int before = cases_.solves();
-      const bool sought = asked_.tension == RouteTension::least;
-      const LayCase lay = sought ? cases_.at_least_tension(point.depth) : cases_.at(cases_.own_tension(), point.depth);
-      LayTableRow row = row_of(LayRowKind::step, lay.tension, lay);
+      const bool sought = asked_.tension == RouteTension::minimum;
+      const LayCase lay = sought ? cases_.at_min_tension(point.depth) : cases_.at(cases_.own_tension(), point.depth);
+      LayTableRow row = make_row(LayRowKind::step, lay.tension, lay);
       row.distance = point.distance;
       if (!add(std::move(row), before, asked_.profile.size())) return;
     }
   }
 
-  /// What the table begins and ends with where the file does not say: [from, to].
+  /// Default limits of the table, where the file gives none: [from, to].
   std::pair<double, double> limits() const {
-    const LayCase& own = cases_.own();
-    double base = own.tension, less = 0.5, more = 2.0;
+    const LayCase& own_lay = cases_.given_lay();
+    double base = own_lay.tension, less = 0.5, more = 2.0;
     if (asked_.vary != LayTableVary::tension) {
       less = 0.8;
       more = 1.2;
-      base = asked_.vary == LayTableVary::depth ? own.depth : own.lay ? own.lay->lay_back : 0.0;
+      base = asked_.vary == LayTableVary::depth ? own_lay.depth : own_lay.lay ? own_lay.lay->lay_back : 0.0;
     }
     return {asked_.from.value_or(less * base), asked_.to.value_or(more * base)};
   }
@@ -114,8 +114,8 @@ class TableMaker {
   void steps() {
     const auto [from, to] = limits();
     if (from <= 0.0 || to <= 0.0) {
-      table_.findings.push_back({FindingCode::table_range_unknown,
-                                 "what to begin and end with does not follow from the model: give from and to"});
+      table_.findings.push_back(
+          {FindingCode::table_range_unknown, "the limits of the table do not follow from the model: give from and to"});
       return;
     }
     std::vector<TriedLay> tried;
@@ -123,7 +123,7 @@ class TableMaker {
       const double value = from + (to - from) * i / asked_.steps;
       const int before = cases_.solves();
       tried.push_back({value, lay_at(value)});
-      LayTableRow row = row_of(LayRowKind::step, value, tried.back().lay);
+      LayTableRow row = make_row(LayRowKind::step, value, tried.back().lay);
       if (!add(std::move(row), before, static_cast<std::size_t>(asked_.steps) + 1)) return;
     }
     if (from > to) std::reverse(tried.begin(), tried.end());
@@ -134,40 +134,40 @@ class TableMaker {
     });
   }
 
-  /// `tried` by rising value.
+  /// `tried` is sorted by increasing value.
   void add_limits(const std::vector<TriedLay>& tried) {
-    const auto passes = [](const TriedLay& at) { return at.lay.passed(); };
+    const auto passes = [](const TriedLay& trial) { return trial.lay.passed(); };
     const auto first = std::find_if(tried.begin(), tried.end(), passes);
     if (first == tried.end()) {
       table_.findings.push_back({FindingCode::no_passing_value, "no row of the table passes"});
       return;
     }
     const auto last = std::find_if(tried.rbegin(), tried.rend(), passes);
-    add_limit(LayRowKind::least, *first, first == tried.begin() ? nullptr : &*(first - 1));
-    add_limit(LayRowKind::largest, *last, last == tried.rbegin() ? nullptr : &*(last - 1));
+    add_limit(LayRowKind::minimum, *first, first == tried.begin() ? nullptr : &*(first - 1));
+    add_limit(LayRowKind::maximum, *last, last == tried.rbegin() ? nullptr : &*(last - 1));
   }
 
-  /// `beyond`: the row behind the limit; null where that lies outside the table.
+  /// `beyond`: the row past the limit; null if that lies outside the table.
   void add_limit(LayRowKind kind, const TriedLay& passing, const TriedLay* beyond) {
     const TryLay try_at = [this](double value) { return lay_at(value); };
     const int before = cases_.solves();
-    const bool down = kind == LayRowKind::least;
+    const bool down = kind == LayRowKind::minimum;
     const std::optional<LayLimit> limit =
         beyond != nullptr ? narrowed(passing, *beyond, {}, try_at) : limit_beyond(passing, down, {}, try_at);
     if (!limit) {
-      table_.findings.push_back(
-          {FindingCode::limit_not_found, fmt::format("no {} limit of what is varied is found: the lay still passes far "
-                                                     "beyond the table",
-                                                     down ? "lower" : "upper")});
+      table_.findings.push_back({FindingCode::limit_not_found,
+                                 fmt::format("no {} limit of the varied quantity was found: the lay still passes far "
+                                             "beyond the table",
+                                             down ? "lower" : "upper")});
       return;
     }
-    LayTableRow row = row_of(kind, limit->passing.value, limit->passing.lay);
+    LayTableRow row = make_row(kind, limit->passing.value, limit->passing.lay);
     row.reason = fmt::format("{} it, {}", down ? "below" : "above", limit->beyond.lay.reason);
     row.solves = cases_.solves() - before;
     table_.rows.push_back(std::move(row));
   }
 
-  /// Rows that do not pass between others that do.
+  /// Warns of rows that do not pass between others that do.
   void warn_of_gaps(const std::vector<TriedLay>& tried) {
     const ShownUnit unit = shown_unit("", asked_.vary == LayTableVary::tension ? "N" : "m");
     const auto passes = [&](std::size_t i) { return tried[i].lay.passed(); };
@@ -184,15 +184,16 @@ class TableMaker {
 
   LayCases cases_;
   const LayTableDescription& asked_;
-  Told told_;
+  TableRowCallback on_row_;
   LayTable table_;
 };
 
 }  // namespace
 
-LayTable make_lay_table(const Description& description, const LayTableDescription& asked, const Told& told) {
+LayTable make_lay_table(const Description& description, const LayTableDescription& asked,
+                        const TableRowCallback& on_row) {
   const auto begin = std::chrono::steady_clock::now();
-  LayTable table = TableMaker(description, asked, told).make();
+  LayTable table = TableMaker(description, asked, on_row).make();
   table.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return table;
 }

@@ -9,12 +9,12 @@
 
 namespace overbend {
 
-/// Makes the table that is asked for; limits that are not given follow from the model's own lay. A row without an
-/// equilibrium says why. What is varied gets rows for its least and largest value with every governing check passed,
-/// also where they lie beyond the table. `told`, where given, hears of every row with the number of all that were asked
-/// for; false from it ends the table.
+/// Calculates the requested table; limits that are not given follow from the model's own lay. A row without an
+/// equilibrium holds the reason. The varied quantity gets rows for its minimum and maximum with every governing check
+/// passed, also beyond the range of the table. `on_row`, if given, is called after every row with the total number of
+/// requested rows; false ends the table.
 LayTable make_lay_table(const Description& description, const LayTableDescription& asked,
-                        const std::function<bool(const LayTableRow&, std::size_t of)>& told = {});
+                        const std::function<bool(const LayTableRow&, std::size_t of)>& on_row = {});
 
 /// Writes lay-table.csv, lay-table.xlsx, summary.json and report.html, whole or not at all. Throws UnusableFolder
 /// (runstore/staged_folder.h) when the folder cannot be.

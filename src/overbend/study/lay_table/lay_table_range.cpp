@@ -10,17 +10,17 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostSteps = 1000.0;
+constexpr double kMaxSteps = 1000.0;
 
-/// The unit behind the number.
-std::string unit_of(const std::string& text) {
+/// Returns the unit after the number.
+std::string unit_text(const std::string& text) {
   const std::size_t letter = text.find_first_not_of("0123456789.+- \t");
   return letter == std::string::npos ? "" : text.substr(letter);
 }
 
-double limit_of(const std::string& text, const std::string& si) {
+double parse_limit(const std::string& text, const std::string& si) {
   const QuantityReading reading = parse_quantity(text, si);
-  if (!reading.value) throw std::invalid_argument(reading.found + " is not " + dimension_words(si) + " with its unit");
+  if (!reading.value) throw std::invalid_argument(reading.found + " is not " + dimension_phrase(si) + " with its unit");
   if (*reading.value <= 0.0) throw std::invalid_argument("'" + text + "' is not more than 0");
   return *reading.value;
 }
@@ -30,24 +30,26 @@ double limit_of(const std::string& text, const std::string& si) {
 void take_range(LayTableVary vary, const std::string& range, LayTableDescription& table) {
   const std::size_t dots = range.find(".."), slash = range.rfind('/');
   if (dots == std::string::npos) {
-    throw std::invalid_argument("'" + for_display(range) + "' is no range such as '200 kN..400 kN/20'");
+    throw std::invalid_argument("'" + for_display(range) + "' is not a range such as '200 kN..400 kN/20'");
   }
   const bool counted = slash != std::string::npos && slash > dots &&
                        range.find_first_not_of(" 0123456789", slash + 1) == std::string::npos;
   if (counted) {
     const std::optional<double> steps = parse_number(trim(range.substr(slash + 1)));
-    if (!steps || *steps < 1.0 || *steps > kMostSteps) throw std::invalid_argument("steps are a number from 1 to 1000");
+    if (!steps || *steps < 1.0 || *steps > kMaxSteps) {
+      throw std::invalid_argument("steps must be a number from 1 to 1000");
+    }
     table.steps = static_cast<int>(std::lround(*steps));
   }
   const std::string si = vary == LayTableVary::tension ? "N" : "m";
   const std::size_t end = counted ? slash : range.size();
   std::string from(trim(std::string_view(range).substr(0, dots)));
   const std::string to(trim(std::string_view(range).substr(dots + 2, end - dots - 2)));
-  if (unit_of(from).empty()) from += " " + unit_of(to);
+  if (unit_text(from).empty()) from += " " + unit_text(to);
   table.vary = vary;
-  table.from = limit_of(from, si);
-  table.to = limit_of(to, si);
-  if (*table.from == *table.to) throw std::invalid_argument("a range that ends where it begins");
+  table.from = parse_limit(from, si);
+  table.to = parse_limit(to, si);
+  if (*table.from == *table.to) throw std::invalid_argument("the range ends where it begins");
   table.profile.clear();
 }
 

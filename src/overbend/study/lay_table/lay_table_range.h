@@ -1,4 +1,4 @@
-/// What a lay table varies, in the words of the command line.
+/// Ranges of lay tables on the command line.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Puts a range such as "200 kN..400 kN/20" or "200..400 kN/20" of `vary` into the table; the steps may be left out.
-/// Throws std::invalid_argument, with what to tell, where it is none.
+/// Sets the range and steps of the table from a text such as "200 kN..400 kN/20" or "200..400 kN/20" of `vary`; the
+/// steps may be omitted. Throws std::invalid_argument with a message for the user if the text is not a range.
 void take_range(LayTableVary vary, const std::string& range, LayTableDescription& table);
 
 }  // namespace overbend

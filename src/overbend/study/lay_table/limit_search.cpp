@@ -15,20 +15,20 @@ TriedLay tried(double value, const TryLay& try_at) {
   return {value, try_at(value)};
 }
 
-/// How far a lay is from passing.
-double want_of(const LayCase& lay) {
+/// Distance of a lay from passing: its utilisation, 0 if it passes.
+double distance_from_passing(const LayCase& lay) {
   if (lay.passed()) return 0.0;
   return lay.lay ? lay.lay->utilisation.value_or(kNoLay) : kNoLay;
 }
 
-class LeastSearch {
+class MinPassingSearch {
  public:
-  LeastSearch(const LimitSearch& search, const TryLay& try_near, const TryLay& try_at)
+  MinPassingSearch(const LimitSearch& search, const TryLay& try_near, const TryLay& try_at)
       : search_(search), try_near_(try_near), try_at_(try_at) {}
 
-  LeastLay run(double from, double to) {
-    std::vector<std::pair<double, double>> steps;  // value and how far from passing
-    for (double value = from; !limit_; value = std::min(value * search_.least_step, to)) {
+  MinPassingLay run(double from, double to) {
+    std::vector<std::pair<double, double>> steps;  // value and distance from passing
+    for (double value = from; !limit_; value = std::min(value * search_.min_search_factor, to)) {
       steps.emplace_back(value, look_at(value));
       const std::size_t n = steps.size();
       if (!limit_ && n >= 3 && steps[n - 2].second < steps[n - 3].second &&
@@ -37,9 +37,9 @@ class LeastSearch {
       }
       if (value >= to) break;
     }
-    LeastLay least{std::move(limit_), {}};
-    for (auto& [value, lay] : tried_) least.tried.push_back({value, std::move(lay)});
-    return least;
+    MinPassingLay result{std::move(limit_), {}};
+    for (auto& [value, lay] : tried_) result.tried.push_back({value, std::move(lay)});
+    return result;
   }
 
  private:
@@ -49,10 +49,10 @@ class LeastSearch {
       lay = try_at_(value);
       if (lay.passed()) found({value, lay});
     }
-    return want_of(lay);
+    return distance_from_passing(lay);
   }
 
-  /// Golden section towards the lay nearest to passing.
+  /// Golden-section search for the lay nearest to passing.
   void close_in(double low, double high) {
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     double inner = high - golden * (high - low), outer = low + golden * (high - low);
@@ -103,7 +103,7 @@ LayLimit narrowed(TriedLay passing, TriedLay failing, const LimitSearch& search,
 
 std::optional<LayLimit> limit_beyond(TriedLay passing, bool down, const LimitSearch& search, const TryLay& try_at) {
   const double factor = down ? 1.0 / search.factor : search.factor;
-  for (int i = 0; i < search.most_steps; ++i) {
+  for (int i = 0; i < search.max_steps; ++i) {
     TriedLay next = tried(passing.value * factor, try_at);
     if (!next.lay.passed()) return narrowed(std::move(passing), std::move(next), search, try_at);
     passing = std::move(next);
@@ -111,9 +111,9 @@ std::optional<LayLimit> limit_beyond(TriedLay passing, bool down, const LimitSea
   return std::nullopt;
 }
 
-LeastLay least_passing(double from, double to, const LimitSearch& search, const TryLay& try_near,
-                       const TryLay& try_at) {
-  return LeastSearch(search, try_near, try_at).run(from, to);
+MinPassingLay find_min_passing(double from, double to, const LimitSearch& search, const TryLay& try_near,
+                               const TryLay& try_at) {
+  return MinPassingSearch(search, try_near, try_at).run(from, to);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Where the lays that pass their checks begin and end.
+/// Search for the limits of the lays that pass their checks.
 #pragma once
 
 #include <functional>
@@ -9,22 +9,22 @@
 
 namespace overbend {
 
-/// A lay with the value of what is varied that it belongs to.
+/// A lay and its value of the varied quantity.
 struct TriedLay {
   double value = 0.0;
   LayCase lay;
 };
 using TryLay = std::function<LayCase(double)>;
 
-/// How far and how closely is searched.
+/// Steps and accuracy of a limit search.
 struct LimitSearch {
-  double factor = 1.15;      ///< Between values that are tried one after the other.
-  int most_steps = 12;       ///< Of them.
-  double least_step = 1.05;  ///< Factor between those of the search for the least.
-  double tolerance = 1e-3;   ///< Of the limit, relative.
+  double factor = 1.15;             ///< Ratio of successive trial values.
+  int max_steps = 12;               ///< Maximum number of trial values.
+  double min_search_factor = 1.05;  ///< Ratio of successive values in the search for the minimum.
+  double tolerance = 1e-3;          ///< Relative accuracy of the limit [-].
 };
 
-/// Both sides of a limit, closer than the tolerance.
+/// Both sides of a limit, within the tolerance.
 struct LayLimit {
   TriedLay passing, beyond;
 };
@@ -32,19 +32,20 @@ struct LayLimit {
 /// Bisects between a lay that passes and one that does not.
 LayLimit narrowed(TriedLay passing, TriedLay failing, const LimitSearch& search, const TryLay& try_at);
 
-/// From a lay that passes outwards, to smaller values where `down`; none where all that are tried pass.
+/// Searches outwards from a lay that passes, to smaller values if `down`; empty if all trial values pass.
 std::optional<LayLimit> limit_beyond(TriedLay passing, bool down, const LimitSearch& search, const TryLay& try_at);
 
-/// What the search for the least led to.
-struct LeastLay {
-  std::optional<LayLimit> limit;  ///< None where no lay that was tried passes.
-  std::vector<TriedLay> tried;    ///< By rising value.
+/// Result of the search for the minimum.
+struct MinPassingLay {
+  std::optional<LayLimit> limit;  ///< Empty if no trial lay passes.
+  std::vector<TriedLay> tried;    ///< By increasing value.
 };
 
-/// The least value between `from` and `to` with which a lay passes: upwards in steps, closer around every lay that is
-/// nearer to passing than those on both sides of it, since lays may pass over a stretch shorter than a step. Where the
-/// least that is tried passes, it is `passing` and `beyond` alike. `try_near` may start from the lay tried last; what
-/// is told is tried by `try_at`.
-LeastLay least_passing(double from, double to, const LimitSearch& search, const TryLay& try_near, const TryLay& try_at);
+/// Finds the minimum value between `from` and `to` at which a lay passes: upwards in steps, refined around every lay
+/// that is nearer to passing than its two neighbours, because lays may pass in a range shorter than a step. If the
+/// lowest trial value passes, it is both `passing` and `beyond`. `try_near` may start from the last lay; reported lays
+/// are solved by `try_at`.
+MinPassingLay find_min_passing(double from, double to, const LimitSearch& search, const TryLay& try_near,
+                               const TryLay& try_at);
 
 }  // namespace overbend

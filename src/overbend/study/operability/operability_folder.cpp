@@ -20,15 +20,15 @@ std::optional<OperabilityResults> read_operability(const fs::path& folder) {
   const std::optional<Json> json = read_json_object(folder / kFile);
   if (!json) return std::nullopt;
   try {
-    return operability_of(*json);
-  } catch (const Json::exception&) {  // damaged: made anew from the records
+    return operability_from_json(*json);
+  } catch (const Json::exception&) {  // damaged: recreated from the records
     return std::nullopt;
   }
 }
 
 void refresh_operability(const fs::path& folder) {
-  std::error_code fault;
-  if (!fs::exists(folder / "trials", fault)) return;
+  std::error_code error;
+  if (!fs::exists(folder / "trials", error)) return;
   const std::optional<Json> study = read_json_object(folder / "study.json");
   if (!study || !study->contains("study")) return;
   StudyReading reading = read_study_file(study->at("study").get<std::string>());

@@ -1,4 +1,4 @@
-/// The limits of a study in its folder, from its records.
+/// Limits of a study in its folder, computed from its records.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace overbend {
 
-/// The file operability.json. Throws FileFault where the disk refuses.
+/// Writes the file operability.json. Throws FileError if the disk fails.
 void write_operability(const OperabilityResults& results, const std::filesystem::path& folder);
 
-/// Nothing where there is none.
+/// Empty if there is no file.
 std::optional<OperabilityResults> read_operability(const std::filesystem::path& folder);
 
-/// Makes operability.json anew from the records, if the study in the folder looks for limits: its study file is read
-/// where it was. Throws std::runtime_error where that cannot be read any more.
+/// Rewrites operability.json from the records if the study in the folder searches for limits: its study file is read at
+/// its original path. Throws std::runtime_error if that cannot be read.
 void refresh_operability(const std::filesystem::path& folder);
 
 }  // namespace overbend

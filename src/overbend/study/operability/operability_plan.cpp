@@ -13,26 +13,26 @@
 namespace overbend {
 namespace {
 
-constexpr int kDigits = 9;  ///< Of a value as the model has it.
+constexpr int kDigits = 9;  ///< Number of digits of a value in the model.
 
-/// The input that is crossed and takes this one along, itself mostly.
-const StudyInput& leader(const std::vector<StudyInput>& inputs, const StudyInput& input) {
+/// Returns the crossed input that this one varies with; usually itself.
+const StudyInput& find_lead(const std::vector<StudyInput>& inputs, const StudyInput& input) {
   const StudyInput* lead = &input;
   while (!lead->with.empty()) {
-    const auto other = std::ranges::find(inputs, lead->with, &StudyInput::key);
-    require(other != inputs.end(), "an axis changes together with one that there is");
-    lead = &*other;
+    const auto next_lead = std::ranges::find(inputs, lead->with, &StudyInput::key);
+    require(next_lead != inputs.end(), "an axis varies with an existing axis");
+    lead = &*next_lead;
   }
   return *lead;
 }
 
 }  // namespace
 
-std::vector<double> searched_values(double least, double largest, double step) {
+std::vector<double> searched_values(double from, double to, double step) {
   constexpr double kSlack = 1e-6;  // of a step: bounds and step come from decimal text
   std::vector<double> values;
-  for (int i = 0; least + i * step < largest - kSlack * step; ++i) values.push_back(least + i * step);
-  values.push_back(largest);
+  for (int i = 0; from + i * step < to - kSlack * step; ++i) values.push_back(from + i * step);
+  values.push_back(to);
   return values;
 }
 
@@ -40,22 +40,22 @@ OperabilityPlan::OperabilityPlan(const StudyDescription& study) : seeds_(study.s
   const OperabilityDescription& wanted = *study.operability;
   const std::vector<StudyInput> inputs = StudyCases(study).inputs();
   for (const StudyInput& input : inputs) {
-    const StudyInput& lead = leader(inputs, input);
+    const StudyInput& lead = find_lead(inputs, input);
     if (lead.key == wanted.over) {
-      require(input.key == wanted.over, "nothing changes together with the key that is searched");
+      require(input.key == wanted.over, "no axis varies with the searched key");
       over_ = input;
     } else if (&lead == &input) {
       axes_.push_back(input);
       auto& group = together_.emplace_back();
-      for (const StudyInput& other : inputs) {
-        if (&leader(inputs, other) == &lead) group.push_back(other);
+      for (const StudyInput& member : inputs) {
+        if (&find_lead(inputs, member) == &lead) group.push_back(member);
       }
     }
   }
-  require(!over_.values.empty(), "the axis that is searched has numbers");
-  const auto [least, largest] = std::ranges::minmax(over_.values);
-  values_ = searched_values(least, largest, wanted.resolution);
-  for (const StudyInput& axis : axes_) grid_.axes.push_back(axis.words.size());
+  require(!over_.values.empty(), "the searched axis is numeric");
+  const auto [min, max] = std::ranges::minmax(over_.values);
+  values_ = searched_values(min, max, wanted.resolution);
+  for (const StudyInput& axis : axes_) grid_.axes.push_back(axis.value_texts.size());
   grid_.values = values_.size();
   grid_.seeds = std::max<std::size_t>(1, seeds_.size());
 }
@@ -65,26 +65,26 @@ std::size_t OperabilityPlan::cells() const {
 }
 
 std::vector<std::size_t> OperabilityPlan::at(std::size_t cell) const {
-  std::vector<std::size_t> at(axes_.size());
+  std::vector<std::size_t> indices(axes_.size());
   for (std::size_t i = axes_.size(); i-- > 0;) {
-    at[i] = cell % grid_.axes[i];
+    indices[i] = cell % grid_.axes[i];
     cell /= grid_.axes[i];
   }
-  return at;
+  return indices;
 }
 
-std::string OperabilityPlan::value_words(std::size_t value) const {
+std::string OperabilityPlan::value_text(std::size_t value) const {
   if (over_.show.empty()) return format_number(values_.at(value), kDigits);
   return format_quantity(values_.at(value), over_.unit, over_.show, kDigits);
 }
 
-CaseQuestion OperabilityPlan::question(std::size_t cell, std::size_t value, std::size_t seed) const {
-  CaseQuestion question;
+CaseInput OperabilityPlan::question(std::size_t cell, std::size_t value, std::size_t seed) const {
+  CaseInput question;
   const std::vector<std::size_t> place = at(cell);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    for (const StudyInput& input : together_[i]) question.keys.push_back({input.key, input.words.at(place[i])});
+    for (const StudyInput& input : together_[i]) question.keys.push_back({input.key, input.value_texts.at(place[i])});
   }
-  question.keys.push_back({over_.key, value_words(value)});
+  question.keys.push_back({over_.key, value_text(value)});
   if (!seeds_.empty()) question.seed = seeds_.at(seed);
   return question;
 }

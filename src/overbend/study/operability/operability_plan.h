@@ -1,4 +1,4 @@
-/// What the search for limits of a study has to try.
+/// Cells and trial values of a limit search.
 #pragma once
 
 #include <string>
@@ -10,40 +10,41 @@
 
 namespace overbend {
 
-/// Cells and values of a chart. The axis that is searched gives the bounds; the values tried lie between them in steps
-/// of the resolution, with the largest bound as the last.
+/// Cells and values of a chart. The searched axis gives the bounds; the trial values lie between them in steps of the
+/// resolution, with the upper bound as the last.
 class OperabilityPlan {
  public:
-  /// `study` asks for operability, over an axis with numbers that nothing changes together with.
+  /// `study` requests operability over a numeric axis with which no other axis varies.
   explicit OperabilityPlan(const StudyDescription& study);
 
   const OperabilityGrid& grid() const { return grid_; }
   const StudyInput& over() const { return over_; }
-  /// The crossed axes of the chart, without those that change together with one.
+  /// The crossed axes of the chart, without axes that vary with one of them.
   const std::vector<StudyInput>& axes() const { return axes_; }
   const std::vector<double>& values() const { return values_; }  ///< [SI], ascending.
   const std::vector<std::uint64_t>& seeds() const { return seeds_; }
 
+  /// Number of cells of the chart.
   std::size_t cells() const;
-  /// Index of the value of every axis.
+  /// Returns the index of the value of every axis.
   std::vector<std::size_t> at(std::size_t cell) const;
-  /// What is set in the model, and the seed.
-  CaseQuestion question(std::size_t cell, std::size_t value, std::size_t seed) const;
-  /// Its folder within the study's: "trials/0012/007-seed-3".
+  /// Returns the keys to set in the model, and the seed.
+  CaseInput question(std::size_t cell, std::size_t value, std::size_t seed) const;
+  /// Folder of a trial within the study's: "trials/0012/007-seed-3".
   std::string folder(std::size_t cell, std::size_t value, std::size_t seed) const;
 
  private:
-  std::string value_words(std::size_t value) const;
+  std::string value_text(std::size_t value) const;
 
   StudyInput over_;
   std::vector<StudyInput> axes_;
-  std::vector<std::vector<StudyInput>> together_;  ///< With each of axes_, itself first.
+  std::vector<std::vector<StudyInput>> together_;  ///< Inputs that vary with each of axes_, itself first.
   std::vector<double> values_;
   std::vector<std::uint64_t> seeds_;
   OperabilityGrid grid_;
 };
 
-/// Values from the least to the largest in equal steps, the largest always among them.
-std::vector<double> searched_values(double least, double largest, double step);
+/// Returns values from `from` to `to` in equal steps; the last value is always `to`.
+std::vector<double> searched_values(double from, double to, double step);
 
 }  // namespace overbend

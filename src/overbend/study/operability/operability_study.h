@@ -1,4 +1,4 @@
-/// The search for limits of a study: every analysis in a folder of its own, with one record.
+/// The limit search of a study: every analysis in its own folder, with one record.
 #pragma once
 
 #include <functional>
@@ -8,32 +8,32 @@
 
 namespace overbend {
 
-/// An analysis that has just ended.
-struct TrialTold {
+/// Report of a finished analysis.
+struct TrialReport {
   std::size_t cell = 0, value = 0, seed = 0;
   TrialResult result;
   double wall_time = 0.0;  ///< [s]
-  bool known = false;      ///< From its record: it was run before.
+  bool known = false;      ///< True if read from the record of an earlier run.
 };
 
-struct OperabilityConduct {
-  std::filesystem::path folder;    ///< Of the study.
-  int threads = 0;                 ///< 0: as many as there are cores.
-  double checkpoint_every = 60.0;  ///< Of each analysis [s].
+struct OperabilityOptions {
+  std::filesystem::path folder;    ///< Folder of the study.
+  int threads = 0;                 ///< 0: the number of cores.
+  double checkpoint_every = 60.0;  ///< Checkpoint interval of each analysis [s].
   std::size_t task = 0,
-              tasks = 1;  ///< Runs chains task, task + tasks, ... (study/operability/operability_search.h) only.
-  bool gather = false;    ///< Runs nothing: limits as far as the records tell.
-  std::function<bool()> stop = {};                  ///< Whether to end, each analysis at a checkpoint.
-  std::function<void(const TrialTold&)> told = {};  ///< Called from several threads.
+              tasks = 1;  ///< Runs only the chains task, task + tasks, ... (study/operability/operability_search.h).
+  bool gather = false;    ///< Runs nothing: limits from the present records.
+  std::function<bool()> stop = {};                        ///< True to stop; each analysis stops at a checkpoint.
+  std::function<void(const TrialReport&)> on_trial = {};  ///< Called from several threads.
 };
 
-/// Finds the limits. Analyses with a record of the same question are not run again, one that was interrupted goes on
-/// from its checkpoint; so a search that was killed asks the same questions again and gives what it would have given.
-/// A value at which the model is refused or finds no equilibrium counts as not passed, except the least, which stays
-/// open then. Throws FileFault when the disk refuses a record.
-OperabilityResults run_operability(const CaseBase& base, const OperabilityConduct& conduct);
+/// Finds the limits. Analyses with a record of the same input are not repeated, and an interrupted one resumes from its
+/// checkpoint; so a search that was killed repeats the same sequence and gives the same results. A value at which the
+/// model is rejected or has no equilibrium counts as not passed, except the minimum, which then stays open. Throws
+/// FileError if a record cannot be written.
+OperabilityResults run_operability(const CaseBase& base, const OperabilityOptions& conduct);
 
-/// How an answer compares with the criterion.
-TrialResult judged_trial(const CaseAnswer& answer, const OperabilityDescription& wanted, bool least);
+/// Compares a result with the criterion. `is_minimum`: the value is the minimum of the grid.
+TrialResult judged_trial(const CaseResult& answer, const OperabilityDescription& wanted, bool is_minimum);
 
 }  // namespace overbend

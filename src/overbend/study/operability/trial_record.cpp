@@ -9,19 +9,19 @@
 namespace overbend {
 namespace {
 
-constexpr std::array<std::pair<TrialEnd, const char*>, 4> kWords = {{{TrialEnd::passed, "passed"},
-                                                                     {TrialEnd::exceeded, "exceeded"},
-                                                                     {TrialEnd::no_solution, "no solution"},
-                                                                     {TrialEnd::open, "open"}}};
+constexpr std::array<std::pair<TrialStatus, const char*>, 4> kStatusNames = {{{TrialStatus::passed, "passed"},
+                                                                              {TrialStatus::exceeded, "exceeded"},
+                                                                              {TrialStatus::no_solution, "no solution"},
+                                                                              {TrialStatus::open, "open"}}};
 
-std::string word(TrialEnd end) {
-  for (const auto& [one, text] : kWords) {
-    if (one == end) return text;
+std::string word(TrialStatus end) {
+  for (const auto& [known, text] : kStatusNames) {
+    if (known == end) return text;
   }
   return "";
 }
 
-Json question_json(const CaseQuestion& question) {
+Json question_json(const CaseInput& question) {
   Json keys = Json::object();
   for (const KeySetting& setting : question.keys) keys[setting.key] = setting.value;
   Json json = {{"keys", keys}};
@@ -29,10 +29,10 @@ Json question_json(const CaseQuestion& question) {
   return json;
 }
 
-TrialRecord record_of(const Json& json) {
+TrialRecord parse_record(const Json& json) {
   TrialRecord record;
   const std::string wanted = json.at("end").get<std::string>();
-  for (const auto& [end, text] : kWords) {
+  for (const auto& [end, text] : kStatusNames) {
     if (wanted == text) record.result.end = end;
   }
   if (json.contains("utilisation")) record.result.utilisation = json.at("utilisation").get<double>();
@@ -43,22 +43,22 @@ TrialRecord record_of(const Json& json) {
 
 }  // namespace
 
-std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseQuestion& question) {
+std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseInput& question) {
   try {
     const Json json = read_json_file(folder / "trial.json");
-    if (!json.contains("findings_judged")) return std::nullopt;  // of a program that judged checks alone
+    if (!json.contains("findings_judged")) return std::nullopt;  // written by a version that judged checks only
     if (json.at("question") != question_json(question)) return std::nullopt;
-    TrialRecord record = record_of(json);
-    return record.result.end == TrialEnd::open ? std::nullopt : std::optional(std::move(record));
-  } catch (const Json::exception&) {  // no record of ours
+    TrialRecord record = parse_record(json);
+    return record.result.end == TrialStatus::open ? std::nullopt : std::optional(std::move(record));
+  } catch (const Json::exception&) {  // not a record of this program
     return std::nullopt;
   }
 }
 
-void write_trial(const TrialRecord& record, const CaseQuestion& question, const std::filesystem::path& folder) {
-  std::error_code fault;
-  std::filesystem::create_directories(folder, fault);
-  if (fault) throw FileFault("the folder '" + folder.string() + "' cannot be made: " + fault.message());
+void write_trial(const TrialRecord& record, const CaseInput& question, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError("the folder '" + folder.string() + "' cannot be created: " + error.message());
   Json json = {{"question", question_json(question)}, {"end", word(record.result.end)}};
   if (record.result.utilisation) json["utilisation"] = *record.result.utilisation;
   json["governing"] = record.result.governing;

@@ -1,4 +1,4 @@
-/// The record of one analysis of a search for limits: the file trial.json in its folder.
+/// The record of one analysis of a limit search: the file trial.json in its folder.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ struct TrialRecord {
   double wall_time = 0.0;  ///< [s]
 };
 
-/// Nothing where there is none, or where it answers another question.
-std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseQuestion& question);
+/// Empty if there is no record, or if it has other inputs.
+std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseInput& question);
 
-/// Puts the record into the folder, which is made, whole or not at all. Throws FileFault when the disk refuses.
-void write_trial(const TrialRecord& record, const CaseQuestion& question, const std::filesystem::path& folder);
+/// Writes the record into the folder, which is created, completely or not at all. Throws FileError if the disk fails.
+void write_trial(const TrialRecord& record, const CaseInput& question, const std::filesystem::path& folder);
 
 }  // namespace overbend

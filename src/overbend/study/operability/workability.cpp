@@ -14,18 +14,18 @@ constexpr const char* kHeight = "environment.waves.hs";
 constexpr const char* kPeriod = "environment.waves.tp";
 constexpr const char* kFrom = "environment.waves.from";
 constexpr std::array<double, 12> kDays = {31, 28.25, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-constexpr double kSlack = 1e-9;  ///< Relative, of periods on the edge of the chart.
+constexpr double kSlack = 1e-9;  ///< Relative tolerance of periods on the edge of the chart [-].
 
-/// Largest workable height of a sea [m], and whether heights above it were not tried.
+/// Maximum workable height of a sea [m]; `open_above`: heights above it were not tried.
 struct Limit {
   double height = 0.0;
   bool open_above = false;
 };
 
-/// Where a period lies between two values of the axis.
-struct Between {
+/// Position of a period between two values of the axis.
+struct PeriodPosition {
   std::size_t low = 0, high = 0;
-  double part = 0.0;  ///< Of the way from low to high.
+  double part = 0.0;  ///< Fraction of the interval from low to high [-].
 };
 
 class Chart {
@@ -41,41 +41,42 @@ class Chart {
     }
   }
 
-  std::string fault() const {
+  std::string find_error() const {
     if (results_.over != kHeight) return "workability needs a limit of " + std::string(kHeight);
     for (const StudyInput& axis : results_.axes) {
-      if (axis.key != kPeriod && axis.key != kFrom) return "workability does not know which " + axis.key + " holds";
+      if (axis.key != kPeriod && axis.key != kFrom) return "workability cannot use the axis " + axis.key;
       if (axis.values.empty()) return "the axis " + axis.key + " has no numbers";
     }
     return "";
   }
 
-  /// None outside of the chart.
+  /// Returns the limit of a sea; empty outside the chart.
   std::optional<Limit> limit(const ScatterDiagram::Sea& sea) const {
-    const std::optional<Between> between = period_ ? place(results_.axes[*period_].values, sea.tp) : Between{};
+    const std::optional<PeriodPosition> between =
+        period_ ? place(results_.axes[*period_].values, sea.tp) : PeriodPosition{};
     if (!between) return std::nullopt;
     if (!from_) return at(0, *between);
     const std::vector<double>& headings = results_.axes[*from_].values;
     if (sea.from) return at(nearest(headings, *sea.from), *between);
     std::optional<Limit> lowest = at(0, *between);
     for (std::size_t i = 1; i < headings.size() && lowest; ++i) {
-      const std::optional<Limit> other = at(i, *between);
-      if (!other || other->height < lowest->height) lowest = other;
+      const std::optional<Limit> candidate = at(i, *between);
+      if (!candidate || candidate->height < lowest->height) lowest = candidate;
     }
     return lowest;
   }
 
  private:
-  static std::optional<Between> place(const std::vector<double>& values, double wanted) {
+  static std::optional<PeriodPosition> place(const std::vector<double>& values, double wanted) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
     const double slack = kSlack * std::abs(wanted);
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (std::abs(values[order[i]] - wanted) <= slack) return Between{order[i], order[i], 0.0};
+      if (std::abs(values[order[i]] - wanted) <= slack) return PeriodPosition{order[i], order[i], 0.0};
       if (i == 0 || wanted < values[order[i - 1]] || wanted > values[order[i]]) continue;
       const double low = values[order[i - 1]], high = values[order[i]];
-      return Between{order[i - 1], order[i], (wanted - low) / (high - low)};
+      return PeriodPosition{order[i - 1], order[i], (wanted - low) / (high - low)};
     }
     return std::nullopt;
   }
@@ -85,7 +86,7 @@ class Chart {
     return static_cast<std::size_t>(std::ranges::min_element(headings, {}, apart) - headings.begin());
   }
 
-  std::optional<Limit> at(std::size_t heading, const Between& between) const {
+  std::optional<Limit> at(std::size_t heading, const PeriodPosition& between) const {
     const std::size_t row = from_ ? heading * stride_[*from_] : 0;
     const std::size_t step = period_ ? stride_[*period_] : 0;
     const OperabilityCell &low = results_.cells.at(row + between.low * step),
@@ -101,7 +102,7 @@ class Chart {
   std::optional<std::size_t> period_, from_;
 };
 
-/// Months weigh by their days.
+/// Mean over the year, with months weighted by their days.
 double over_year(const std::vector<double>& months) {
   if (months.size() != kDays.size()) return months.empty() ? 0.0 : months.front();
   double sum = 0.0, days = 0.0;
@@ -117,7 +118,7 @@ double over_year(const std::vector<double>& months) {
 std::variant<Workability, std::string> workability(const ScatterDiagram& diagram, const OperabilityResults& chart,
                                                    double factor) {
   const Chart limits(chart, factor);
-  if (const std::string fault = limits.fault(); !fault.empty()) return fault;
+  if (const std::string error = limits.find_error(); !error.empty()) return error;
   const std::size_t months = diagram.seas.empty() ? 0 : diagram.seas.front().fraction.size();
   Workability result;
   result.months.assign(months, 0.0);

@@ -14,11 +14,11 @@ bool same_change(const YamlChange& a, const YamlChange& b) {
   return a.path == b.path && a.kind == b.kind && a.value == b.value;
 }
 
-Description edited(const Description& base, const Case& one) {
-  ModelReading reading = read_model_text(edit_yaml(base.source_text, one.changes), base.source_file);
+Description edited(const Description& base, const Case& study_case) {
+  ModelReading reading = read_model_text(edit_yaml(base.source_text, study_case.changes), base.source_file);
   if (!reading.description) {
     const std::vector<std::string> errors = reading.diagnostics.lines(Severity::error);
-    throw std::runtime_error("the case " + one.name + ": " + (errors.empty() ? "" : errors.front()));
+    throw std::runtime_error("the case " + study_case.name + ": " + (errors.empty() ? "" : errors.front()));
   }
   return std::move(*reading.description);
 }
@@ -42,9 +42,9 @@ void set_duration(Description& description, const std::optional<double>& duratio
   description.dynamics->duration = *duration;
 }
 
-Description describe(const Description& base, const Case& one) {
-  Description description = one.changes.empty() ? base : edited(base, one);
-  set_duration(description, one.duration);
+Description describe(const Description& base, const Case& study_case) {
+  Description description = study_case.changes.empty() ? base : edited(base, study_case);
+  set_duration(description, study_case.duration);
   return description;
 }
 

@@ -1,4 +1,4 @@
-/// What is computed: a model, the keys changed in it and the seed of its sea.
+/// A case: changes of a model and the seed of its sea.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,30 @@
 
 namespace overbend {
 
-/// One case of a study. Everything that distinguishes it from the other cases of the same model is in here.
+/// One case of a study: everything that distinguishes it from the other cases of the same model.
 struct Case {
-  std::string name;                          ///< Of its folder within the study's; empty: it runs in that itself.
-  std::string words{};                       ///< For people.
-  std::vector<YamlChange> changes{};         ///< Of keys of the model file, one after the other.
-  std::optional<double> duration{};          ///< Simulated time instead of the model's [s]; the text keeps its own.
-  std::optional<std::uint64_t> seed{};       ///< Left out: the model's first.
-  std::vector<ControllerUse> controllers{};  ///< Of its run alone: they remember.
+  std::string name;                          ///< Name of its folder within the study's folder; empty: the study's
+                                             ///< folder itself.
+  std::string label{};                       ///< Label for people.
+  std::vector<YamlChange> changes{};         ///< Changes of keys of the model file, applied in order.
+  std::optional<double> duration{};          ///< Simulated time that replaces the model's [s]; not written into the
+                                             ///< model text.
+  std::optional<std::uint64_t> seed{};       ///< Seed of the sea; if empty, the first seed of the model.
+  std::vector<ControllerUse> controllers{};  ///< Controllers of this run only: they keep state.
 };
 
-/// Throws std::invalid_argument where a seed is beyond those that a model file can have.
+/// Throws std::invalid_argument if a seed is outside the range of model files.
 void require_seeds(const std::vector<std::uint64_t>& seeds);
 
-/// The simulated time in the place of the model's [s], of a model without analysis.dynamic as well; without one nothing
-/// changes. Throws std::invalid_argument where it is no time that can be meant.
+/// Replaces the simulated time of the model [s], also in a model without analysis.dynamic; does nothing without a
+/// duration. Throws std::invalid_argument if the duration is outside the permitted range.
 void set_duration(Description& description, const std::optional<double>& duration);
 
-/// The model with the case's keys set in its text, and its duration. Throws std::runtime_error where a key cannot be
-/// set or the model is none any more.
-Description describe(const Description& base, const Case& one);
+/// Returns the model with the keys of the case set in its text, and with its duration. Throws std::runtime_error if a
+/// key cannot be set or the changed text is not a valid model.
+Description describe(const Description& base, const Case& study_case);
 
-/// Whether two cases have one model and nothing else but their seeds apart.
+/// True if two cases differ in nothing but their seeds.
 bool same_model(const Case& a, const Case& b);
 
 }  // namespace overbend

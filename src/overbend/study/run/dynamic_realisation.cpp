@@ -8,8 +8,8 @@
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
-#include "study/run/dynamic_finish.h"
-#include "study/run/motion_parts.h"
+#include "study/run/history_statistics.h"
+#include "study/run/motion_statistics.h"
 #include "study/run/run_findings.h"
 
 namespace overbend {
@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the run's data go, and the state to go on from.
-struct Begun {
+/// Store of the run's data, and the state to resume from.
+struct StartedRun {
   RunStore store;
   std::optional<DynamicCheckpoint> state;
 };
 
-Begun begin(const fs::path& folder, const std::string& input, std::uint64_t seed, bool resume) {
+StartedRun begin(const fs::path& folder, const std::string& input, std::uint64_t seed, bool resume) {
   if (resume) {
     if (std::optional<ResumedRun> resumed = RunStore::resume(folder, input, seed)) {
       return {std::move(resumed->store), std::move(resumed->state)};
@@ -40,10 +40,10 @@ void write_results(const PreparedCase& shared, const DynamicResults& results, co
   staged.commit("summary.json");
 }
 
-/// Hands everything on to the store, and rows to who looks on as well.
-class WatchedStore : public DynamicSink {
+/// Passes everything on to the store, and rows also to the observer.
+class ObservedStore : public DynamicSink {
  public:
-  WatchedStore(RunStore& store, const RowWatch& rows) : store_(store), rows_(rows) {}
+  ObservedStore(RunStore& store, const RowCallback& rows) : store_(store), rows_(rows) {}
 
   void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override {
     store_.begin(columns, size);
@@ -58,45 +58,45 @@ class WatchedStore : public DynamicSink {
 
  private:
   RunStore& store_;
-  const RowWatch& rows_;
+  const RowCallback& rows_;
 };
 
 }  // namespace
 
-RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
-                               const std::function<DynamicControl(const DynamicProgress&)>& control, FileLock& writing,
-                               const RowWatch& rows, RunFiles files) {
-  std::optional<Begun> begun;
+RealisationResult run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
+                                  const std::function<DynamicControl(const DynamicProgress&)>& control,
+                                  FileLock& writing, const RowCallback& rows, RunFiles files) {
+  std::optional<StartedRun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
-  } catch (const std::runtime_error& fault) {  // a folder that cannot be, or a run of something else in it
-    return {{RunEnding::wrong_input, fault.what()}};
+  } catch (const std::runtime_error& error) {  // the folder cannot be created, or holds a run of another input
+    return {{RunStatus::wrong_input, error.what()}};
   }
   DynamicOptions options = dynamic_options(shared.model);
   options.seed = seed;
   options.controllers = shared.controllers;
   DynamicOutcome outcome;
   try {
-    WatchedStore sink(begun->store, rows);
+    ObservedStore sink(begun->store, rows);
     outcome = run_dynamics(shared.model, shared.start, shared.statics, options, sink,
                            begun->state ? &*begun->state : nullptr, control);
-  } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
+  } catch (const std::invalid_argument& error) {  // a sea or a motion that cannot be generated
     begun->store.remove();
-    return {{RunEnding::wrong_input, fault.what()}};
+    return {{RunStatus::wrong_input, error.what()}};
   } catch (const Interrupted&) {
-    if (!begun->state) begun->store.remove();  // before its first step
-    return {{RunEnding::interrupted, "interrupted"}};
+    if (!begun->state) begun->store.remove();  // stopped before its first step
+    return {{RunStatus::interrupted, "interrupted"}};
   }
   if (outcome.stopped) {
     const UninterruptedScope put_away;
     if (!RunStore::find(folder)) begun->store.remove();
     if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
-    return {{RunEnding::interrupted, "interrupted"}, {}, std::move(outcome.results)};
+    return {{RunStatus::interrupted, "interrupted"}, {}, std::move(outcome.results)};
   }
   if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.failure) {
     begun->store.remove();
-    return {failed_end(*outcome.failure, shared.description)};
+    return {failure_result(*outcome.failure, shared.description)};
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(shared.description, *outcome.results, begun->store);
@@ -106,13 +106,14 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   std::vector<HistoryPeaks> peaks;
   if (files == RunFiles::none) {
-    peaks = peaks_of_run(begun->store.columns(), [&](std::size_t i) { return begun->store.column(i); });
+    peaks = find_run_peaks(begun->store.columns(), [&](std::size_t i) { return begun->store.column(i); });
   }
   begun->store.remove();
-  return {{RunEnding::done}, std::move(peaks), std::move(outcome.results)};
+  return {{RunStatus::done}, std::move(peaks), std::move(outcome.results)};
 }
 
-void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, FileLock& writing) {
+void write_partial_results(const PreparedCase& shared, DynamicResults results, const fs::path& folder,
+                           FileLock& writing) {
   const UninterruptedScope put_away;
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;

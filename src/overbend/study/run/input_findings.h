@@ -1,4 +1,4 @@
-/// What a model is warned of before anything is solved.
+/// Warnings of a model before anything is solved.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace overbend {
 
-/// The warnings of all results that do not depend on a solution: of the model, of ramp and stinger, and of a floating
-/// hull's coefficients.
+/// Returns all warnings that do not depend on a solution: of the model, of ramp and stinger, and of the coefficients of
+/// a floating hull.
 Findings input_findings(const Model& model);
 
 }  // namespace overbend

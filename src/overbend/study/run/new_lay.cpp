@@ -9,70 +9,73 @@
 #include "base/shown_unit.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kFlattestTower = 45.0 * kDegree;  ///< A J-lay tower leans no further from upright than this.
-constexpr int kTrials = 16;  ///< Lays calculated before none is believed to pass; most take two or three.
+constexpr double kMinTowerAngle = 45.0 * kDegree;  ///< Minimum angle of a J-lay tower from horizontal [rad].
+constexpr int kTrials = 16;                        ///< Maximum number of lays calculated; most take two or three.
 
-/// What the calculation says against a lay; empty where it stands and passes.
-struct LayObjections {
+/// Reasons against a lay; empty if it has a solution and passes.
+struct LayIssues {
   std::string no_solution;
   std::vector<CheckRow> exceeded;
-  double top_inclination = 0.0;  ///< Of the pipe at the tensioner [rad].
+  double top_inclination = 0.0;  ///< Inclination of the pipe at the tensioner [rad].
 
   bool passed() const { return no_solution.empty() && exceeded.empty(); }
-  std::string words() const {
+  std::string message() const {
     if (!no_solution.empty()) return no_solution;
     const auto worst = std::ranges::max_element(exceeded, {}, &CheckRow::utilisation);
     return fmt::format("{} ({}) is exceeded, utilisation {:.2f}", worst->name, worst->code, worst->utilisation);
   }
 };
 
-LayObjections judge(const Description& description) {
+LayIssues evaluate_lay(const Description& description) {
   Model model = build_model(description);
   const ModelEquilibrium outcome = solve_lay(model);
-  LayObjections objections;
+  LayIssues issues;
   if (!outcome.solution) {
-    objections.no_solution = outcome.failure->what;
-    return objections;
+    issues.no_solution = outcome.failure->what;
+    return issues;
   }
   const StaticResults results = checked_statics(model, outcome);
-  objections.top_inclination = results.stations.back().inclination;
+  issues.top_inclination = results.stations.back().inclination;
   for (const CheckRow& row : results.checks.rows) {
-    if (row.governing && row.status == CheckStatus::exceeded) objections.exceeded.push_back(row);
+    if (row.governing && row.status == CheckStatus::exceeded) issues.exceeded.push_back(row);
   }
-  return objections;
+  return issues;
 }
 
-/// Which of the margins are the user's, not ours.
-struct Free {
+/// True for the quantities that the user left open.
+struct OpenQuantities {
   bool wall, tension, radius;
 };
 
-/// What mends a check: a wider stinger over the supports, more tension where the sagbend bends too sharply, else a
-/// thicker wall: at the seabed, where the pipe is nearly straight, pressure alone is too much for it.
-enum class Cure { wall, tension, radius };
+/// Quantity that corrects an exceeded check: a wider stinger over the supports, more tension if the sagbend bends too
+/// sharply, else a thicker wall: at the seabed, where the pipe is nearly straight, pressure alone governs.
+enum class Correction { wall, tension, radius };
 
-Cure cure_of(const CheckRow& row, const LayObjections& objections) {
-  if (row.region == CheckRegion::overbend || row.region == CheckRegion::tip) return Cure::radius;
-  if (row.region != CheckRegion::sagbend) return Cure::wall;
-  const bool straight_too = std::ranges::any_of(objections.exceeded, [](const CheckRow& other) {
-    return other.region == CheckRegion::seabed || other.region == CheckRegion::line;
+Correction find_correction(const CheckRow& row, const LayIssues& issues) {
+  if (row.region == CheckRegion::overbend || row.region == CheckRegion::tip) return Correction::radius;
+  if (row.region != CheckRegion::sagbend) return Correction::wall;
+  const bool straight_too = std::ranges::any_of(issues.exceeded, [](const CheckRow& check) {
+    return check.region == CheckRegion::seabed || check.region == CheckRegion::line;
   });
-  return straight_too ? Cure::wall : Cure::tension;
+  return straight_too ? Correction::wall : Correction::tension;
 }
 
-/// Margins after objections to a lay: every cure once, by the worst that asks for it. False where none is ours to take.
-bool mend(NewMargins& margins, const LayObjections& objections, const Free& free) {
+/// Adjusts the margins for exceeded checks: each quantity once, by the worst check that requires it. False if none of
+/// them may be changed.
+bool adjust_margins(NewMargins& margins, const LayIssues& issues, const OpenQuantities& free) {
   double wall = 0.0, tension = 0.0, radius = 0.0;
-  for (const CheckRow& row : objections.exceeded) {
-    Cure cure = cure_of(row, objections);
-    if (cure == Cure::tension && !free.tension) cure = Cure::wall;
-    if (cure == Cure::wall && !free.wall && row.region == CheckRegion::sagbend) cure = Cure::tension;
-    double& asked = cure == Cure::wall ? wall : cure == Cure::tension ? tension : radius;
+  for (const CheckRow& row : issues.exceeded) {
+    Correction correction = find_correction(row, issues);
+    if (correction == Correction::tension && !free.tension) correction = Correction::wall;
+    if (correction == Correction::wall && !free.wall && row.region == CheckRegion::sagbend) {
+      correction = Correction::tension;
+    }
+    double& asked = correction == Correction::wall ? wall : correction == Correction::tension ? tension : radius;
     asked = std::max(asked, row.utilisation);
   }
   const NewMargins before = margins;
@@ -82,21 +85,21 @@ bool mend(NewMargins& margins, const LayObjections& objections, const Free& free
   return margins.walls > before.walls || margins.tension > before.tension || margins.radius > before.radius;
 }
 
-bool tower_stands(const NewModel& model) {
-  return model.stinger || model.departure_angle >= kFlattestTower;
+bool is_tower_feasible(const NewModel& model) {
+  return model.stinger || model.departure_angle >= kMinTowerAngle;
 }
 
-std::string leaning(const NewModel& model) {
+std::string tower_angle_message(const NewModel& model) {
   return fmt::format(
-      "--lay: with the {} that keep the sagbend within its checks the pipe hangs at {:.0f} degrees from horizontal, "
-      "and no tower is inclined beyond {:.0f}; expected s, or deeper water",
-      shown_digits(model.tension, "N", 4), model.departure_angle / kDegree, kFlattestTower / kDegree);
+      "--lay: with a tension of {}, which the sagbend checks require, the pipe leaves at {:.0f} degrees from "
+      "horizontal, but no tower is inclined below {:.0f}; expected s, or deeper water",
+      shown_digits(model.tension, "N", 4), model.departure_angle / kDegree, kMinTowerAngle / kDegree);
 }
 
 }  // namespace
 
 std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
-  const Free free{options.wall.empty(), options.tension.empty(), options.stinger_radius.empty()};
+  const OpenQuantities free{options.wall.empty(), options.tension.empty(), options.stinger_radius.empty()};
   NewMargins margins;
   NewLay lay;
   std::string against;
@@ -109,22 +112,22 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
     lay.text = model_text(lay.model);
     const ModelReading reading = read_model_text(lay.text, "model.yaml");
     if (!reading.description) {
-      return "these values do not give a valid model:\n" + reading.diagnostics.lines(Severity::error).front();
+      return "these values do not make a valid model:\n" + reading.diagnostics.lines(Severity::error).front();
     }
-    const LayObjections objections = judge(*reading.description);
+    const LayIssues issues = evaluate_lay(*reading.description);
     if (!lay.model.stinger &&
-        objections.no_solution.empty()) {  // the tower stands as the pipe hangs from its pinned guide
-      lay.model.departure_angle = objections.top_inclination;
+        issues.no_solution.empty()) {  // the tower takes the inclination of the pipe at its pinned guide
+      lay.model.departure_angle = issues.top_inclination;
       lay.text = model_text(lay.model);
     }
-    if (objections.passed()) {
-      return tower_stands(lay.model) ? std::variant<NewLay, std::string>(lay) : leaning(lay.model);
+    if (issues.passed()) {
+      return is_tower_feasible(lay.model) ? std::variant<NewLay, std::string>(lay) : tower_angle_message(lay.model);
     }
-    against = objections.words();
-    if (!objections.no_solution.empty() || !mend(margins, objections, free)) break;
+    against = issues.message();
+    if (!issues.no_solution.empty() || !adjust_margins(margins, issues, free)) break;
   }
   if (free.wall && free.tension && free.radius) {
-    return fmt::format("no wall, tension and stinger radius were found that pass the checks of this lay: {}", against);
+    return fmt::format("no wall, tension and stinger radius pass the checks of this lay: {}", against);
   }
   lay.model.note = "with the values given, " + against;
   lay.text = model_text(lay.model);

@@ -1,4 +1,4 @@
-/// A first model that has been calculated: statics and code checks decide what the rules of thumb leave open.
+/// First model file with calculated margins: statics and code checks set what rules of thumb leave open.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@ namespace overbend {
 
 struct NewLay {
   NewModel model;
-  std::string text;  ///< Of the model file.
+  std::string text;  ///< Text of the model file.
 };
 
-/// Chooses wall, tension and stinger radius, as far as they were not said, such that the static checks of the model are
-/// passed. What was said is taken as it is: where a check is exceeded for it, the model's note says which. A sentence
-/// where the options are wrong or nothing that may be chosen passes.
+/// Chooses wall thickness, tension and stinger radius, as far as not given, such that the static checks of the model
+/// pass. Given values are kept; if a check is exceeded with them, the note of the model names it. Returns a message if
+/// the options are invalid or no permitted choice passes.
 std::variant<NewLay, std::string> choose_lay(const NewOptions& options);
 
 }  // namespace overbend

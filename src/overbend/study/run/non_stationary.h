@@ -1,4 +1,4 @@
-/// Runs in which something happens after which the record is another.
+/// Runs whose records are not stationary.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@
 
 namespace overbend {
 
-/// What happened, as a clause: a line parted, an anchor dragged, a brake rendered, a winch or the vessel moved, the
-/// hull was let go from an offset. Empty where nothing did. Reads the mooring lines of `results`.
+/// Returns the event that makes the record non-stationary, as a clause: a line parted, an anchor dragged, a brake
+/// rendered, a winch or the vessel moved, the hull was released from an offset. Empty if there is none. Reads the
+/// mooring lines of `results`.
 std::string non_stationary(const Description& description, const DynamicResults& results);
 
-/// How the warning of such a run begins.
+/// Opening of the warning of such a run.
 inline constexpr std::string_view kNotStationary = "the record is not stationary";
 
-/// Whether it is among the warnings of a run: of several runs with one there are no extremes of three hours either.
+/// True if the findings of a run contain this warning; several runs with one such run have no three-hour extremes.
 bool is_not_stationary(const Findings& findings);
 
 }  // namespace overbend

@@ -7,14 +7,14 @@
 #include <iterator>
 
 #include "dynamics/integrator/dynamics.h"
-#include "dynamics/setup/dynamic_obstacle.h"
-#include "model/description/operation_words.h"
+#include "dynamics/setup/unsupported_in_dynamics.h"
+#include "model/description/operation_names.h"
 #include "model/model_findings.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 #include "modelfile/yaml/input_place.h"
 #include "seafiles/hydrodynamics_reader.h"
 #include "statics/recovery/history_effect.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
@@ -24,9 +24,9 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// A stage by its bits in SI: its words hang on the units that are shown.
+/// Identifies a stage by the bits of its values in SI; its displayed values depend on the units shown.
 std::string stage_text(const LayStageDescription& stage, OperationType type) {
-  std::string text = fmt::format("stage '{}' of the operation {}:", stage.name, operation_word(type));
+  std::string text = fmt::format("stage '{}' of the operation {}:", stage.name, operation_name(type));
   for (const std::optional<double>& value : {stage.cable_out, stage.pipe_out, stage.passed, stage.ahead, stage.tension,
                                              stage.bottom_tension, stage.tank_weight, stage.tank_ballast}) {
     text += value ? fmt::format(" {:a}", *value) : " -";
@@ -34,7 +34,7 @@ std::string stage_text(const LayStageDescription& stage, OperationType type) {
   return text;
 }
 
-/// Those that the model names, of a hull's files of one stem all that may be read.
+/// Returns the files that the model names, including all hydrodynamic files of one stem that may be read.
 std::vector<std::string> named_files(const Description& d) {
   std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
                                     d.environment.seabed.bathymetry_file};
@@ -47,23 +47,23 @@ std::vector<std::string> named_files(const Description& d) {
       files.push_back(stem + ending);
     }
   }
-  std::error_code fault;
-  std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, fault); });
+  std::error_code error;
+  std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, error); });
   return files;
 }
 
-/// What the run in time does otherwise than statics of a hull alone lead one to think.
-void note_hull_in_time(const Description& description, StaticResults& statics) {
+/// Notes differences between the dynamic run and a static analysis of the hull alone.
+void add_dynamic_hull_notes(const Description& description, StaticResults& statics) {
   if (statics.moorings && statics.moorings->operation == "moored" && !statics.moorings->stages.empty()) {
     statics.findings.push_back(
         {FindingCode::stages_at_rest,
-         "the stages of the operation are states at rest: the run in time starts from the rest before them"});
+         "the stages of the operation are static states: the dynamic run starts from the equilibrium before them"});
   }
   if (hull_is_free(description) && description.vessel.motion != VesselMotion::coupled) {
     statics.findings.push_back(
         {FindingCode::vessel_moves_as_prescribed,
-         "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
-         "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free"});
+         "in the dynamic run the vessel follows vessel.motion from its equilibrium and does not respond to its lines: "
+         "vessel.hydrostatics apply to statics only; use vessel.motion.coupled for a floating hull"});
   }
 }
 
@@ -71,8 +71,10 @@ StaticResults statics_before_run(const Model& model, const ModelEquilibrium& equ
   StaticResults statics = checked_statics(model, equilibrium);
   const bool pipe = equilibrium.solution->has_pipe();
   if (pipe) note_history_effect(model, *equilibrium.solution, statics);
-  tell_hull(model, statics);
-  if (!pipe && (statics.moorings || hull_is_free(model.description))) note_hull_in_time(model.description, statics);
+  add_hull_results(model, statics);
+  if (!pipe && (statics.moorings || hull_is_free(model.description))) {
+    add_dynamic_hull_notes(model.description, statics);
+  }
   return statics;
 }
 
@@ -80,7 +82,7 @@ StaticResults statics_before_run(const Model& model, const ModelEquilibrium& equ
 
 std::string input_text(const Description& d) {
   std::string text = d.source_text;
-  // What the files hold, not where they lie: that depends on how the model's own path was written.
+  // The contents of the files, not their paths: these depend on how the path of the model was written.
   for (const std::string& file : named_files(d)) {
     text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
   }
@@ -102,34 +104,34 @@ std::string failure_line(const StaticFailure& failure) {
   return failure.what + where + ": " + failure.why;
 }
 
-RunEnd failed_end(const StaticFailure& failure, const Description& description) {
+RunResult failure_result(const StaticFailure& failure, const Description& description) {
   if (failure.input && !failure.key.empty()) {
-    return {RunEnding::wrong_input,
+    return {RunStatus::wrong_input,
             input_place(description.source_file, description.source_text, failure.key) + ": " + failure_line(failure)};
   }
-  if (failure.input) return {RunEnding::wrong_input, failure_line(failure)};
-  return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
+  if (failure.input) return {RunStatus::wrong_input, failure_line(failure)};
+  return {RunStatus::no_solution, "no solution: " + failure_line(failure)};
 }
 
-std::optional<RunEnd> refuse_calm_run(const Description& description) {
+std::optional<RunResult> reject_calm_run(const Description& description) {
   for (const Finding& finding : model_findings(build_model(description))) {
     if (finding.code != FindingCode::nothing_moves) continue;
-    return RunEnd{RunEnding::wrong_input,
-                  finding.message +
-                      "; give a sea, for example environment.waves: {type: jonswap, hs: 1.5 m, tp: 7 s}, "
-                      "and vessel.motion"};
+    return RunResult{RunStatus::wrong_input,
+                     finding.message +
+                         "; add waves, for example environment.waves: {type: jonswap, hs: 1.5 m, tp: 7 s}, "
+                         "and vessel.motion"};
   }
   return std::nullopt;
 }
 
-std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description,
-                                                                       const std::vector<ControllerUse>& controllers) {
+std::variant<std::shared_ptr<const PreparedCase>, RunResult> prepare_case(
+    const Description& description, const std::vector<ControllerUse>& controllers) {
   Model model = build_model(description);
-  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
-    return failed_end(*obstacle, description);
+  if (const std::optional<StaticFailure> unsupported = unsupported_in_dynamics(model)) {
+    return failure_result(*unsupported, description);
   }
   ModelEquilibrium equilibrium = solve_equilibrium(model);
-  if (equilibrium.failure) return failed_end(*equilibrium.failure, description);
+  if (equilibrium.failure) return failure_result(*equilibrium.failure, description);
   StaticResults statics = statics_before_run(model, equilibrium);
   const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
       description, std::move(model), std::move(*equilibrium.solution), std::move(statics), input_text(description)});

@@ -1,7 +1,7 @@
 #include "study/run/recheck.h"
 
 #include "base/yaml_document.h"
-#include "checks/checked_again.h"
+#include "checks/recheck_key.h"
 #include "checks/run_checks.h"
 #include "model/lay_stage.h"
 #include "modelfile/reading/yaml_reader.h"
@@ -12,21 +12,21 @@
 #include "resultfiles/stages/operation_reader.h"
 #include "runstore/staged_folder.h"
 #include "runstore/written_files.h"
-#include "study/run/static_run.h"
+#include "study/run/static_analysis.h"
 
 namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
 
-YamlChange change_of(const std::string& text) {
+YamlChange parse_change(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string path = text.substr(0, equals);
   if (equals == std::string::npos) {
-    throw RecheckFault("--set " + text + ": expected a key and its value, such as checks.safety_class=high");
+    throw RecheckError("--set " + text + ": expected a key and its value, such as checks.safety_class=high");
   }
   if (!path.starts_with("checks.")) {
-    throw RecheckFault("--set " + path +
+    throw RecheckError("--set " + path +
                        ": only keys below 'checks' can be set for stored results; the others need a new analysis");
   }
   const std::string value = text.substr(equals + 1);
@@ -37,18 +37,18 @@ YamlChange change_of(const std::string& text) {
   return {path, kind, value};
 }
 
-/// Without the files that the model names: checks need none of them.
+/// Reads the model without the files that it names; checks need none of them.
 Description read_stored(const std::string& text, const std::string& file) {
-  Diagnostics faults;
-  const std::optional<YamlNode> root = parse_yaml(text, file, faults);
+  Diagnostics diagnostics;
+  const std::optional<YamlNode> root = parse_yaml(text, file, diagnostics);
   ModelReading reading;
-  if (root && !faults.has_errors()) {
-    reading = read_still_model(*root, file);
-    faults = reading.diagnostics;
+  if (root && !diagnostics.has_errors()) {
+    reading = read_statics_inputs(*root, file);
+    diagnostics = reading.diagnostics;
   }
   if (!reading.description) {
-    const std::vector<std::string> errors = faults.lines(Severity::error);
-    throw RecheckFault(errors.empty() ? file + " cannot be read" : errors.front());
+    const std::vector<std::string> errors = diagnostics.lines(Severity::error);
+    throw RecheckError(errors.empty() ? file + " cannot be read" : errors.front());
   }
   reading.description->source_text = text;
   return std::move(*reading.description);
@@ -56,17 +56,17 @@ Description read_stored(const std::string& text, const std::string& file) {
 
 std::string edited(const std::string& text, const std::vector<std::string>& changes) {
   std::vector<YamlChange> all;
-  for (const std::string& change : changes) all.push_back(change_of(change));
+  for (const std::string& change : changes) all.push_back(parse_change(change));
   try {
     return edit_yaml(text, all);
-  } catch (const YamlEditFault& fault) {
-    throw RecheckFault(fault.what());
+  } catch (const YamlEditError& error) {
+    throw RecheckError(error.what());
   }
 }
 
-/// The model of the stored results: the lay, or the stage of its operation that they are of.
+/// Returns the model of the stored results: the lay, or the stage of its operation.
 Description at_stored_stage(Description description, const StoredStatics& stored) {
-  return stored.stage ? at_stage(description, *stored.stage) : std::move(description);
+  return stored.stage ? make_stage_description(description, *stored.stage) : std::move(description);
 }
 
 Rechecked read_results(const fs::path& h5, StoredStatics& stored) {
@@ -82,11 +82,11 @@ Rechecked read_results(const fs::path& h5, StoredStatics& stored) {
   return again;
 }
 
-/// Throws where a change asks for what the results do not hold.
+/// Throws if a change needs data that the results do not hold.
 void require_same_analysis(const Model& before, const Model& after, bool in_time) {
   const std::string key = key_for_new_analysis(before, after, in_time);
   if (key.empty()) return;
-  throw RecheckFault(key + " cannot be changed for these results: they do not hold what the checks need of " +
+  throw RecheckError(key + " cannot be changed for these results, which lack the data that the checks need of " +
                      (in_time ? "every step" : "the lay without its current") + "; run the model again");
 }
 
@@ -102,7 +102,7 @@ Rechecked recheck(const fs::path& h5, const std::vector<std::string>& changes) {
   fill_checks(after, again.statics);
   accept(again.statics.findings, after.description.checks.accepted_findings);
   if (again.dynamics) {
-    take_class(again.dynamics->design, after.description.checks.safety_class);
+    select_safety_class(again.dynamics->design, after.description.checks.safety_class);
     fill_checks(after, again.statics, *again.dynamics);
     accept(again.dynamics->findings, after.description.checks.accepted_findings);
   }
@@ -116,8 +116,8 @@ RecheckedOperation recheck_operation(const fs::path& h5, const std::vector<std::
                            std::move(stored.results)};
   for (StageResult& stage : again.results.stages) {
     if (!stage.lay) continue;
-    const Model after = build_model(at_stage(again.description, stage.stage));
-    require_same_analysis(build_model(at_stage(before, stage.stage)), after, false);
+    const Model after = build_model(make_stage_description(again.description, stage.stage));
+    require_same_analysis(build_model(make_stage_description(before, stage.stage)), after, false);
     fill_checks(after, *stage.lay);
     accept(stage.lay->findings, after.description.checks.accepted_findings);
   }

@@ -1,4 +1,4 @@
-/// Runs several cases at the same time, a thread each: progress, interruption, resuming.
+/// Runs several cases concurrently, one thread each, with progress, interruption and resuming.
 #pragma once
 
 #include <filesystem>
@@ -11,47 +11,50 @@
 
 namespace overbend {
 
-/// One of them.
+/// One run of the batch.
 struct CaseRun {
-  std::string name;                              ///< Of its case.
-  std::shared_ptr<const PreparedCase> prepared;  ///< May be another for each run.
+  std::string name;                              ///< Name of its case.
+  std::shared_ptr<const PreparedCase> prepared;  ///< May differ from run to run.
   std::uint64_t seed = 1;
-  std::filesystem::path folder;  ///< Of its results, its own.
-  double from = 0.0;             ///< Where it is taken up [s]; the end where it was finished before.
-  bool begun_before = false;     ///< There is a checkpoint to go on from, or it is finished.
-  bool ended = false;            ///< Well or not, now or before.
-  RealisationEnd end{};          ///< Of several without the results, which are in their folders.
+  std::filesystem::path folder;  ///< Folder of its results, not shared.
+  double from = 0.0;             ///< Time from which it is resumed [s]; the end of the run if it was finished before.
+  bool started_before = false;   ///< True if there is a checkpoint to resume from, or it is finished.
+  bool ended = false;            ///< True if it has ended, successfully or not, now or before.
+  RealisationResult end{};       ///< Result; of several runs without the results, which are in their folders.
 };
 
 struct CaseOptions {
-  bool resume = false;             ///< Finished runs are kept, begun ones taken up.
-  double checkpoint_every = 30.0;  ///< Of each run [s].
-  int threads = 0;                 ///< Runs at work at the same time; 0: as many as there are cores.
+  bool resume = false;             ///< Finished runs are kept, started ones resumed.
+  double checkpoint_every = 30.0;  ///< Interval of the checkpoints of each run [s].
+  int threads = 0;                 ///< Number of concurrent runs; 0: the number of cores.
 };
 
-/// Whoever follows the runs. All but begin() is called from several threads.
-class CaseWatch {
+/// Observer of the runs. All functions but begin() are called from several threads.
+class CaseObserver {
  public:
-  CaseWatch() = default;
-  virtual ~CaseWatch() = default;
-  CaseWatch(const CaseWatch&) = delete;
-  CaseWatch& operator=(const CaseWatch&) = delete;
+  CaseObserver() = default;
+  virtual ~CaseObserver() = default;
+  CaseObserver(const CaseObserver&) = delete;
+  CaseObserver& operator=(const CaseObserver&) = delete;
 
-  /// Whether the runs shall stop, each at a checkpoint. Asked after every row of output.
+  /// True if the runs shall stop, each at a checkpoint. Called after every output row.
   virtual bool stop() = 0;
-  /// Once, before the first run; those that are `ended` are not run again.
+  /// Called once before the first run; runs that are `ended` are not repeated.
   virtual void begin(const std::vector<CaseRun>& runs);
-  /// Run number `run` begins.
+  /// Called when run number `run` starts.
   virtual void started(std::size_t run);
-  virtual void progress(std::size_t run, const DynamicProgress& at);
+  /// Called after every output row of a run.
+  virtual void progress(std::size_t run, const DynamicProgress& progress);
+  /// Called with the columns and values of every output row of a run.
   virtual void row(std::size_t run, const std::vector<HistoryColumn>& columns, std::span<const double> values);
-  /// With its results, for the last time. Not called for runs that were finished before.
+  /// Called once at the end, with the results. Not called for runs that were finished before.
   virtual void ended(std::size_t run, const CaseRun& how);
 };
 
-/// Runs all into their folders; what they give does not depend on the number of threads. One that fails does not stop
-/// the others. `files` is held while files of results are read or written, for the library below them serves one thread
-/// alone. Done when each run has ended, well or not; wrong_input when what is to be resumed is of another input.
-RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, FileLock& files);
+/// Runs all cases into their folders; the results do not depend on the number of threads. A failed run does not stop
+/// the others. `files` is held while files of results are read or written, because the library below serves one thread
+/// only. Returns done when each run has ended, successfully or not; wrong_input if what is to be resumed has another
+/// input.
+RunResult run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseObserver& watch, FileLock& files);
 
 }  // namespace overbend

@@ -9,7 +9,7 @@
 
 #include "base/constants.h"
 #include "base/shown_unit.h"
-#include "mechanics/sea_range.h"
+#include "mechanics/sea_outside_range.h"
 #include "model/waves/rao_table.h"
 #include "numerics/record_part.h"
 #include "study/run/non_stationary.h"
@@ -17,18 +17,26 @@
 namespace overbend {
 namespace {
 
-constexpr double kOffMean = 0.02;               ///< Of the wanted tension, worth a word [-].
-constexpr double kDrift = 0.01;                 ///< Likewise, over the run [-].
-constexpr double kMostDrift = 1e-3;             ///< Of the energy balance: beyond it, the run is not resolved [-].
-constexpr double kStandsStill = 1e-9;           ///< [m, rad]
-constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
-constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
-constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].
+constexpr double kReportedMeanDeviation =
+    0.02;                                       ///< Deviation of the mean tension from its target that is reported [-].
+constexpr double kDrift = 0.01;                 ///< Drift of the mean tension over the run that is reported [-].
+constexpr double kMaxEnergyDrift = 1e-3;        ///< Error of the energy balance beyond which the run is not resolved
+                                                ///< [-].
+constexpr double kNoMotion = 1e-9;              ///< Standard deviation below which a vessel does not move [m, rad].
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Heel or trim beyond which hydrostatic restoring is not linear
+                                                ///< [rad].
+constexpr double kReportedUncertainty = 0.1;  ///< Relative standard error of a standard deviation that is reported [-].
+constexpr double kTravelRows = 1.0;           ///< Sampling interval of the tensioner's travel [s].
 constexpr std::size_t kBlocks = 8;
-constexpr double kBesideTable = 0.05;  ///< Of the sea's variance beside the frequencies of the RAOs, worth a word [-].
-constexpr double kAlike = 0.5;         ///< Autocorrelation of the sea's components at a later time, likewise [-].
-constexpr int kManyWaves = 100;        ///< So many do not come back to themselves in a day.
-constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
+constexpr double kReportedVarianceOutside = 0.05;  ///< Fraction of the sea's variance outside the frequencies of the
+                                                   ///< RAOs that is reported [-].
+constexpr double kReportedAutocorrelation =
+    0.5;                               ///< Autocorrelation of the sea's components at a later time that is reported
+                                       ///< [-].
+constexpr int kManyWaves = 100;        ///< Number of wave components from which a sea does not repeat itself within a
+                                       ///< day.
+constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records exceed them by
+                                       ///< chance.
 
 bool is_irregular(WaveType type) {
   return type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
@@ -64,11 +72,11 @@ void warn_of_short_run(DynamicResults& results) {
           .with("duration", results.duration, "s"));
 }
 
-void warn_of_still_vessel(DynamicResults& results) {
-  if (results.station_s.empty() && results.moorings.empty()) return;  // lines may have no vessel at all
-  if (deviation(results, "elevation") <= kStandsStill) return;
+void warn_of_fixed_vessel(DynamicResults& results) {
+  if (results.station_s.empty() && results.moorings.empty()) return;  // models of lines only have no vessel
+  if (deviation(results, "elevation") <= kNoMotion) return;
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
-    if (deviation(results, freedom) > kStandsStill) return;
+    if (deviation(results, freedom) > kNoMotion) return;
   }
   results.findings.push_back(Finding{
       FindingCode::vessel_fixed_in_sea,
@@ -81,7 +89,7 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   const TensionerDynamics& t = results.tensioner;
   if (t.wanted <= 0.0) return;
   const double off = t.tension.mean / t.wanted - 1.0;
-  if (std::abs(off) > kOffMean) {
+  if (std::abs(off) > kReportedMeanDeviation) {
     results.findings.push_back(
         Finding{FindingCode::mean_tension_off_target,
                 fmt::format("the mean tension at the tensioner is {}, {:.1f} % {} the set tension of {}",
@@ -106,7 +114,7 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
 }  // namespace
 
 void warn_of_energy(double drift, bool fixed_step, DynamicResults& results) {
-  if (std::abs(drift) <= kMostDrift) return;
+  if (std::abs(drift) <= kMaxEnergyDrift) return;
   results.findings.push_back(
       Finding{FindingCode::energy_imbalance,
               fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is "
@@ -118,14 +126,14 @@ void warn_of_energy(double drift, bool fixed_step, DynamicResults& results) {
 }
 
 double trend(std::span<const double> values) {
-  const std::size_t each = values.size() / kBlocks;
-  if (each == 0) return 0.0;
+  const std::size_t block_size = values.size() / kBlocks;
+  if (block_size == 0) return 0.0;
   constexpr double n = kBlocks;
   std::array<double, kBlocks> mean{};
   double all = 0.0;
   for (std::size_t b = 0; b < kBlocks; ++b) {
-    const std::span<const double> block = values.subspan(b * each, each);
-    mean[b] = std::accumulate(block.begin(), block.end(), 0.0) / static_cast<double>(each);
+    const std::span<const double> block = values.subspan(b * block_size, block_size);
+    mean[b] = std::accumulate(block.begin(), block.end(), 0.0) / static_cast<double>(block_size);
     all += mean[b] / n;
   }
   double squares = 0.0, product = 0.0, left = 0.0;
@@ -140,19 +148,19 @@ double trend(std::span<const double> values) {
   return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
 }
 
-void warn_of_tensioners_chance(const Description& description, std::span<const double> travel,
-                               DynamicResults& results) {
+void warn_of_tensioner_uncertainty(const Description& description, std::span<const double> travel,
+                                   DynamicResults& results) {
   const bool irregular = is_irregular(description.environment.waves.type);
   if (description.operation.type == OperationType::pull_ahead) return;
   const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
   if (!irregular || acted == 0) return;
   const double error = deviation_error(travel, results.output_step, kTravelRows);
-  if (error <= kUncertain) return;
+  if (error <= kReportedUncertainty) return;
   results.findings.push_back(Finding{
       FindingCode::tensioner_statistics_uncertain,
       fmt::format(
           "the tensioner acted {} times in {:.3g} min: the standard deviation of its travel, {}, is known to {:.0f} % "
-          "(one standard error), and no better what follows from it; take a longer run, or several seeds",
+          "(one standard error), as are results that depend on it; use a longer run, or several seeds",
           acted, results.duration / 60.0, shown(results.tensioner.travel.std, "m", 2), 100.0 * error)}
                                  .on("tensioner")
                                  .with("error", error, "1"));
@@ -160,16 +168,16 @@ void warn_of_tensioners_chance(const Description& description, std::span<const d
 
 void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results) {
   if (vessel.motion != VesselMotion::coupled) return;
-  const auto largest = [&](const char* name) {
+  const auto max_magnitude = [&](const char* name) {
     const HistorySummary* h = history(results, name);
     return h == nullptr ? 0.0 : std::max(std::abs(h->over_time.min), std::abs(h->over_time.max));
   };
-  const double heel = largest("roll"), trim = largest("pitch"), heave = largest("heave");
+  const double heel = max_magnitude("roll"), trim = max_magnitude("pitch"), heave = max_magnitude("heave");
   if (std::max(heel, trim) > kLargeAngle) {
     results.findings.push_back(
         Finding{FindingCode::vessel_angle_nonlinear,
-                fmt::format("the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the "
-                            "restoring of the water is not linear, as it is taken to be",
+                fmt::format("the vessel heels by up to {:.1f} deg and trims by up to {:.1f} deg: beyond 10 deg the "
+                            "hydrostatic restoring is not linear, as the analysis assumes",
                             heel * kToDegrees, trim * kToDegrees)}
             .on("vessel")
             .with("roll", heel, "rad")
@@ -179,8 +187,8 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
   if (heave > 0.5 * freeboard) {
     results.findings.push_back(
         Finding{FindingCode::vessel_heave_nonlinear,
-                fmt::format("the vessel heaves by {} at most, more than half its freeboard of {}: the restoring of the "
-                            "water is not linear there, as it is taken to be",
+                fmt::format("the vessel heaves by up to {}, more than half its freeboard of {}: the hydrostatic "
+                            "restoring is not linear there, as the analysis assumes",
                             shown(heave, "m", 2), shown(freeboard, "m", 2))}
             .on("vessel")
             .with("heave", heave, "m"));
@@ -193,40 +201,40 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
   const bool few = is_irregular(waves.type) && waves.components < kManyWaves;
   const Sea sea = make_sea(waves, description.environment.water_depth, results.seed);
   const double again = few ? recurrence(sea, results.build_up + results.duration) : 0.0;
-  if (again > kAlike) {
-    results.findings.push_back(Finding{
-        FindingCode::few_wave_components,
-        fmt::format("the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} "
-                    "again, where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
-                    waves.components, again)}
-                                   .with("autocorrelation", again, "1"));
+  if (again > kReportedAutocorrelation) {
+    results.findings.push_back(
+        Finding{FindingCode::few_wave_components,
+                fmt::format("the sea of {} waves repeats itself within the run: its autocorrelation rises to {:.2f} "
+                            "again, where 200 waves in three hours reach 0.2; use more (environment.waves.components)",
+                            waves.components, again)}
+            .with("autocorrelation", again, "1"));
   }
   if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
   const std::vector<double>& omegas = description.vessel.raos->omegas;
-  const SeaBeside beside = sea_beside(sea, omegas.front(), omegas.back());
-  if (beside.above > kBesideTable) {
+  const SeaOutsideRange outside = sea_outside_range(sea, omegas.front(), omegas.back());
+  if (outside.above > kReportedVarianceOutside) {
     results.findings.push_back(Finding{
         FindingCode::sea_outside_raos,
         fmt::format("{:.0f} % of the sea's variance lies above the highest frequency of the RAOs, {:.3g} rad/s: up to "
-                    "1.25 times that frequency the motion that they give fades, and beyond it the vessel does not move",
-                    100.0 * beside.above, omegas.back())}
-                                   .with("fraction", beside.above, "1"));
+                    "1.25 times that frequency the vessel motion fades out, and beyond it the vessel does not move",
+                    100.0 * outside.above, omegas.back())}
+                                   .with("fraction", outside.above, "1"));
   }
-  if (beside.below > kBesideTable) {
+  if (outside.below > kReportedVarianceOutside) {
     results.findings.push_back(
         Finding{FindingCode::sea_outside_raos,
                 fmt::format("{:.0f} % of the sea's variance lies below the lowest frequency of the RAOs, {:.3g} rad/s, "
-                            "where translations are those of that frequency and rotations fall with the frequency",
-                            100.0 * beside.below, omegas.front())}
-            .with("fraction", beside.below, "1"));
+                            "where translations are those of that frequency and rotations decrease with the frequency",
+                            100.0 * outside.below, omegas.front())}
+            .with("fraction", outside.below, "1"));
   }
 }
 
 void warn_of_run(const Description& description, DynamicResults& results, std::span<const double> tension) {
-  const bool alike = !is_irregular(description.environment.waves.type);  // the peaks of a regular wave
+  const bool alike = !is_irregular(description.environment.waves.type);  // regular waves have equal peaks
   if (!alike) warn_of_short_run(results);
   warn_of_change(results);
-  warn_of_still_vessel(results);
+  warn_of_fixed_vessel(results);
   warn_of_tension(results, tension);
   warn_of_energy(results.energy.drift(), description.dynamics && description.dynamics->step, results);
 }

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 constexpr const char* kRecord = "run.json";
 constexpr std::array kStates = {"queued", "running", "done", "failed", "cancelled"};
 
-/// What an unknown word stands for did not come to its end.
-RunState state_of(const std::string& name) {
+/// An unknown state counts as failed.
+RunState parse_state(const std::string& name) {
   for (std::size_t i = 0; i < kStates.size(); ++i) {
     if (kStates[i] == name) return static_cast<RunState>(i);
   }
@@ -36,7 +36,7 @@ Json record_json(const RunRecord& r) {
           {"input", r.input},       {"program", r.program}};
 }
 
-RunRecord record_of(const Json& json) {
+RunRecord parse_record(const Json& json) {
   RunRecord r;
   r.kind = json.value("kind", "static");
   r.of = json.value("of", "");
@@ -45,7 +45,7 @@ RunRecord record_of(const Json& json) {
   r.stage = json.value("stage", "");
   r.duration = json.value("duration", 0.0);
   r.model_path = json.value("model_path", "");
-  r.state = state_of(json.value("state", ""));
+  r.state = parse_state(json.value("state", ""));
   r.progress = json.value("progress", 0.0);
   r.started = json.value("started", 0.0);
   r.message = json.value("message", "");
@@ -57,16 +57,16 @@ RunRecord record_of(const Json& json) {
   return r;
 }
 
-/// A queue of runs and the run at work change the same record, each its part.
+/// The queue and the running run change different parts of the same record.
 std::mutex& records() {
   static std::mutex mutex;
   return mutex;
 }
 
 void replace_record(const RunRecord& record, const fs::path& folder) {
-  const fs::path beside = folder / "run.json.part";
-  write_text(beside, json_text(record_json(record), 2) + "\n");
-  fs::rename(beside, folder / kRecord);
+  const fs::path partial = folder / "run.json.part";
+  write_text(partial, json_text(record_json(record), 2) + "\n");
+  fs::rename(partial, folder / kRecord);
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ const char* word(RunState state) {
 std::optional<RunRecord> read_record(const fs::path& folder) {
   try {
     const Json json = read_json_file(folder / kRecord);
-    if (json.is_object()) return record_of(json);
-  } catch (const Json::exception&) {  // a file that only looks like ours
+    if (json.is_object()) return parse_record(json);
+  } catch (const Json::exception&) {  // a file of another program with the same name
   }
   return std::nullopt;
 }
@@ -108,7 +108,7 @@ void mark_finished(const fs::path& folder, const std::string& kind, const std::s
   });
 }
 
-void unmark(const fs::path& folder) {
+void mark_unfinished(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / kRecord, ignored)) return;
   try {
@@ -128,7 +128,7 @@ bool is_finished(const fs::path& folder, const std::string& input) {
   if (record->input == text_hash(input) && record->program == program_identity()) return true;
   throw std::runtime_error(
       "'" + folder.string() +
-      "' has results of another model file, another --duration or another build of the program; start again with "
+      "' holds results of another model file, another --duration or another build of the program; start again with "
       "--restart");
 }
 

@@ -14,8 +14,8 @@ double normal_below(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// Inverse of the normal distribution: Newton's method on log-free tails from a rational start (Abramowitz and Stegun
-/// 1964, 26.2.23), to the accuracy of erfc.
+/// Inverse of the normal distribution: Newton's method from a rational start (Abramowitz and Stegun 1964, 26.2.23), to
+/// the accuracy of erfc.
 double normal_quantile(double p) {
   if (p > 0.5) return -normal_quantile(1.0 - p);
   const double t = std::sqrt(-2.0 * std::log(p));
@@ -23,12 +23,12 @@ double normal_quantile(double p) {
   for (int i = 0; i < 3; ++i) {
     const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
     const double newton = (normal_below(z) - p) / density;
-    z -= newton / (1.0 + 0.5 * z * newton);  // Halley's step: the density falls fast in the tail
+    z -= newton / (1.0 + 0.5 * z * newton);  // Halley's step: the density decreases rapidly in the tail
   }
   return z;
 }
 
-/// Of the logarithm of a log-normal key.
+/// Mean and standard deviation of the logarithm of a log-normal key.
 struct LogNormal {
   double mean, std;
   explicit LogNormal(const SampledKey& key) {
@@ -38,7 +38,7 @@ struct LogNormal {
   }
 };
 
-/// Probability of a value below x, without bounds. Of those that may have bounds.
+/// Probability of a value below x without bounds, for distributions that may have bounds.
 double below(const SampledKey& key, double x) {
   if (std::isinf(x)) return x > 0.0 ? 1.0 : 0.0;
   switch (key.distribution) {
@@ -94,8 +94,8 @@ double quantile(const SampledKey& key, double p) {
   const bool cut =
       key.bounded && key.distribution != Distribution::uniform && key.distribution != Distribution::triangular;
   if (!cut) return free_quantile(key, std::clamp(p, kEdge, 1.0 - kEdge));
-  const double least = below(key, key.from), most = below(key, key.to);
-  return std::clamp(free_quantile(key, std::clamp(least + p * (most - least), kEdge, 1.0 - kEdge)), key.from, key.to);
+  const double p_from = below(key, key.from), p_to = below(key, key.to);
+  return std::clamp(free_quantile(key, std::clamp(p_from + p * (p_to - p_from), kEdge, 1.0 - kEdge)), key.from, key.to);
 }
 
 std::vector<std::vector<double>> latin_hypercube(const StudySample& sample) {

@@ -7,13 +7,13 @@
 
 namespace overbend {
 
-/// Value below which the key lies with probability `p` in 0 to 1 exclusive [SI]; its bounds cut the distribution off
-/// and what is left is scaled to 1.
+/// Returns the value that the key does not exceed with probability `p`, 0 < p < 1 [SI]; its bounds truncate the
+/// distribution, which is scaled to 1.
 double quantile(const SampledKey& key, double p);
 
-/// `count` draws, each with a value for every key [SI]. Of every key one value lies in each of `count` equally probable
-/// ranges; which go together is a random permutation of each key by itself (McKay, Beckman and Conover 1979). The same
-/// seed gives the same draws on every machine.
+/// Returns `count` draws, each with a value for every key [SI]. For every key one value lies in each of `count` equally
+/// probable intervals, combined by an independent random permutation per key (McKay, Beckman and Conover 1979). The
+/// same seed gives the same draws on every machine.
 std::vector<std::vector<double>> latin_hypercube(const StudySample& sample);
 
 }  // namespace overbend

@@ -11,7 +11,7 @@
 namespace overbend {
 namespace {
 
-/// What is compared of a run, and how it is found there.
+/// A compared quantity and the function that evaluates it.
 struct Rule {
   SeedQuantity quantity;
   double (*value)(const DynamicResults&);
@@ -30,7 +30,7 @@ std::vector<Rule> tensioner_rules() {
       {{"time_out_of_range", "s", "Time out of the operational range"},
        [](const Results& r) { return r.tensioner.time_out_of_range; }},
       {{"time_at_limit", "s", "Time at its travel limit"}, [](const Results& r) { return r.tensioner.time_at_limit; }},
-      {{"largest_travel", "m", "Largest travel, either way"},
+      {{"largest_travel", "m", "Largest travel in either direction"},
        [](const Results& r) { return std::max(std::abs(r.tensioner.travel.min), std::abs(r.tensioner.travel.max)); }},
       {{"pay_out_count", "1", "Number of pay-outs"},
        [](const Results& r) { return static_cast<double>(r.tensioner.pay_out_count); }},
@@ -41,13 +41,13 @@ std::vector<Rule> tensioner_rules() {
   };
 }
 
-/// The largest of a member over all rollers.
-double largest(const Results& results, double RollerDynamics::*member) {
-  double most = 0.0;
+/// Maximum of a member over all rollers.
+double max_over_rollers(const Results& results, double RollerDynamics::*member) {
+  double max = 0.0;
   for (const SupportDynamics& box : results.supports) {
-    for (const RollerDynamics& roller : box.rollers) most = std::max(most, roller.*member);
+    for (const RollerDynamics& roller : box.rollers) max = std::max(max, roller.*member);
   }
-  return most;
+  return max;
 }
 
 double boxes_carrying(const Results& results) {
@@ -70,18 +70,18 @@ std::vector<Rule> contact_rules() {
                                                   [](const SupportDynamics& box) { return box.contact_share <= 0.0; }));
        }},
       {{"largest_dent_depth", "m", "Deepest dent of bare steel"},
-       [](const Results& r) { return largest(r, &RollerDynamics::dent_depth); }},
+       [](const Results& r) { return max_over_rollers(r, &RollerDynamics::dent_depth); }},
       {{"largest_line_load", "N/m", "Largest line load on the coating"},
-       [](const Results& r) { return largest(r, &RollerDynamics::line_load); }},
+       [](const Results& r) { return max_over_rollers(r, &RollerDynamics::line_load); }},
   };
 }
 
-std::vector<Rule> rules_of(ComparisonOf of) {
-  return of == ComparisonOf::tensioner ? tensioner_rules() : contact_rules();
+std::vector<Rule> make_rules(ComparisonType of) {
+  return of == ComparisonType::tensioner ? tensioner_rules() : contact_rules();
 }
 
-/// Five periods of the sea up to the end, whole seconds; a minute where it has none.
-double close_look(const WavesDescription& waves, double duration) {
+/// Start of the detailed view: five wave periods before the end, in whole seconds; one minute in calm water.
+double find_detail_start(const WavesDescription& waves, double duration) {
   constexpr double kPeriods = 5.0;
   const double period = waves.period > 0.0 ? waves.period : waves.tp;
   return std::max(0.0, duration - (period > 0.0 ? std::ceil(kPeriods * period) : 60.0));
@@ -122,7 +122,8 @@ std::vector<ComparedBoxes> compared_boxes(const std::vector<ComparedRun>& runs) 
   return boxes;
 }
 
-std::vector<double> values_of(const std::vector<Rule>& rules, const StaticResults& statics, const Results& results) {
+std::vector<double> compute_values(const std::vector<Rule>& rules, const StaticResults& statics,
+                                   const Results& results) {
   std::vector<double> values;
   for (const Rule& rule : rules) values.push_back(rule.value(results));
   const std::vector<double> key = seed_values(statics, results);
@@ -133,36 +134,36 @@ std::vector<double> values_of(const std::vector<Rule>& rules, const StaticResult
 }  // namespace
 
 std::vector<TensionerSpan> tensioner_spans(const std::vector<double>& time, const std::vector<double>& state) {
-  if (time.size() != state.size()) throw std::invalid_argument("a state for each time");
+  if (time.size() != state.size()) throw std::invalid_argument("tensioner_spans: time and state differ in length");
   std::vector<TensionerSpan> spans;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    const int now = static_cast<int>(std::lround(state[i]));
+    const int value = static_cast<int>(std::lround(state[i]));
     if (!spans.empty()) spans.back().to = time[i];
-    if (spans.empty() || spans.back().state != now) spans.push_back({time[i], time[i], now});
+    if (spans.empty() || spans.back().state != value) spans.push_back({time[i], time[i], value});
   }
   return spans;
 }
 
-Comparison gather_comparison(ComparisonOf of, const Description& description, const StaticResults& statics,
+Comparison gather_comparison(ComparisonType of, const Description& description, const StaticResults& statics,
                              const std::vector<FinishedVariant>& variants) {
   const DynamicSettings& settings = *description.dynamics;
   Comparison all;
   all.of = of;
   all.duration = settings.duration;
   all.build_up = settings.build_up;
-  all.close_from = close_look(description.environment.waves, settings.duration);
-  const std::vector<Rule> rules = rules_of(of);
+  all.detail_start = find_detail_start(description.environment.waves, settings.duration);
+  const std::vector<Rule> rules = make_rules(of);
   for (const Rule& rule : rules) all.quantities.push_back(rule.quantity);
   const std::vector<SeedQuantity> key = seed_quantities(statics);
   all.quantities.insert(all.quantities.end(), key.begin(), key.end());
   for (const FinishedVariant& variant : variants) {
     const std::filesystem::path h5 = variant.folder / "results.h5";
-    ComparedRun run{variant.name, variant.words, read_dynamic_results(h5).results};
-    run.values = values_of(rules, statics, run.results);
-    if (of == ComparisonOf::tensioner) read_tensioner(run, h5, all.close_from);
+    ComparedRun run{variant.name, variant.label, read_dynamic_results(h5).results};
+    run.values = compute_values(rules, statics, run.results);
+    if (of == ComparisonType::tensioner) read_tensioner(run, h5, all.detail_start);
     all.runs.push_back(std::move(run));
   }
-  if (of != ComparisonOf::tensioner) all.boxes = compared_boxes(all.runs);
+  if (of != ComparisonType::tensioner) all.boxes = compared_boxes(all.runs);
   return all;
 }
 

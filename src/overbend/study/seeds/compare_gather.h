@@ -1,4 +1,4 @@
-/// From the results of variants to what they say beside each other.
+/// Gathers the results of variants into a comparison.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 
 namespace overbend {
 
-/// One variant as its run left it.
+/// A variant with its finished run.
 struct FinishedVariant {
-  std::string name, words;
-  std::filesystem::path folder;  ///< Of its results.
+  std::string name, label;
+  std::filesystem::path folder;  ///< Folder of its results.
 };
 
-/// Reads the results of all variants. The quantities are those of the thing compared, then the key values that several
-/// seeds are gathered by. Throws std::runtime_error where results cannot be read.
-Comparison gather_comparison(ComparisonOf of, const Description& description, const StaticResults& statics,
+/// Reads the results of all variants. The quantities are those of the compared item, then the key values gathered over
+/// seeds. Throws std::runtime_error if results cannot be read.
+Comparison gather_comparison(ComparisonType of, const Description& description, const StaticResults& statics,
                              const std::vector<FinishedVariant>& variants);
 
-/// Neighbouring rows of one state joined. `time` and `state` are of one length.
+/// Joins neighbouring rows of equal state. `time` [s] and `state` have the same length.
 std::vector<TensionerSpan> tensioner_spans(const std::vector<double>& time, const std::vector<double>& state);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The variants of a model that are compared.
+/// Variants of a model for a comparison.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace overbend {
 
-/// Each a key of the model file set to another value.
-std::vector<Case> variants_of(ComparisonOf of);
+/// Returns one case per variant, each with one key of the model file changed.
+std::vector<Case> make_variants(ComparisonType of);
 
-/// Why the model cannot be compared so; nothing when it can.
-std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description);
+/// Returns the reason that the model does not support the comparison; empty if it does.
+std::optional<std::string> unsupported_comparison(ComparisonType of, const Description& description);
 
 }  // namespace overbend

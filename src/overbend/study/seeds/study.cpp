@@ -19,49 +19,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Cases of the same model share what is prepared. Stops at the first that cannot be run.
-RunEnd prepare(const Description& base, const StudyPlan& plan, const fs::path& folder, std::vector<CaseRun>& runs) {
+/// Prepares the runs; cases of the same model share the preparation. Stops at the first that cannot be run.
+RunResult prepare(const Description& base, const StudyPlan& plan, const fs::path& folder, std::vector<CaseRun>& runs) {
   const std::vector<fs::path> folders = case_folders(plan, folder);
   std::shared_ptr<const PreparedCase> prepared;
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-    const Case& one = plan.cases[i];
-    if (i == 0 || !same_model(plan.cases[i - 1], one)) {
-      std::variant<std::shared_ptr<const PreparedCase>, RunEnd> made;
+    const Case& study_case = plan.cases[i];
+    if (i == 0 || !same_model(plan.cases[i - 1], study_case)) {
+      std::variant<std::shared_ptr<const PreparedCase>, RunResult> made;
       try {
-        const Description description = describe(base, one);
-        const std::optional<RunEnd> calm = one.controllers.empty() ? refuse_calm_run(description) : std::nullopt;
-        made = calm ? *calm : prepare_case(description, one.controllers);
-      } catch (const std::runtime_error& fault) {  // a text that cannot be edited so
-        return {RunEnding::wrong_input, fault.what()};
+        const Description description = describe(base, study_case);
+        const std::optional<RunResult> calm =
+            study_case.controllers.empty() ? reject_calm_run(description) : std::nullopt;
+        made = calm ? *calm : prepare_case(description, study_case.controllers);
+      } catch (const std::runtime_error& error) {  // the text cannot be edited in this way
+        return {RunStatus::wrong_input, error.what()};
       }
-      if (const auto* fault = std::get_if<RunEnd>(&made)) return *fault;
+      if (const auto* error = std::get_if<RunResult>(&made)) return *error;
       prepared = std::move(std::get<std::shared_ptr<const PreparedCase>>(made));
     }
-    runs.push_back({one.name, prepared, one.seed.value_or(dynamic_options(prepared->model).seed), folders[i]});
+    runs.push_back(
+        {study_case.name, prepared, study_case.seed.value_or(dynamic_options(prepared->model).seed), folders[i]});
   }
   return {};
 }
 
-/// Keeps the table whose worst check is used more.
-void keep_worse(CheckTable& worst, CheckTable&& other) {
-  const CheckRow *a = worst_check(worst), *b = worst_check(other);
-  if (b != nullptr && (a == nullptr || b->utilisation > a->utilisation)) worst = std::move(other);
+/// Keeps the table with the higher governing utilisation.
+void keep_worse(CheckTable& worst, CheckTable&& candidate) {
+  const CheckRow *a = find_governing_check(worst), *b = find_governing_check(candidate);
+  if (b != nullptr && (a == nullptr || b->utilisation > a->utilisation)) worst = std::move(candidate);
 }
 
-SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
+SeedsResults gather_seed_results(const std::vector<CaseRun>& runs, CheckTable& worst) {
   const PreparedCase& shared = *runs.front().prepared;
   SeedsResults results;
   results.build_up = shared.description.dynamics->build_up;
   results.quantities = seed_quantities(shared.statics, shared.description.fatigue.has_value());
   std::vector<std::vector<HistoryPeaks>> peaks;
   for (const CaseRun& run : runs) {
-    if (run.end.ending != RunEnding::done) {
+    if (run.end.ending != RunStatus::done) {
       results.failed.push_back({run.seed, run.end.why});
       continue;
     }
     const fs::path h5 = run.folder / "results.h5";
     DynamicResults read = read_dynamic_results(h5).results;
-    peaks.push_back(peaks_of_run(h5));
+    peaks.push_back(find_run_peaks(h5));
     results.duration = read.duration;
     Findings findings = all_findings(shared.statics, read);
     const VerdictKind verdict = verdict_kind(read.checks, findings);
@@ -78,24 +80,24 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
   return results;
 }
 
-/// Writes by `write` into a folder beside, which then takes the place of the study's.
+/// Calls `write` on a temporary folder, which then replaces the contents of the study's.
 template <class Write>
 void put(const fs::path& folder, const std::string& last, const StudyPlan& plan, Write write) {
   StagedFolder staged(folder);
   write(staged.path());
   std::vector<std::string> names;
-  for (const Case& one : plan.cases) names.push_back(one.name);
+  for (const Case& study_case : plan.cases) names.push_back(study_case.name);
   staged.commit(last, names);
 }
 
-void keep_record(const StudyEnd& end, const StudyPlan& plan, const fs::path& folder) {
+void keep_record(const StudyOutcome& end, const StudyPlan& plan, const fs::path& folder) {
   change_record(folder, [&](RunRecord& record) {
     const bool seeds = plan.kind == StudyKind::seeds;
     record.kind = seeds ? "seeds" : "comparison";
-    record.of = seeds ? "" : word_of(plan.of);
+    record.of = seeds ? "" : enum_name(plan.of);
     record.seeds.clear();
-    for (const Case& one : plan.cases) {
-      if (one.seed) record.seeds.push_back(*one.seed);
+    for (const Case& study_case : plan.cases) {
+      if (study_case.seed) record.seeds.push_back(*study_case.seed);
     }
     record.title = end.statics.title;
     record.duration = plan.cases.front().duration.value_or(0.0);
@@ -104,24 +106,24 @@ void keep_record(const StudyEnd& end, const StudyPlan& plan, const fs::path& fol
   });
 }
 
-void gather_seeds(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder) {
-  end.seeds = seeds_of(runs, end.worst);
-  if (!end.failed.empty()) end.ending = RunEnding::no_solution;
+void gather_seeds(StudyOutcome& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder) {
+  end.seeds = gather_seed_results(runs, end.worst);
+  if (!end.failed.empty()) end.ending = RunStatus::no_solution;
   if (end.seeds->runs.empty()) return;
   put(folder, "summary.json", plan, [&](const fs::path& place) { write_seeds_files(end.statics, *end.seeds, place); });
   keep_record(end, plan, folder);
 }
 
-void gather_variants(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
+void gather_variants(StudyOutcome& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
                      const Description& base) {
   if (!end.failed.empty()) {
-    end.ending = RunEnding::no_solution;
+    end.ending = RunStatus::no_solution;
     end.why = "no comparison is written";
     return;
   }
   std::vector<FinishedVariant> finished;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    finished.push_back({plan.cases[i].name, plan.cases[i].words, runs[i].folder});
+    finished.push_back({plan.cases[i].name, plan.cases[i].label, runs[i].folder});
   }
   end.comparison = gather_comparison(plan.of, runs.front().prepared->description, end.statics, finished);
   put(folder, "comparison.json", plan, [&](const fs::path& place) {
@@ -131,22 +133,22 @@ void gather_variants(StudyEnd& end, const StudyPlan& plan, const std::vector<Cas
   keep_record(end, plan, folder);
 }
 
-/// When every case failed for a reason that is the input's.
+/// True if every case failed because of its input.
 bool all_wrong(const std::vector<CaseRun>& runs) {
-  return std::ranges::all_of(runs, [](const CaseRun& run) { return run.end.ending == RunEnding::wrong_input; });
+  return std::ranges::all_of(runs, [](const CaseRun& run) { return run.end.ending == RunStatus::wrong_input; });
 }
 
-void gather(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
+void gather(StudyOutcome& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
             const Description& base) {
   if (all_wrong(runs)) {
-    end.ending = RunEnding::wrong_input;
+    end.ending = RunStatus::wrong_input;
     end.why = runs.front().end.why;
     std::error_code ignored;
-    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);  // where nothing else is in it
+    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);  // only if it is empty
     return;
   }
   for (const CaseRun& run : runs) {
-    if (run.end.ending != RunEnding::done) end.failed.push_back({run.name, run.end.why});
+    if (run.end.ending != RunStatus::done) end.failed.push_back({run.name, run.end.why});
   }
   if (plan.kind == StudyKind::seeds) return gather_seeds(end, plan, runs, folder);
   gather_variants(end, plan, runs, folder, base);
@@ -156,40 +158,41 @@ void gather(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& ru
 
 namespace {
 
-StudyEnd run_to_end(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
-                    CaseWatch& watch, FileLock& files) {
-  StudyEnd end;
+StudyOutcome run_to_end(const Description& base, const StudyPlan& plan, const fs::path& folder,
+                        const CaseOptions& options, CaseObserver& watch, FileLock& files) {
+  StudyOutcome end;
   std::vector<CaseRun> runs;
-  static_cast<RunEnd&>(end) = prepare(base, plan, folder, runs);
-  if (end.ending != RunEnding::done) return end;
+  static_cast<RunResult&>(end) = prepare(base, plan, folder, runs);
+  if (end.ending != RunStatus::done) return end;
   end.statics = runs.front().prepared->statics;
-  static_cast<RunEnd&>(end) = run_cases(runs, options, watch, files);
-  if (end.ending != RunEnding::done) return end;
+  static_cast<RunResult&>(end) = run_cases(runs, options, watch, files);
+  if (end.ending != RunStatus::done) return end;
   if (plan.kind == StudyKind::single) {
-    const RunEnd& ended = runs.front().end;
-    static_cast<RunEnd&>(end) = ended;
+    const RunResult& ended = runs.front().end;
+    static_cast<RunResult&>(end) = ended;
     end.single = std::move(runs.front());
     return end;
   }
   const std::lock_guard hold(files);
   try {
     gather(end, plan, runs, folder, base);
-  } catch (const UnusableFolder& fault) {  // the results of the cases stay, and a second try writes what is missing
-    static_cast<RunEnd&>(end) = {RunEnding::wrong_input, fault.what()};
+  } catch (const UnusableFolder& error) {  // the results of the cases stay, and a second attempt writes the missing
+                                           // files
+    static_cast<RunResult&>(end) = {RunStatus::wrong_input, error.what()};
   }
   return end;
 }
 
 }  // namespace
 
-StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
-                   CaseWatch& watch, FileLock& files) {
+StudyOutcome run_study(const Description& base, const StudyPlan& plan, const fs::path& folder,
+                       const CaseOptions& options, CaseObserver& watch, FileLock& files) {
   const InterruptionScope scope([&] { return watch.stop(); });
   try {
     return run_to_end(base, plan, folder, options, watch, files);
   } catch (const Interrupted&) {  // before or after the runs
-    StudyEnd end;
-    static_cast<RunEnd&>(end) = {RunEnding::interrupted, "interrupted"};
+    StudyOutcome end;
+    static_cast<RunResult&>(end) = {RunStatus::interrupted, "interrupted"};
     return end;
   }
 }

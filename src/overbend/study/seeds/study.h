@@ -1,4 +1,4 @@
-/// A study: the cases of one model, run side by side, and what they say together.
+/// A study: the cases of one model, run concurrently, and their combined results.
 #pragma once
 
 #include <filesystem>
@@ -17,46 +17,45 @@ namespace overbend {
 
 enum class StudyKind { single, seeds, comparison };
 
-/// What is run. A single run is a study of one case, in the study's own folder.
+/// Cases to run. A single run is a study of one case, in the study's own folder.
 struct StudyPlan {
   StudyKind kind = StudyKind::single;
-  ComparisonOf of = ComparisonOf::tensioner;  ///< Of a comparison.
+  ComparisonType of = ComparisonType::tensioner;  ///< Kind of a comparison.
   std::vector<Case> cases;
 };
 
-/// `duration` [s]: instead of the model's.
+/// `duration` [s] replaces that of the model.
 StudyPlan plan_single(std::optional<double> duration);
-/// One case "seed-K" for each seed.
+/// Returns one case "seed-K" for each seed.
 std::vector<Case> seed_cases(const std::vector<std::uint64_t>& seeds);
-/// The same as a plan. A sentence where a seed is given twice, or none at all.
+/// Returns the same as a plan. Error message if a seed is given twice, or none at all.
 std::variant<StudyPlan, std::string> plan_seeds(const std::vector<std::uint64_t>& seeds,
                                                 std::optional<double> duration);
-/// The variants of the model. A sentence where it cannot be compared so.
-std::variant<StudyPlan, std::string> plan_comparison(ComparisonOf of, const Description& base,
+/// Returns the variants of the model. Error message if the model does not support the comparison.
+std::variant<StudyPlan, std::string> plan_comparison(ComparisonType of, const Description& base,
                                                      std::optional<double> duration);
 
-/// Where each case's run and results are.
+/// Returns the folder of each case.
 std::vector<std::filesystem::path> case_folders(const StudyPlan& plan, const std::filesystem::path& folder);
 
 struct FailedCase {
   std::string name, why;
 };
 
-/// How a study ended, and what it gave: the files are written already.
-struct StudyEnd : RunEnd {
-  StaticResults statics{};  ///< Of the first case.
-  CaseRun single{};         ///< Of a single run.
+/// Status and results of a study; the files are written already.
+struct StudyOutcome : RunResult {
+  StaticResults statics{};  ///< Statics of the first case.
+  CaseRun single{};         ///< The single run.
   std::vector<FailedCase> failed{};
   std::optional<SeedsResults> seeds{};
-  CheckTable worst{};  ///< Over the seeds: of the run whose governing check is used most.
+  CheckTable worst{};  ///< Checks of the seed with the highest governing utilisation.
   std::optional<Comparison> comparison{};
 };
 
-/// Prepares the cases, runs them into folders of their own in `folder` and gathers there. A case that fails does not
-/// stop the others; seeds are gathered without it and end with no_solution, a comparison is then not written.
-/// wrong_input when none can be run for a reason that is the input's. What is given does not depend on the number of
-/// threads.
-StudyEnd run_study(const Description& base, const StudyPlan& plan, const std::filesystem::path& folder,
-                   const CaseOptions& options, CaseWatch& watch, FileLock& files);
+/// Prepares the cases, runs them in their own folders below `folder` and gathers the results there. A failed case does
+/// not stop the others; seeds are gathered without it and end with no_solution, a comparison is then not written.
+/// Returns wrong_input if no case can be run because of its input. The results do not depend on the number of threads.
+StudyOutcome run_study(const Description& base, const StudyPlan& plan, const std::filesystem::path& folder,
+                       const CaseOptions& options, CaseObserver& watch, FileLock& files);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-// What there is to run.
+// Plans of studies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@ std::optional<std::uint64_t> twice(std::vector<std::uint64_t> seeds) {
 }  // namespace
 
 StudyPlan plan_single(std::optional<double> duration) {
-  Case one;
-  one.duration = duration;
-  return {StudyKind::single, ComparisonOf::tensioner, {one}};
+  Case study_case;
+  study_case.duration = duration;
+  return {StudyKind::single, ComparisonType::tensioner, {study_case}};
 }
 
 std::vector<Case> seed_cases(const std::vector<std::uint64_t>& seeds) {
@@ -35,22 +35,24 @@ std::variant<StudyPlan, std::string> plan_seeds(const std::vector<std::uint64_t>
                                                 std::optional<double> duration) {
   if (seeds.empty()) return "analysis.dynamic.seeds: no seed is given, expected at least one";
   if (const auto found = twice(seeds)) return fmt::format("analysis.dynamic.seeds: {} is given twice", *found);
-  StudyPlan plan{StudyKind::seeds, ComparisonOf::tensioner, seed_cases(seeds)};
-  for (Case& one : plan.cases) one.duration = duration;
+  StudyPlan plan{StudyKind::seeds, ComparisonType::tensioner, seed_cases(seeds)};
+  for (Case& study_case : plan.cases) study_case.duration = duration;
   return plan;
 }
 
-std::variant<StudyPlan, std::string> plan_comparison(ComparisonOf of, const Description& base,
+std::variant<StudyPlan, std::string> plan_comparison(ComparisonType of, const Description& base,
                                                      std::optional<double> duration) {
-  if (std::optional<std::string> obstacle = comparison_obstacle(of, base)) return std::move(*obstacle);
-  StudyPlan plan{StudyKind::comparison, of, variants_of(of)};
-  for (Case& one : plan.cases) one.duration = duration;
+  if (std::optional<std::string> unsupported = unsupported_comparison(of, base)) return std::move(*unsupported);
+  StudyPlan plan{StudyKind::comparison, of, make_variants(of)};
+  for (Case& study_case : plan.cases) study_case.duration = duration;
   return plan;
 }
 
 std::vector<std::filesystem::path> case_folders(const StudyPlan& plan, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> folders;
-  for (const Case& one : plan.cases) folders.push_back(one.name.empty() ? folder : folder / one.name);
+  for (const Case& study_case : plan.cases) {
+    folders.push_back(study_case.name.empty() ? folder : folder / study_case.name);
+  }
   return folders;
 }
 

@@ -7,25 +7,25 @@
 #include <utility>
 
 #include "results/fields/check_fields.h"
-#include "results/fields/static_values.h"
+#include "results/fields/static_scalars.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::array<std::string_view, 11> kLookedAtFirst = {
+constexpr std::array<std::string_view, 11> kMainResults = {
     "static.bottom_tension",         "static.lay_back",
     "static.departure_angle",        "static.stinger_tip_clearance",
     "static.overbend.max_von_mises", "static.overbend.max_strain",
     "static.sagbend.max_von_mises",  "static.sagbend.max_bending_moment",
     "static.tower.max_von_mises",    "static.largest_reaction.value",
     "checks.worst.utilisation"};
-/// Shorter than their descriptions.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kNames = {
+/// Labels shorter than the descriptions of the results.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kLabels = {
     {{"static.bottom_tension", "Bottom tension"},
      {"static.lay_back", "Lay-back"},
      {"static.departure_angle", "Departure angle"},
      {"static.stinger_tip_clearance", "Stinger tip clearance"}}};
-/// Settings, and what is the same number again.
+/// Settings and repeated values.
 constexpr std::array<std::string_view, 4> kNoResults = {"wanted_tension", "total_length", "largest_penetration",
                                                         "roller_stiffness"};
 
@@ -38,9 +38,9 @@ std::string first_lower(std::string text) {
 class Collector {
  public:
   void add(const std::string& name, std::string text, std::string_view unit, double value) {
-    const bool key = std::ranges::find(kLookedAtFirst, name) != kLookedAtFirst.end();
-    const auto own = std::ranges::find(kNames, name, &std::pair<std::string_view, std::string_view>::first);
-    if (own != kNames.end()) text = own->second;
+    const bool key = std::ranges::find(kMainResults, name) != kMainResults.end();
+    const auto named = std::ranges::find(kLabels, name, &std::pair<std::string_view, std::string_view>::first);
+    if (named != kLabels.end()) text = named->second;
     values_.push_back({name, std::move(text), std::string(unit), value, key});
   }
   void operator()(const ResultField& field, double value) {
@@ -56,10 +56,10 @@ class Collector {
   template <class Other>
   requires(!std::is_arithmetic_v<Other>) void operator()(const ResultField&, const Other&) {}
 
-  void add_region(const std::string& key, const std::string& words, const RegionResult& region) {
+  void add_region(const std::string& key, const std::string& label, const RegionResult& region) {
     visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
       add("static." + key + "." + std::string(*field.key(Output::summary)),
-          words + ": " + first_lower(std::string(field.description)), field.units, extreme.value);
+          label + ": " + first_lower(std::string(field.description)), field.units, extreme.value);
     });
   }
   void add_checks(const CheckTable& checks) {
@@ -70,7 +70,7 @@ class Collector {
       add("checks.list[" + std::to_string(i) + "].utilisation", "Utilisation: " + first_lower(row.name) + where, "1",
           row.utilisation);
     }
-    if (const CheckRow* worst = worst_check(checks)) {
+    if (const CheckRow* worst = find_governing_check(checks)) {
       add("checks.worst.utilisation", "Largest utilisation: " + first_lower(worst->name), "1", worst->utilisation);
     }
   }

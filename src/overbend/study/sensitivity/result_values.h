@@ -1,4 +1,4 @@
-/// The single numbers of a static analysis, by the names that they have in summary.json.
+/// Scalar results of a static analysis, with their names in summary.json.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ struct ResultValue {
   std::string text;  ///< "Reaction of stinger 7"
   std::string unit;  ///< SI.
   double value = 0.0;
-  bool key = false;  ///< One of those that are looked at first.
+  bool key = false;  ///< One of the main results.
 };
 
-/// Tensions, places, extremes of the regions, reactions and separations of the supports, utilisations of the checks
-/// that could be made.
+/// Returns tensions, positions, extremes of the regions, reactions and separations of the supports, and utilisations of
+/// the evaluated checks.
 std::vector<ResultValue> result_values(const StaticResults& results);
 
 }  // namespace overbend

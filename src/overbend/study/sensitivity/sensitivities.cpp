@@ -6,19 +6,19 @@
 
 #include "base/interruption.h"
 #include "base/shown_unit.h"
-#include "model/vessel/station.h"
+#include "model/vessel/mooring_queries.h"
 #include "modelfile/binding/model_inputs.h"
 #include "modelfile/binding/tolerances.h"
-#include "study/sensitivity/near_contacts.h"
+#include "study/sensitivity/contact_transitions.h"
 #include "study/sensitivity/result_values.h"
 #include "study/sensitivity/sensitivity_lay.h"
 
 namespace overbend {
 namespace {
 
-/// Large enough for rounding, small enough for a derivative: places by a hundredth of a millimetre, angles by what
-/// moves a box by as much, the rest by a hundred-thousandth.
-double step_of(const ModelInput& input) {
+/// Step of an input: large enough against rounding, small enough for a derivative: positions by 0.01 mm, angles by the
+/// value that moves a box by as much, others by a factor of 1e-5.
+double difference_step(const ModelInput& input) {
   constexpr double kPlace = 1e-5, kAngle = 1e-7, kRelative = 1e-5;
   const double size = std::abs(input.value);
   if (is_place(input)) return kPlace;
@@ -28,41 +28,41 @@ double step_of(const ModelInput& input) {
   return input.unit.starts_with("N") || input.unit == "Pa" ? 1e-2 : 1e-6;
 }
 
-/// Shorter steps are taken where a contact changes on the way, each a tenth of that before.
-constexpr int kShorter = 3;
+/// Number of shorter steps, each a tenth of the previous one, tried if a contact changes within the step.
+constexpr int kMaxReductions = 3;
 
-/// Derivatives of all results by one input, and of the rollers.
+/// Derivatives of all results and of the rollers by one input.
 struct Slopes {
   std::vector<double> results;
   std::vector<ContactSlope> contacts;
 };
 
-/// Over `step` either way; empty where a result comes or goes on the way.
-std::vector<double> slopes_of(const ResultPair& pair, double step, const std::vector<ResultValue>& at) {
+/// Derivatives of results over a pair `step` apart in both directions; empty if a result exists on one side only.
+std::vector<double> result_slopes(const ResultPair& pair, double step, const std::vector<ResultValue>& reference) {
   const std::vector<ResultValue> low = result_values(pair.before), high = result_values(pair.after);
-  if (low.size() != at.size() || high.size() != at.size()) return {};
+  if (low.size() != reference.size() || high.size() != reference.size()) return {};
   std::vector<double> slopes;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (low[i].name != at[i].name || high[i].name != at[i].name) return {};
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    if (low[i].name != reference[i].name || high[i].name != reference[i].name) return {};
     slopes.push_back((high[i].value - low[i].value) / (2.0 * step));
     if (!std::isfinite(slopes.back())) return {};
   }
   return slopes;
 }
 
-/// Rounding of a result over the step: a slope below it is none.
-bool noticeable(const std::vector<double>& slopes, double step, const std::vector<ResultValue>& at) {
+/// True if any derivative exceeds the rounding of its result over the step.
+bool noticeable(const std::vector<double>& slopes, double step, const std::vector<ResultValue>& reference) {
   constexpr double kRounding = 1e-10;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (std::abs(slopes[i]) * step > kRounding * std::max(std::abs(at[i].value), 1e-6)) return true;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    if (std::abs(slopes[i]) * step > kRounding * std::max(std::abs(reference[i].value), 1e-6)) return true;
   }
   return false;
 }
 
 class Sensitivities {
  public:
-  Sensitivities(const Model& model, const StaticSolution& solution, const SensitivityWish& wish)
-      : wish_(wish),
+  Sensitivities(const Model& model, const StaticSolution& solution, const SensitivityRequest& request)
+      : request_(request),
         lay_(model, solution),
         values_(model.description),
         tolerances_(input_tolerances(values_.root(), values_.inputs())),
@@ -74,7 +74,7 @@ class Sensitivities {
   SensitivityResults find() {
     for (std::size_t i = 0; i < values_.inputs().size(); ++i) {
       check_interruption();
-      if (is_wanted(values_.inputs()[i])) look_at(i);
+      if (is_wanted(values_.inputs()[i])) evaluate_input(i);
     }
     return gathered();
   }
@@ -82,29 +82,30 @@ class Sensitivities {
  private:
   bool is_wanted(const ModelInput& input) const {
     const auto named = [&](const std::string& key) { return key == input.key || key == input.name; };
-    return wish_.keys.empty() || std::ranges::any_of(wish_.keys, named);
+    return request_.keys.empty() || std::ranges::any_of(request_.keys, named);
   }
 
   std::optional<ResultPair> follow(const ModelInput& input, double step) {
-    return lay_.follow(values_.with(input, input.value - step), values_.with(input, input.value + step));
+    return lay_.neighbouring_equilibria(values_.with(input, input.value - step),
+                                        values_.with(input, input.value + step));
   }
 
-  void look_at(std::size_t i) {
+  void evaluate_input(std::size_t i) {
     const ModelInput& input = values_.inputs()[i];
-    double step = step_of(input);
+    double step = difference_step(input);
     std::optional<ResultPair> pair = follow(input, step);
-    for (int k = 0; k < kShorter && pair && !contacts_.stay(*pair); ++k) {
+    for (int k = 0; k < kMaxReductions && pair && !contacts_.stay(*pair); ++k) {
       step *= 0.1;
       pair = follow(input, step);
     }
     Slopes slopes;
-    if (pair) slopes.results = slopes_of(*pair, step, at_);
+    if (pair) slopes.results = result_slopes(*pair, step, at_);
     if (slopes.results.empty()) {
       found_.not_done.push_back(input.name);
-    } else if (wish_.keys.empty() && !noticeable(slopes.results, step, at_)) {
+    } else if (request_.keys.empty() && !noticeable(slopes.results, step, at_)) {
       found_.without_effect.push_back(input.name);
     } else {
-      if (wish_.one_sided) slopes.contacts = contacts_.slopes_of(*pair, step);
+      if (request_.one_sided) slopes.contacts = contacts_.contact_slopes(*pair, step);
       add(i, slopes);
     }
   }
@@ -130,31 +131,31 @@ class Sensitivities {
     return std::move(found_);
   }
 
-  const SensitivityWish& wish_;
+  const SensitivityRequest& request_;
   SensitivityLay lay_;
   ModelValues values_;
   std::vector<InputTolerance> tolerances_;
   std::vector<ResultValue> at_;
-  NearContacts contacts_;
+  ContactTransitions contacts_;
   std::vector<std::vector<Derivative>> columns_;  ///< By input.
   SensitivityResults found_;
 };
 
-void tell_assumptions(const Model& model, SensitivityResults& results) {
+void add_assumptions(const Model& model, SensitivityResults& results) {
   results.assumptions.push_back({AssumptionRank::other,
-                                 "Sensitivities hold the mesh and the contacts as they are; derivatives by the numbers "
-                                 "of the model file, each by itself."});
-  if (has_station(model.description)) {
+                                 "Sensitivities keep the mesh and the contacts fixed; derivatives are by the numbers "
+                                 "of the model file, one at a time."});
+  if (finds_vessel_position(model.description)) {
     results.assumptions.push_back(
         {AssumptionRank::other,
-         "Sensitivities hold the vessel where it lies; what keeps it there would let it follow."});
+         "Sensitivities keep the vessel fixed; its moorings or positioning would let it follow."});
   }
   const bool all_given =
       std::ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
   if (!all_given) {
     results.assumptions.push_back(
-        {AssumptionRank::other, fmt::format("Where sensitivities.tolerances says nothing, the tolerance is {} for "
-                                            "places, 0.1 deg for angles and 1 % of anything else.",
+        {AssumptionRank::other, fmt::format("Unless given in sensitivities.tolerances, the tolerance is {} for "
+                                            "positions, 0.1 deg for angles and 1 % for other inputs.",
                                             shown_digits(0.01, section_length(), 3))});
   }
 }
@@ -162,12 +163,12 @@ void tell_assumptions(const Model& model, SensitivityResults& results) {
 }  // namespace
 
 std::optional<SensitivityResults> find_sensitivities(const Model& model, const StaticSolution& solution,
-                                                     const SensitivityWish& wish) {
+                                                     const SensitivityRequest& request) {
   const auto begin = std::chrono::steady_clock::now();
-  Sensitivities sensitivities(model, solution, wish);
+  Sensitivities sensitivities(model, solution, request);
   if (!sensitivities.regular()) return std::nullopt;
   SensitivityResults results = sensitivities.find();
-  tell_assumptions(model, results);
+  add_assumptions(model, results);
   results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return results;
 }
@@ -182,8 +183,9 @@ std::optional<std::vector<double>> jacobian(const Model& model, const StaticSolu
     const auto result = std::ranges::find(found->results, name, &SensitivityOutput::name);
     if (result == found->results.end()) return std::nullopt;
     for (const std::string& key : keys) {
-      const auto input = std::ranges::find_if(
-          found->inputs, [&](const SensitivityInput& one) { return one.key == key || one.name == key; });
+      const auto input = std::ranges::find_if(found->inputs, [&](const SensitivityInput& candidate) {
+        return candidate.key == key || candidate.name == key;
+      });
       if (input == found->inputs.end()) return std::nullopt;
       rows.push_back(found
                          ->at(static_cast<std::size_t>(result - found->results.begin()),

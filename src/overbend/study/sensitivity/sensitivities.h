@@ -1,4 +1,4 @@
-/// What the results of a lay hang on: the derivative of every result by every number of the model file.
+/// Sensitivities of a lay: the derivative of every result by every number of the model file.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,26 @@
 
 namespace overbend {
 
-struct SensitivityWish {
-  std::vector<std::string> keys;  ///< Keys or names of inputs; empty: every number that the file has.
-  bool one_sided = true;          ///< Whether contacts about to change are looked at.
+struct SensitivityRequest {
+  std::vector<std::string> keys;  ///< Keys or names of inputs; empty: every number of the file.
+  bool one_sided = true;          ///< True if contacts about to change are evaluated.
 };
 
-/// Why there are none.
+/// Reason that there are no sensitivities.
 inline constexpr const char* kNoSensitivities =
-    "no sensitivities: the equilibrium is about to snap to another place, so that no derivative exists";
+    "no sensitivities: the equilibrium is about to snap through, so that no derivative exists";
 
-/// At the equilibrium of a model whose description has its text. The pose of a vessel on mooring lines is held.
+/// Returns the sensitivities at the equilibrium of a model whose description has its text. The pose of a vessel on
+/// mooring lines is fixed.
 ///
-/// Results are taken from the equilibria to first order at the input plus and minus a small step, see
-/// statics/solver/sensitivity.h, by the same recovery and checks as any: maxima are followed at the station of the
-/// maximum. Empty where the tangent has no inverse there.
+/// Results come from the first-order equilibria at the input plus and minus a small step, see
+/// statics/solver/sensitivity.h, by the usual recovery and checks: maxima are followed at their station. Empty if the
+/// tangent is singular.
 std::optional<SensitivityResults> find_sensitivities(const Model& model, const StaticSolution& solution,
-                                                     const SensitivityWish& wish = {});
+                                                     const SensitivityRequest& request = {});
 
-/// The derivatives of named results by named keys, row by row of the results; for searches. Nothing where one of them
-/// is unknown or the tangent has no inverse.
+/// Returns the derivatives of named results by named keys, row by row of the results; for searches. Empty if a name is
+/// unknown or the tangent is singular.
 std::optional<std::vector<double>> jacobian(const Model& model, const StaticSolution& solution,
                                             const std::vector<std::string>& results,
                                             const std::vector<std::string>& keys);

@@ -1,4 +1,4 @@
-/// The lay that sensitivities are of, with what its checks need beside it.
+/// The lay of sensitivities, with the still-water lay that its checks need.
 #pragma once
 
 #include <memory>
@@ -12,51 +12,55 @@
 
 namespace overbend {
 
-/// Results on either side, by the same small step.
+/// Results on both sides of an input, at the same small step.
 struct ResultPair {
   StaticResults before, after;
-  std::optional<StaticResults> still_before, still_after;  ///< In still water, where that is looked at.
-  bool contacts_stay = true;                               ///< As in StaticPair.
+  std::optional<StaticResults> still_water_before, still_water_after;  ///< In still water, if needed.
+  bool contacts_stay = true;                                           ///< As in StaticPair.
 };
 
 class SensitivityLay {
  public:
-  /// At an equilibrium; both must outlive this.
+  /// Lay at an equilibrium; both arguments must outlive this.
   SensitivityLay(const Model& model, const StaticSolution& solution);
 
-  bool regular() const { return pipe_.regular() && stinger_.regular() && (!still_ || still_->tangent.regular()); }
+  bool regular() const {
+    return pipe_.regular() && stinger_.regular() && (!still_water_ || still_water_->tangent.regular());
+  }
   const EquilibriumTangent& tangent() const { return pipe_; }
-  /// Results of the equilibrium itself, checks included.
+  /// Results of the equilibrium, including checks.
   const StaticResults& results() const { return results_; }
-  /// Likewise in still water; null where that is not looked at.
-  const StaticResults* still_results() const { return still_ ? &still_->results : nullptr; }
+  /// Results in still water; null if not needed.
+  const StaticResults* still_water_results() const { return still_water_ ? &still_water_->results : nullptr; }
 
-  /// To first order, of the lay with two other descriptions on either side of its own.
-  std::optional<ResultPair> follow(const Description& before, const Description& after);
-  /// The same under minus and plus a force at a roller [N], of the lay or (`in_still`) of that in still water.
-  std::optional<ResultPair> push(int roller, double force, bool in_still);
+  /// Returns the first-order results of the lay with two other descriptions, on both sides of its own.
+  std::optional<ResultPair> neighbouring_equilibria(const Description& before, const Description& after);
+  /// Returns the results under minus and plus a force at a roller [N], of the lay or, if `in_still_water`, of the lay
+  /// in still water.
+  std::optional<ResultPair> push(int roller, double force, bool in_still_water);
 
  private:
-  /// The lay in still water, where the checks tell the current's effect apart.
-  struct Still {
+  /// The lay in still water, if the checks separate the effect of the current.
+  struct StillWaterLay {
     Model model;
     StaticSolution solution;
     EquilibriumTangent tangent;
     StaticResults results;
-    Still(Model made, StaticSolution found);
+    StillWaterLay(Model made, StaticSolution found);
   };
-  /// Of another description, floating sections of the stinger turned on by `turns` [rad].
+  /// Returns the model of another description, with floating sections of the stinger turned by `turns` [rad].
   Model rebuilt(const Description& description, const std::vector<double>& turns = {}) const;
-  /// The lay itself under minus and plus a force at a roller, its stinger following; models as they are turned.
+  /// Returns the lay under minus and plus a force at a roller, including the response of its stinger; `low` and `high`
+  /// become the models with the turned stinger.
   std::optional<StaticPair> push_pipe(int roller, double force, Model& low, Model& high);
-  static std::unique_ptr<Still> still_lay(const Model& model, const StaticSolution& solution);
+  static std::unique_ptr<StillWaterLay> make_still_water_lay(const Model& model, const StaticSolution& solution);
 
   const Model* model_;
   const StaticSolution* solution_;
-  bool held_;  ///< The vessel stays where it was found.
+  bool held_;  ///< The vessel keeps the pose of the equilibrium.
   EquilibriumTangent pipe_;
   StingerResponse stinger_;
-  std::unique_ptr<Still> still_;
+  std::unique_ptr<StillWaterLay> still_water_;
   StaticResults results_;
 };
 

@@ -8,16 +8,16 @@
 #include "report/stages/operation_report.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "runstore/staged_folder.h"
-#include "statics/solver/static_obstacle.h"
+#include "statics/solver/unsupported_statics.h"
 #include "study/stages/lift.h"
 #include "study/stages/stage_tension.h"
 
 namespace overbend {
 namespace {
 
-/// How far a length of the pipe that lies on the bed goes over level ground: the cosine of the bed's slope, of an
-/// uneven bed that of the whole laid part.
-double level_share(const StaticResults& r) {
+/// Horizontal distance per length of pipe on the seabed [-]: the cosine of the slope, or the mean over the laid part of
+/// an uneven seabed.
+double level_fraction(const StaticResults& r) {
   double along = 0.0, level = 0.0;
   for (std::size_t i = 1; i < r.stations.size() && r.stations[i].region == Region::seabed; ++i) {
     const Vec3 step = r.stations[i].p_W - r.stations[i - 1].p_W;
@@ -27,18 +27,18 @@ double level_share(const StaticResults& r) {
   return along > 0.0 ? level / along : 1.0;
 }
 
-/// Horizontal distance from the stern shoe to a point of the line that lies still on the bed, and stays there from
-/// stage to stage, but for a constant [m].
+/// Horizontal distance from the stern shoe to a point of the line that stays fixed on the seabed from stage to stage,
+/// up to a constant [m].
 double distance_to_laid(const StageResult& stage) {
   const StaticResults& r = *stage.lay;
   if (r.far_anchor) return r.far_anchor->distance;
-  const LayStageDescription& at = stage.stage;
-  const double come = at.cable_out.value_or(at.ahead.value_or(at.passed.value_or(0.0)));
-  return r.lay_back - level_share(r) * (r.length_top_to_touchdown - come);
+  const LayStageDescription& planned = stage.stage;
+  const double advanced = planned.cable_out.value_or(planned.ahead.value_or(planned.passed.value_or(0.0)));
+  return r.lay_back - level_fraction(r) * (r.length_top_to_touchdown - advanced);
 }
 
-/// Against the first stage that stands. While ballast is changed or the pipe is dragged along the bed the barge stays,
-/// and the tensioner pays out or takes in.
+/// Relative to the first solved stage. While ballast is changed or the pipe is dragged along the seabed the barge
+/// stays, and the tensioner pays out or hauls in.
 void place_barge(std::vector<StageResult>& stages) {
   std::optional<double> first;
   for (StageResult& stage : stages) {
@@ -57,8 +57,8 @@ void copy_head(OperationResults& results, const Description& description) {
 }  // namespace
 
 OperationResults solve_operation(const Description& description,
-                                 const std::function<bool(const StageResult&, std::size_t of)>& told) {
-  if (description.operation.type == OperationType::lift) return solve_lift(description, told);
+                                 const std::function<bool(const StageResult&, std::size_t of)>& on_stage) {
+  if (description.operation.type == OperationType::lift) return solve_lift(description, on_stage);
   const auto begin = std::chrono::steady_clock::now();
   OperationResults results;
   copy_head(results, description);
@@ -67,17 +67,17 @@ OperationResults solve_operation(const Description& description,
   const std::vector<PlannedStage> planned = solver.plan(stages);
   for (const PlannedStage& stage : planned) {
     results.stages.push_back(solver.solve(stage));
-    if (told && !told(results.stages.back(), planned.size())) break;
+    if (on_stage && !on_stage(results.stages.back(), planned.size())) break;
   }
   place_barge(results.stages);
   results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return results;
 }
 
-std::optional<StaticFailure> operation_obstacle(const Description& description) {
-  if (description.operation.type == OperationType::lift) return lift_obstacle(description);
+std::optional<StaticFailure> unsupported_in_operation(const Description& description) {
+  if (description.operation.type == OperationType::lift) return find_unreachable_stage(description);
   for (const LayStageDescription& stage : lay_stages(description)) {
-    if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
+    if (auto unsupported = unsupported_in_statics(make_stage_description(description, stage))) return unsupported;
   }
   return std::nullopt;
 }

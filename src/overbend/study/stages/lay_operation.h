@@ -1,4 +1,4 @@
-/// An operation on the line, all its stages: statics of each, from that before.
+/// Statics of all stages of a lay operation, each starting from the previous one.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@
 
 namespace overbend {
 
-/// Solves the stages one after the other, each from the solution of the last. A stage without an equilibrium says why
-/// and leaves the others standing. `told`, where given, hears of every stage that is done; false from it ends the rest.
+/// Solves the stages one after the other, each from the solution of the last. A stage without an equilibrium holds its
+/// failure; the others are still solved. `on_stage`, if given, is called after every stage; false ends the analysis.
 OperationResults solve_operation(const Description& description,
-                                 const std::function<bool(const StageResult&, std::size_t of)>& told = {});
+                                 const std::function<bool(const StageResult&, std::size_t of)>& on_stage = {});
 
-/// Writes the files of an operation and its report, whole or not at all. Throws UnusableFolder
-/// (runstore/staged_folder.h) when the folder cannot be.
+/// Writes the files of an operation and its report, completely or not at all. Throws UnusableFolder
+/// (runstore/staged_folder.h) if the folder cannot be used.
 void write_operation_run(const OperationResults& results, const Description& description,
                          const std::filesystem::path& folder);
 
-/// Why stages of the operation cannot be solved whatever their numbers, though the model can say it.
-std::optional<StaticFailure> operation_obstacle(const Description& description);
+/// Returns an error if stages of the operation cannot be solved for any values, although the model file is valid.
+std::optional<StaticFailure> unsupported_in_operation(const Description& description);
 
 }  // namespace overbend

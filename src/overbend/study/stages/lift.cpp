@@ -22,7 +22,7 @@ std::string stage_name(const std::vector<LayStageDescription>& stages, std::size
   return stages[i].name.empty() ? "stage " + std::to_string(i + 1) : stages[i].name;
 }
 
-/// The first weld that is still to be made.
+/// Returns the next weld to be made.
 const JoinDescription* next_join(const std::vector<LayStageDescription>& stages, std::size_t stage) {
   for (std::size_t i = stage; i < stages.size(); ++i) {
     if (stages[i].join) return &*stages[i].join;
@@ -30,8 +30,8 @@ const JoinDescription* next_join(const std::vector<LayStageDescription>& stages,
   return nullptr;
 }
 
-/// A stage is a model at rest, told in the same words as lines by themselves.
-StaticResults results_of(const Model& model, const LinkedLines& lines, const JoinDescription* join) {
+/// Results of a stage, in the form of the static results of a model of lines only.
+StaticResults recover_stage_results(const Model& model, const LinkedLines& lines, const JoinDescription* join) {
   StaticResults results;
   results.title = model.description.title;
   results.version = kVersion;
@@ -47,15 +47,15 @@ StaticResults results_of(const Model& model, const LinkedLines& lines, const Joi
   return results;
 }
 
-StageFailure failure_of(const StaticFailure& failure) {
+StageFailure make_stage_failure(const StaticFailure& failure) {
   return {failure.what, failure.where, failure.why, std::nullopt};
 }
 
 }  // namespace
 
-std::optional<StaticFailure> lift_obstacle(const Description& description) {
+std::optional<StaticFailure> find_unreachable_stage(const Description& description) {
   const Model model = build_model(description);
-  LiftPosition position = drawn_position(description);
+  LiftPosition position = nominal_position(description);
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     position = stage_position(description, stages[i], std::move(position));
@@ -64,7 +64,7 @@ std::optional<StaticFailure> lift_obstacle(const Description& description) {
       failure->key = "operation.stages[" + std::to_string(i) + "]";
       return failure;
     }
-    for (std::size_t line = 0; line < position.lengths.size(); ++line) {  // as long as the tension makes it
+    for (std::size_t line = 0; line < position.lengths.size(); ++line) {  // the tension determines the length
       if (position.tensions[line]) position.lengths[line] = std::numeric_limits<double>::infinity();
       position.tensions[line].reset();
     }
@@ -75,42 +75,42 @@ std::optional<StaticFailure> lift_obstacle(const Description& description) {
 Lift::Lift(const Description& description)
     : model_(std::make_shared<const Model>(build_model(description))),
       lines_(*model_),
-      last_(drawn_position(description)) {}  // of which the stages up to the first that stands may name nothing
+      last_(nominal_position(description)) {}  // stages may name nothing until the first one is solved
 
 StageResult Lift::next(const std::vector<LayStageDescription>& stages) {
   StageResult result;
   result.stage = stages.at(passed_++);
   if (result.stage.name.empty()) result.stage.name = "stage " + std::to_string(passed_);
   const LiftPosition target = stage_position(model_->description, result.stage, last_);
-  if (const std::optional<StaticFailure> failure = lines_.bring_to(target)) {
-    result.failure = failure_of(*failure);
+  if (const std::optional<StaticFailure> failure = lines_.move_to(target)) {
+    result.failure = make_stage_failure(*failure);
   } else {
-    result.lay = results_of(*model_, lines_, next_join(stages, passed_));
+    result.lay = recover_stage_results(*model_, lines_, next_join(stages, passed_));
     last_ = lines_.position();
   }
   return result;
 }
 
 OperationResults solve_lift(const Description& description,
-                            const std::function<bool(const StageResult&, std::size_t of)>& told) {
+                            const std::function<bool(const StageResult&, std::size_t of)>& on_stage) {
   const auto begin = std::chrono::steady_clock::now();
   OperationResults results;
   results.title = description.title;
   results.version = kVersion;
   results.type = description.operation.type;
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
-  if (const std::optional<StaticFailure> obstacle = lines_obstacle(description)) {
+  if (const std::optional<StaticFailure> unsupported = unsupported_lines(description)) {
     for (const LayStageDescription& stage : stages) {
-      StageResult& refused = results.stages.emplace_back();
-      refused.stage = stage;
-      refused.failure = failure_of(*obstacle);
+      StageResult& failed = results.stages.emplace_back();
+      failed.stage = stage;
+      failed.failure = make_stage_failure(*unsupported);
     }
     return results;
   }
   Lift lift(description);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     results.stages.push_back(lift.next(stages));
-    if (told && !told(results.stages.back(), stages.size())) break;
+    if (on_stage && !on_stage(results.stages.back(), stages.size())) break;
   }
   results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return results;

@@ -1,4 +1,4 @@
-/// A lift, all its stages: lines hauled and paid out, the vessel moved, ends welded.
+/// All stages of a lift: lines hauled in and paid out, the vessel moved, ends welded.
 #pragma once
 
 #include <functional>
@@ -11,29 +11,28 @@
 
 namespace overbend {
 
-/// The lines of a lift on their way from stage to stage. A copy goes on from there by itself, in a thread of its own
-/// where that is wanted.
+/// The lines of a lift from stage to stage. A copy continues independently, if wanted in another thread.
 class Lift {
  public:
   explicit Lift(const Description& description);
 
-  /// Brings the lines to the next of `stages`, whose first ones they have passed. A stage that cannot be reached says
-  /// why, and the lines stay where they are.
+  /// Brings the lines to the next of `stages`, of which the first ones are passed. A stage that cannot be reached holds
+  /// its failure, and the lines stay where they are.
   StageResult next(const std::vector<LayStageDescription>& stages);
 
  private:
   std::shared_ptr<const Model> model_;
   LinkedLines lines_;
-  LiftPosition last_;  ///< What the lines were brought to: that of the last stage that stands.
+  LiftPosition last_;  ///< Target that the lines reached: that of the last solved stage.
   std::size_t passed_ = 0;
 };
 
-/// Brings the lines from stage to stage, as solve_operation() does it of a lay. A stage that cannot be reached says
-/// why; those after it go on from the last that stands.
+/// Solves all stages of a lift, as solve_operation() does for a lay. A stage that cannot be reached holds its failure;
+/// later stages continue from the last solved one.
 OperationResults solve_lift(const Description& description,
-                            const std::function<bool(const StageResult&, std::size_t of)>& told);
+                            const std::function<bool(const StageResult&, std::size_t of)>& on_stage);
 
-/// The first stage with a line that cannot reach, as a fault of the file; none where all can.
-std::optional<StaticFailure> lift_obstacle(const Description& description);
+/// Returns the first stage with a line that cannot reach, as an input error; empty if all can.
+std::optional<StaticFailure> find_unreachable_stage(const Description& description);
 
 }  // namespace overbend

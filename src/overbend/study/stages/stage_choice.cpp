@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "base/text.h"
-#include "model/description/operation_words.h"
+#include "model/description/operation_names.h"
 #include "model/lay_stage.h"
 #include "study/run/prepared_case.h"
 #include "study/stages/lay_operation.h"
@@ -16,44 +16,44 @@ namespace {
 
 using Stages = std::vector<LayStageDescription>;
 
-/// By its name, which may look like a number, or by its number from 1.
-std::optional<std::size_t> index_of(const Stages& stages, const std::string& wanted) {
+/// Finds a stage by its name, which may look like a number, or by its number from 1.
+std::optional<std::size_t> find_stage_index(const Stages& stages, const std::string& wanted) {
   const auto named =
       std::find_if(stages.begin(), stages.end(), [&](const auto& stage) { return stage.name == wanted; });
   if (named != stages.end()) return static_cast<std::size_t>(named - stages.begin());
   std::size_t number = 0;
-  const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool whole = fault == std::errc() && end == wanted.data() + wanted.size();
-  if (!whole || number < 1 || number > stages.size()) return std::nullopt;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+  if (!is_number || number < 1 || number > stages.size()) return std::nullopt;
   return number - 1;
 }
 
-RunEnd no_such_stage(const Stages& stages, const std::string& wanted) {
+RunResult no_such_stage(const Stages& stages, const std::string& wanted) {
   const std::string shown = for_display(wanted);
   if (stages.empty()) {
-    return {RunEnding::wrong_input,
+    return {RunStatus::wrong_input,
             fmt::format("there is no stage '{}': the model has no operation on the line", shown)};
   }
   const std::string which = stages.size() == 1 ? fmt::format("the only one is 1, '{}'", stages.front().name)
                                                : fmt::format("give a number from 1 ('{}') to {} ('{}'), or a name",
                                                              stages.front().name, stages.size(), stages.back().name);
-  return {RunEnding::wrong_input, fmt::format("there is no stage '{}': {}", shown, which)};
+  return {RunStatus::wrong_input, fmt::format("there is no stage '{}': {}", shown, which)};
 }
 
-/// Whether at_stage() has all that it needs: a tension, or an anchor from whose place it follows.
+/// True if make_stage_description() has all that it needs: a tension, or an anchor whose position determines it.
 bool is_complete(const Description& d, const LayStageDescription& stage) {
   return stage.tension || (d.operation.lay.anchor && d.operation.lay.anchor->distance);
 }
 
-/// The stage with its tension, found by solving all before it.
-std::variant<LayStageDescription, RunEnd> solved_stage(const Description& d, std::size_t index) {
+/// Returns the stage with its tension, found by solving all stages before it.
+std::variant<LayStageDescription, RunResult> solved_stage(const Description& d, std::size_t index) {
   std::size_t done = 0;
   const auto until = [&](const StageResult&, std::size_t) { return ++done <= index; };
   const OperationResults results = solve_operation(d, until);
   const StageResult& stage = results.stages.at(index);
   if (stage.lay) return stage.stage;
   const StageFailure& failure = *stage.failure;
-  return failed_end({failure.what, failure.where, failure.why}, d);
+  return failure_result({failure.what, failure.where, failure.why}, d);
 }
 
 bool yields(const Description& d) {
@@ -65,31 +65,30 @@ bool yields(const Description& d) {
 
 }  // namespace
 
-std::variant<Description, RunEnd> choose_stage(const Description& description, const std::string& wanted) {
+std::variant<Description, RunResult> choose_stage(const Description& description, const std::string& wanted) {
   const bool lift = description.operation.type == OperationType::lift;
   const Stages stages = lift || is_lay_operation(description.operation.type) ? lay_stages(description) : Stages{};
-  const std::optional<std::size_t> index = index_of(stages, wanted);
+  const std::optional<std::size_t> index = find_stage_index(stages, wanted);
   if (!index) return no_such_stage(stages, wanted);
   LayStageDescription stage = stages[*index];
   if (!lift && !is_complete(description, stage)) {
-    std::variant<LayStageDescription, RunEnd> solved = solved_stage(description, *index);
-    if (const RunEnd* fault = std::get_if<RunEnd>(&solved)) return *fault;
+    std::variant<LayStageDescription, RunResult> solved = solved_stage(description, *index);
+    if (const RunResult* error = std::get_if<RunResult>(&solved)) return *error;
     stage = std::get<LayStageDescription>(solved);
   }
-  Description chosen = at_stage(description, stage);
+  Description chosen = make_stage_description(description, stage);
   chosen.title = fmt::format("{}, {}", description.title, stage.name);
   if (yields(chosen)) {
-    chosen.findings.push_back(
-        {FindingCode::stage_without_history,
-         "operation: the stage is computed by itself, without what steel yielded at the stages before"});
+    chosen.findings.push_back({FindingCode::stage_without_history,
+                               "operation: the stage is computed alone, without plastic strain from earlier stages"});
   }
   return chosen;
 }
 
 Finding no_stage_finding(const Description& description, bool choosable) {
   return {FindingCode::no_stage_chosen,
-          fmt::format("operation: no stage of the operation {} was chosen; this is the lay as such{}",
-                      operation_word(description.operation.type), choosable ? " (choose with --stage)" : "")};
+          fmt::format("operation: no stage of the operation {} was chosen; the normal lay is analysed{}",
+                      operation_name(description.operation.type), choosable ? " (choose with --stage)" : "")};
 }
 
 }  // namespace overbend

@@ -5,7 +5,7 @@ import { linearScale, ticks, tickTexts, widened } from './scale';
 import { textWidth } from './text';
 import type { Axis, AxisName, ChartProps, Frame, LegendEntry } from './types';
 
-export const kSlant = 50;  // of aslant names [deg]
+export const kSlant = 50;  // angle of slanted names [deg]
 export const kLegendRow = 22;
 const kSlope = Math.sin(kSlant * Math.PI / 180);
 
@@ -13,26 +13,26 @@ export interface Tick { pixel: number; text: string }
 
 export interface PlacedEntry extends LegendEntry { right: number; y: number; textWidth: number }
 
-/** Entries of a legend with the pixel where each ends, and the title at the left of the row. */
+/** Entries of a legend with the pixel at which each ends, and the title at the left of the row. */
 export interface PlacedLegend { entries: PlacedEntry[]; title?: { text: string; y: number } }
 
-/** Names of the x axis: how they stand, and in which size. */
+/** Orientation and size of the names of the x axis. */
 export interface NameLayout { level: boolean; size: number; depth: number }
 
 export interface Layout { frame: Frame; xTicks: Tick[]; yTicks: Tick[]; rightTicks: Tick[]; legends: PlacedLegend[]; names: NameLayout }
 
 type Measure = (text: string) => number;
 
-/** Rows from `free` pixels on; the first row is beside the title where all finds room there. */
-function placeLegend(entries: readonly LegendEntry[], right: number, full: number, beside: number, y: number, measure: Measure) {
+/** Legend rows below y; the first row is next to the title if all entries fit there. */
+function placeLegend(entries: readonly LegendEntry[], right: number, full: number, titleRoom: number, y: number, measure: Measure) {
   const widths = entries.map((entry) => measure(entry.text));
   const spaces = widths.map((width) => width + 48);
   const total = spaces.reduce((sum, space) => sum + space, 0);
-  if (total > beside && beside < full) y += kLegendRow;
+  if (total > titleRoom && titleRoom < full) y += kLegendRow;
   const rows: number[][] = [[]];
   let used = 0;
   spaces.forEach((space, i) => {
-    if (used > 0 && used + space > Math.max(full, beside)) { rows.push([]); used = 0; }
+    if (used > 0 && used + space > Math.max(full, titleRoom)) { rows.push([]); used = 0; }
     rows[rows.length - 1]!.push(i);
     used += space;
   });
@@ -89,7 +89,7 @@ function yRange(props: ChartProps, units: Units): readonly [number, number] {
   return widened(range, decimal);
 }
 
-/** Pixels left of the plot: enough for numbers and label. */
+/** Pixels left of the plot for numbers and label. */
 function leftMargin(props: ChartProps, range: readonly [number, number], units: Units): number {
   const usual = props.left ?? (props.small ? 62 : 88);
   const texts = props.y.names?.map((name) => name.text) ?? axisTicks(props.y, range, 6, (value) => value, units).map((tick) => tick.text);

@@ -1,11 +1,11 @@
-// Places of labels that keep clear of curves, points and each other.
+// Label positions clear of curves, points and each other.
 
 export interface Box { x0: number; x1: number; y0: number; y1: number }
 
 export type Pixel = readonly [number, number];
 
 const kTextHeight = 16;
-const kSpacing = 8;  // of the boxes that stand for a curve
+const kSpacing = 8;  // size of the boxes that represent a curve
 
 const overlap = (a: Box, b: Box) => a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
 
@@ -20,7 +20,7 @@ function offsets(width: number, below: boolean): Pixel[] {
   return list;
 }
 
-/** What is taken within a plot. */
+/** Occupied space within a plot. */
 export class LabelRoom {
   private readonly taken: Box[] = [];
 
@@ -31,7 +31,7 @@ export class LabelRoom {
   }
 
   isFree(box: Box): boolean {
-    return !this.taken.some((other) => overlap(box, other));
+    return !this.taken.some((occupied) => overlap(box, occupied));
   }
 
   isInside(box: Box): boolean {
@@ -43,7 +43,7 @@ export class LabelRoom {
     this.take({ x0: x - radius, x1: x + radius, y0: y - radius, y1: y + radius });
   }
 
-  /** Takes a curve through these pixels. */
+  /** Marks a curve through these pixels as occupied. */
   takeCurve(pixels: readonly Pixel[]): void {
     pixels.forEach(([x1, y1], i) => {
       const [x0, y0] = pixels[Math.max(i - 1, 0)]!;
@@ -56,7 +56,7 @@ export class LabelRoom {
     });
   }
 
-  /** The first of these boxes that is inside and free, else the first inside, else the first; it is taken. */
+  /** Selects the first box that is inside and free, otherwise the first inside, otherwise the first, and marks it as occupied. */
   choose<B extends Box>(boxes: readonly B[]): B {
     const place = boxes.find((box) => this.isInside(box) && this.isFree(box)) ?? boxes.find((box) => this.isInside(box)) ?? boxes[0]!;
     this.take(place);
@@ -71,7 +71,7 @@ export class LabelRoom {
     return this.choose(boxes).start;
   }
 
-  /** Start of a text that stands upright on either side of a vertical line. */
+  /** Start of an upright text on either side of a vertical line. */
   placeUpright(x: number, length: number): Pixel {
     const { y0, y1 } = this.inside;
     const boxes = [];
@@ -85,7 +85,7 @@ export class LabelRoom {
   }
 }
 
-/** Of names that run aslant, those that do not cover the one before. x in pixels, angle in degrees. */
+/** Slanted names that do not cover the previous one. x in pixels, angle in degrees. */
 export function visibleNames<N extends { x: number }>(names: readonly N[], angle: number, size: number): N[] {
   const apart = (size + 1) / Math.abs(Math.sin(angle * Math.PI / 180));
   const list: N[] = [];

@@ -97,7 +97,7 @@ export function LevelLine({ frame, level }: { frame: Frame; level: Level }): VNo
   );
 }
 
-/** Name of a level at its right end; null where the level is out of the plot. */
+/** Name of a level at its right end; null if the level is outside the plot. */
 export function LevelName({ frame, level }: { frame: Frame; level: Level }): VNode | null {
   const [lo, hi] = frame.y.domain;
   if (!level.name || level.value < lo || level.value > hi) return null;
@@ -145,7 +145,7 @@ export function PointMark({ frame, point }: { frame: Frame; point: Point }): VNo
   );
 }
 
-/** A label near a point, clear of what is taken. */
+/** A label near a point, clear of occupied space. */
 export function PointLabel({ frame, point }: { frame: Frame; point: Point }): VNode | null {
   if (!point.label) return null;
   const [x, y] = frame.room.place([frame.x(point.x), frame.y(point.y)], frame.textWidth(point.label, true), point.below);

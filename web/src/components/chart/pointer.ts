@@ -3,13 +3,13 @@ import type { RefObject } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { Pixel } from './labels';
 
-/** Place of an event in the coordinates of a drawing. */
+/** Position of an event in the coordinates of a drawing. */
 export function pixelIn(svg: SVGSVGElement, event: MouseEvent): Pixel {
   const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
   return [place.x, place.y];
 }
 
-/** Follows the pointer over the drawing that holds an element; null when it leaves. */
+/** Follows the pointer over the drawing that contains an element; null when it leaves. */
 export function usePointer(element: RefObject<SVGGraphicsElement>, listener: (pixel: Pixel | null, click: boolean) => void): void {
   useEffect(() => {
     const svg = element.current?.ownerSVGElement;

@@ -2,7 +2,7 @@
 
 export type Range = readonly [number, number];
 
-/** From values to pixels. */
+/** Maps values to pixels. */
 export interface Scale {
   (value: number): number;
   readonly domain: Range;
@@ -36,14 +36,14 @@ export function ticks(lo: number, hi: number, count: number): number[] {
 
 const decimals = (step: number) => Math.min(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), 20);
 
-/** Texts of ticks, with the decimals that tell them apart and a minus of the width of a plus. */
+/** Tick labels, with enough decimals to distinguish them and a minus of the width of a plus. */
 export function tickTexts(values: readonly number[]): string[] {
   const steps = values.slice(1).map((value, i) => Math.abs(value - values[i]!)).filter((step) => step > 0);
   const digits = steps.length > 0 ? decimals(Math.min(...steps)) : 0;
   return values.map((value) => (steps.length > 0 ? value.toFixed(digits) : String(value)).replace('-', '\u2212'));
 }
 
-/** Smallest and largest of the values that are numbers; [0, 0] without any. */
+/** Minimum and maximum of the numeric values; [0, 0] if there are none. */
 export function extent(values: Iterable<number | null | undefined>): [number, number] {
   let [lo, hi] = [Infinity, -Infinity];
   for (const value of values) {
@@ -54,15 +54,15 @@ export function extent(values: Iterable<number | null | undefined>): [number, nu
   return lo > hi ? [0, 0] : [lo, hi];
 }
 
-/** A range with a part of its width added on both sides. */
+/** A range extended on both sides by a fraction of its width. */
 export function withRoom([lo, hi]: Range, part: number, above = part): [number, number] {
   const width = hi - lo || Math.abs(hi) || 1;
   return [lo - part * width, hi + above * width];
 }
 
 /**
- * A range that is wide enough for the precision of its values: at least a hundredth of them, and ten of the last decimal
- * shown. What is smaller is the noise of equilibria and would fill the figure. `decimal`: the last decimal shown.
+ * A range wide enough for the precision of its values: at least a hundredth of them, and ten units of the last decimal
+ * shown. Smaller variations are solver noise and would fill the figure. `decimal`: unit of the last decimal shown.
  */
 export function widened([lo, hi]: Range, decimal: number): [number, number] {
   const min = Math.max(0.01 * Math.max(Math.abs(lo), Math.abs(hi)), 10 * decimal);
@@ -80,7 +80,7 @@ export function lowerBound(list: ArrayLike<number>, value: number): number {
   return first;
 }
 
-/** Linear between the points of a column over an ascending list, constant beyond its ends. */
+/** Linear interpolation of a column over an ascending list, constant beyond its ends. */
 export function interpolate(list: readonly number[], column: readonly number[], value: number): number {
   const i = Math.min(Math.max(lowerBound(list, value), 1), list.length - 1);
   const share = (value - list[i - 1]!) / (list[i]! - list[i - 1]! || 1);

@@ -1,9 +1,9 @@
-// Widths of texts in the font of the page.
+// Text widths in the font of the page.
 
 let pen: CanvasRenderingContext2D | null = null;
 let family = '';
 
-/** Width in pixels; without a browser it is estimated. */
+/** Width in pixels; estimated outside a browser. */
 export function textWidth(text: string, size = 14, bold = false): number {
   if (typeof document === 'undefined') return 0.55 * size * text.length;
   if (!pen) {

@@ -1,22 +1,22 @@
-// What a chart is made of. Values are in the units of the axes: in SI where the axis has `si`.
+// Data of a chart. Values are in the units of the axes: in SI if the axis has `si`.
 import type { ComponentChildren } from 'preact';
 import type { LabelRoom } from './labels';
 import type { Range, Scale } from './scale';
 
-/** A name at a value of an axis; `short` where it stands aslant. */
+/** A name at a value of an axis; `short` if it is slanted. */
 export interface AxisName { value: number; text: string; short?: string }
 
 export interface Axis {
   range: Range;
   label?: string;
-  /** SI unit of the values; ticks and label are in the unit that they are shown in. Without it values are shown as they are. */
+  /** SI unit of the values; ticks and label are in the shown unit. Without it values are shown unconverted. */
   si?: string;
-  /** Decimals that values are shown with (metric ones where `si` is given): a y range is widened to what they can tell apart. */
+  /** Decimals of shown values (metric ones if `si` is given): a y range is widened to this resolution. */
   digits?: number;
-  /** About how many ticks, or their values as shown; [] for none. */
+  /** Approximate number of ticks, or their values as shown; [] for none. */
   ticks?: number | readonly number[];
   format?: (shown: number) => string;
-  /** Names instead of numbers. On the x axis they stand level where there is room, otherwise aslant. */
+  /** Names instead of numbers. On the x axis they are horizontal if they fit, otherwise slanted. */
   names?: readonly AxisName[];
 }
 
@@ -27,19 +27,19 @@ export interface Curve {
   points: readonly CurvePoint[];
   colour: string;
   dash?: string;
-  /** Of the line, 2 unless given; 0: no line. */
+  /** Line width, 2 by default; 0: no line. */
   width?: number;
   /** Radius of circles at the points. */
   marks?: number;
   /** Circles are filled white. */
   hollow?: boolean;
-  /** Shown where the pointer rests on it. */
+  /** Tooltip. */
   title?: string;
   /** Labels may cover it. */
   covered?: boolean;
 }
 
-/** Filled between two curves; null leaves a gap. */
+/** Area between two curves; null leaves a gap. */
 export interface Area {
   points: readonly (readonly [x: number, low: number | null, high: number | null])[];
   colour: string;
@@ -47,26 +47,26 @@ export interface Area {
   edgeWidth?: number;
 }
 
-/** Behind everything, from edge to edge of the plot: a range of x or of y. Without a colour as a support. */
+/** Band behind everything, from edge to edge of the plot: a range of x or of y. Without a colour it marks a support. */
 export interface Band { x?: Range; y?: Range; colour?: string }
 
 export interface Bar { x: Range; y: Range; colour: string; edge?: string; title?: string }
 
-/** A level from edge to edge, its name at the right end right above it. Width 0: only the name. */
+/** A level from edge to edge, with its name above its right end. Width 0: only the name. */
 export interface Level { value: number; colour: string; dash?: string; width?: number; name?: string }
 
-/** A vertical line, its name upright beside it where no curve runs. */
+/** A vertical line with an upright name next to it, clear of curves. */
 export interface Vertical { x: number; name?: string; colour?: string; dash?: string }
 
 export interface Point {
   x: number;
   y: number;
   colour: string;
-  /** Placed clear of curves and other labels, in the order of the list. */
+  /** Labels, placed clear of curves and other labels, in the order of the list. */
   label?: string;
   /** Labels are tried below the point first. */
   below?: boolean;
-  /** 4.5 with a label, else 3.2; 0: only the label. */
+  /** 4.5 with a label, otherwise 3.2; 0: only the label. */
   radius?: number;
   shape?: 'circle' | 'triangle' | 'cross';
   edge?: string;
@@ -77,14 +77,14 @@ export interface Point {
 export interface LegendEntry {
   text: string;
   colour: string;
-  /** Of a line (default) */
+  /** Sample of a line (default). */
   dash?: string;
   width?: number;
   look?: 'line' | 'block' | 'dot';
   edge?: string;
 }
 
-/** Scales and edges of the plot in pixels of the drawing, for what a chart draws of its own. */
+/** Scales and edges of the plot in pixels of the drawing, for additional content of a chart. */
 export interface Frame {
   width: number;
   height: number;
@@ -94,9 +94,9 @@ export interface Frame {
   bottom: number;
   x: Scale;
   y: Scale;
-  /** Where labels may stand; whoever draws a text of his own takes its place here. */
+  /** Free space for labels; any additional text must be reserved here. */
   room: LabelRoom;
-  /** Width of a text in the size of this chart. */
+  /** Width of a text at the letter size of this chart. */
   textWidth: (text: string, bold?: boolean) => number;
 }
 
@@ -104,29 +104,29 @@ export type Drawing = (frame: Frame) => ComponentChildren;
 
 export interface ChartProps {
   title?: string;
-  /** 960, or 480 where small, in pixels of the drawing. */
+  /** 960, or 480 if small, in pixels of the drawing. */
   width?: number;
-  /** 300, without the room for names and rows of the legend above the plot, or names below it. */
+  /** 300, without the space for names and legend rows above the plot, or names below it. */
   height?: number;
-  /** One of several in a row: half as wide, with smaller texts. */
+  /** One of several in a row: half as wide, with smaller letters. */
   small?: boolean;
   x: Axis;
   y: Axis;
   /** A second scale on the right: its values are those of y times `factor`. */
   rightAxis?: { factor: number; label: string };
-  /** The same scale both ways: the height follows from the ranges, up to `maxHeight` (520), then x is widened. */
+  /** The same scale in both directions: the height follows from the ranges, up to `maxHeight` (520), then x is widened. */
   equal?: boolean;
   maxHeight?: number;
-  /** Pixels left and right of the plot, where others than usual. */
+  /** Pixels left and right of the plot, if not the default. */
   left?: number;
   right?: number;
-  /** Pixels above the plot for a drawing of one's own. */
+  /** Pixels above the plot for an additional drawing. */
   headRoom?: number;
-  /** Names aslant above the plot, where they do not cover each other. */
+  /** Slanted names above the plot, without overlaps. */
   lane?: readonly AxisName[];
-  /** In the head, from right to left; below the title where there is no room beside it. */
+  /** In the head, from right to left; below the title if there is no room next to it. */
   legend?: readonly LegendEntry[];
-  /** A second row with a name of its own. */
+  /** A second row with a separate name. */
   secondLegend?: { title: string; entries: readonly LegendEntry[] };
 
   bands?: readonly Band[];
@@ -136,12 +136,12 @@ export interface ChartProps {
   levels?: readonly Level[];
   verticals?: readonly Vertical[];
   points?: readonly Point[];
-  /** Words for what is at a value of x, shown with a line under the pointer; null: nothing there. */
+  /** Text of the values at x, shown with a line under the pointer; null: none. */
   hover?: (x: number) => string | null;
-  /** The pointer's place in pixels of the drawing, null when it leaves; `click`: pressed there. */
+  /** Pointer position in pixels of the drawing, null when it leaves; `click`: pressed there. */
   onPointer?: (pixel: readonly [number, number] | null, frame: Frame, click: boolean) => void;
 
-  /** Its drawing has buttons. */
+  /** The drawing contains buttons. */
   interactive?: boolean;
 
   /** Drawn behind the grid, not clipped. */

@@ -1,5 +1,5 @@
-// All roller boxes, of ramp and stinger, in one table: where they stand, and what the pipe does on them.
-import { arcFaults, rampEnd, wishedBoxes, wishFrom } from '../../logic/gridGenerate';
+// All roller boxes of ramp and stinger in one table: positions and results.
+import { findArcErrors, rampEnd, generatedBoxes, readArcRequest } from '../../logic/gridGenerate';
 import { boxLists, isRow, structureAround } from '../../logic/gridTables';
 import type { ViewList } from '../../logic/gridView';
 import { cursor } from '../../state/look';
@@ -7,11 +7,11 @@ import { byPath } from '../../state/model';
 import { calmLay } from '../../state/shown';
 import { ModelTable } from './ListGrid';
 
-/** Boxes given as a row on an arc, where the program places them. */
+/** Boxes given as a row on an arc, which the program places. */
 function placedBoxes(structure: string): Record<string, string>[] {
-  const wish = wishFrom(byPath.value, structure), end = structure === 'supports.stinger' ? rampEnd(byPath.value) : null;
-  if (arcFaults(wish, end).length > 0) return [];
-  return wishedBoxes(wish, end).map((box) => ({ x: `${box.x.toFixed(3)} m`, z: `${box.z.toFixed(3)} m`, ...(wish.length ? { length: wish.length } : {}) }));
+  const request = readArcRequest(byPath.value, structure), end = structure === 'supports.stinger' ? rampEnd(byPath.value) : null;
+  if (findArcErrors(request, end).length > 0) return [];
+  return generatedBoxes(request, end).map((box) => ({ x: `${box.x.toFixed(3)} m`, z: `${box.z.toFixed(3)} m`, ...(request.length ? { length: request.length } : {}) }));
 }
 
 export function BoxesGrid() {

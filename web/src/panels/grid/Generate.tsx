@@ -1,19 +1,19 @@
-// Boxes of a structure from radius, number and spacing, with the numbers that come of it before they are written.
+// Boxes of a structure from radius, number and spacing, with a preview before they are written.
 import { useMemo, useState } from 'preact/hooks';
-import { arcFaults, rampEnd, rowChanges, wishedBoxes, wishFrom, writtenOut, type ArcPlace, type ArcWish } from '../../logic/gridGenerate';
+import { findArcErrors, rampEnd, rowChanges, generatedBoxes, readArcRequest, writtenOut, type ArcPlace, type ArcRequest } from '../../logic/gridGenerate';
 import { display } from '../../logic/show';
 import { twin } from '../../logic/units';
 import { writeChanges } from '../../state/gridEdit';
 import { byPath } from '../../state/model';
 
-const fields: [key: keyof ArcWish, name: string, title: string][] = [
-  ['radius', 'radius', 'Of the arc that the boxes stand on'],
+const fields: [key: keyof ArcRequest, name: string, title: string][] = [
+  ['radius', 'radius', 'Radius of the arc of the boxes'],
   ['count', 'boxes', 'Number of boxes'],
-  ['spacing', 'spacing', 'From box to box along the arc'],
+  ['spacing', 'spacing', 'Distance between boxes along the arc'],
   ['length', 'box length', 'Length of each box along the pipe; needed with more than one roller row'],
   ['x', 'first x', 'First box, astern of the stern shoe; empty: one spacing behind the ramp'],
   ['z', 'first z', 'First box, above the stern shoe; empty: one spacing behind the ramp'],
-  ['incline', 'first incline', 'Of the arc at the first box, positive downwards astern; empty: as the ramp ends'],
+  ['incline', 'first incline', 'Incline of the arc at the first box, positive downwards astern; empty: that of the end of the ramp'],
 ];
 
 function Preview({ boxes }: { boxes: ArcPlace[] }) {
@@ -33,12 +33,12 @@ function Preview({ boxes }: { boxes: ArcPlace[] }) {
 }
 
 export function Generate({ structure, close }: { structure: string; close: () => void }) {
-  const [wish, setWish] = useState<ArcWish>(() => wishFrom(byPath.value, structure));
+  const [request, setRequest] = useState<ArcRequest>(() => readArcRequest(byPath.value, structure));
   const end = structure === 'supports.stinger' ? rampEnd(byPath.value) : null;
-  const faults = useMemo(() => new Map(arcFaults(wish, end).map((f) => [f.key, f.text])), [wish, end]);
-  const boxes = faults.size === 0 ? wishedBoxes(wish, end) : [];
+  const errors = useMemo(() => new Map(findArcErrors(request, end).map((f) => [f.key, f.text])), [request, end]);
+  const boxes = errors.size === 0 ? generatedBoxes(request, end) : [];
   const write = async (asRow: boolean): Promise<void> => {
-    const changes = asRow ? rowChanges(structure, wish) : writtenOut(structure, wish, boxes, byPath.value.get(`${structure}.radius`)?.given ?? false);
+    const changes = asRow ? rowChanges(structure, request) : writtenOut(structure, request, boxes, byPath.value.get(`${structure}.radius`)?.given ?? false);
     if (await writeChanges(changes)) close();
   };
   const name = structure.replace('supports.', '');
@@ -49,17 +49,17 @@ export function Generate({ structure, close }: { structure: string; close: () =>
           <label key={key} title={title}>
             {label}
             <input
-              value={wish[key]}
+              value={request[key]}
               placeholder={key === 'x' || key === 'z' || key === 'incline' ? 'from the ramp' : ''}
               autocomplete="off"
               autofocus={key === 'radius'}
-              aria-invalid={faults.has(key)}
-              onInput={(e) => setWish({ ...wish, [key]: e.currentTarget.value })}
+              aria-invalid={errors.has(key)}
+              onInput={(e) => setRequest({ ...request, [key]: e.currentTarget.value })}
             />
-            <small>{faults.get(key) ?? twin(wish[key])}</small>
+            <small>{errors.get(key) ?? twin(request[key])}</small>
           </label>
         ))}
-        <p class="brief">The boxes of the {name} are replaced; undo brings them back. A row keeps radius and spacing as keys that can be varied.</p>
+        <p class="brief">The boxes of the {name} are replaced; undo restores them. In a row, radius and spacing remain keys that can be varied.</p>
         <footer>
           <button type="submit" class="main" disabled={boxes.length === 0}>Write as a row</button>
           <button type="button" disabled={boxes.length === 0} onClick={() => void write(false)}>Write as a list</button>

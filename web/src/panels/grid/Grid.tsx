@@ -1,5 +1,5 @@
-// A table to work in, as in a spreadsheet: cells are chosen, typed into, copied, pasted and cleared; what may become of
-// that is up to its owner.
+// An editable table, operated as a spreadsheet: cells are selected, typed into, copied, pasted and cleared; the effect
+// of that is defined by its owner.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { csvText } from '../../components/tableText';
@@ -13,7 +13,7 @@ import { headText, isElsewhere, isTyped, spotUnder, type GridCell, type PastePla
 import '../../styles/grid.css';
 
 export interface GridProps {
-  /** Distinguishes it from others on the page. */
+  /** Distinguishes it from other grids on the page. */
   id: string;
   label: string;
   columns: ViewColumn[];
@@ -23,18 +23,18 @@ export interface GridProps {
   edit: (cells: GridCell[]) => void;
   paste: (text: string, place: PastePlace | null) => void;
   chooseUnit: (column: ViewColumn, unit: string) => void;
-  /** Drafts of cells are given up: Escape in one that could not be read. */
+  /** Discards drafts of cells: Escape in an unreadable one. */
   drop: (cells: GridCell[]) => void;
   move: (rows: ViewRow[], step: 1 | -1) => void;
-  /** Results are those of a state before. */
+  /** Results are outdated. */
   isOld: boolean;
-  /** Buttons above; they get the selected rows. */
+  /** Buttons above; they receive the selected rows. */
   tools: (state: { rows: ViewRow[]; sorted: ViewRow[] | null; copy: (heads: boolean) => void; save: () => void }) => ComponentChildren;
-  /** Below the tools: what has to be said or asked. */
+  /** Messages and questions below the tools. */
   notes?: ComponentChildren;
 }
 
-/** Time [ms] without a key after which picture and properties follow the active row. */
+/** Delay [ms] after the last key until picture and properties follow the active row. */
 const followTime = 150;
 
 export function Grid(props: GridProps) {
@@ -50,11 +50,11 @@ export function Grid(props: GridProps) {
 
   const sortColumn = sorting ? columns.findIndex((c) => c.id === sorting.column) : -1;
   const rows = useMemo(() => (sortColumn < 0 ? props.rows : sortedRows(props.rows, sortColumn, sorting!.descending)), [props.rows, sortColumn, sorting]);
-  const own = range && clamped(range, rows.length, columns.length);
-  const box = own && rectangle(own);
+  const inside = range && clamped(range, rows.length, columns.length);
+  const box = inside && rectangle(inside);
   const selected = box ? rows.slice(box.top, box.bottom + 1) : [];
 
-  /** `later`: the rest of the page follows when the keys rest. */
+  /** `later`: the rest of the page follows after the delay. */
   const select = (next: Range, later = false): void => {
     setRange(next);
     const row = rows[next.focus.row];
@@ -66,18 +66,18 @@ export function Grid(props: GridProps) {
   };
   useEffect(() => () => clearTimeout(following.current), []);
 
-  // chosen elsewhere: the same row here
+  // selected elsewhere: the same row here
   useEffect(() => {
     if (props.chosen === lastChosen.current) return;
     lastChosen.current = props.chosen;
     const row = rows.findIndex((r) => r.id === props.chosen || props.chosen.startsWith(`${r.id}.`));
-    if (row >= 0 && own?.focus.row !== row) setRange(spotRange({ row, column: own?.focus.column ?? 0 }));
+    if (row >= 0 && inside?.focus.row !== row) setRange(spotRange({ row, column: inside?.focus.column ?? 0 }));
   }, [props.chosen]);
 
   useEffect(() => {
-    if (!own) return;
-    document.getElementById(`${id}-${own.focus.row}-${own.focus.column}`)?.scrollIntoView?.({ block: 'nearest', inline: 'nearest' });
-  }, [own?.focus.row, own?.focus.column]);
+    if (!inside) return;
+    document.getElementById(`${id}-${inside.focus.row}-${inside.focus.column}`)?.scrollIntoView?.({ block: 'nearest', inline: 'nearest' });
+  }, [inside?.focus.row, inside?.focus.column]);
 
   const cellsIn = (r: Rectangle): GridCell[] => rows.slice(r.top, r.bottom + 1).flatMap((row) => columns.slice(r.left, r.right + 1).map((column, i) => ({ row, column, text: row.cells[r.left + i]!.text })));
 
@@ -110,23 +110,23 @@ export function Grid(props: GridProps) {
     return () => document.removeEventListener('paste', take);
   }, [props.paste]);
 
-  const canEdit = own !== null && columns[own.focus.column]!.editable && rows[own.focus.row]!.cells[own.focus.column]!.state !== 'fixed';
+  const canEdit = inside !== null && columns[inside.focus.column]!.editable && rows[inside.focus.row]!.cells[inside.focus.column]!.state !== 'fixed';
   const begin = (text: string | null): void => {
-    if (!own || !canEdit) return;
-    const cell = rows[own.focus.row]!.cells[own.focus.column]!;
-    setRange(spotRange(own.focus));
-    setEditing({ row: rows[own.focus.row]!.id, text: text ?? (cell.state === 'standard' ? '' : cell.text) });
+    if (!inside || !canEdit) return;
+    const cell = rows[inside.focus.row]!.cells[inside.focus.column]!;
+    setRange(spotRange(inside.focus));
+    setEditing({ row: rows[inside.focus.row]!.id, text: text ?? (cell.state === 'standard' ? '' : cell.text) });
   };
 
   const commit = (text: string, key: string, shift: boolean): void => {
     setEditing(null);
     const row = rows.find((r) => r.id === editing?.row);
-    if (!own || !row) return;
-    const column = columns[own.focus.column]!, cell = row.cells[own.focus.column]!;
+    if (!inside || !row) return;
+    const column = columns[inside.focus.column]!, cell = row.cells[inside.focus.column]!;
     if (text.trim() !== (cell.state === 'standard' ? '' : cell.text)) props.edit([{ row, column, text }]);
     if (!key) return;
     table.current?.focus({ preventScroll: true });
-    const next = key === 'Tab' ? tabbed(own, shift, rows.length, columns.length) : moved(own, shift ? 'ArrowUp' : 'ArrowDown', {}, rows.length, columns.length);
+    const next = key === 'Tab' ? tabbed(inside, shift, rows.length, columns.length) : moved(inside, shift ? 'ArrowUp' : 'ArrowDown', {}, rows.length, columns.length);
     if (next) select(next, true);
   };
   const cancel = (): void => { setEditing(null); table.current?.focus({ preventScroll: true }); };
@@ -137,14 +137,14 @@ export function Grid(props: GridProps) {
     const bad = box ? cellsIn(box).filter((c) => c.row.cells[columns.indexOf(c.column)]!.state === 'bad') : [];
     if (bad.length) props.drop(bad);
     else leaving.current = true;
-    if (own) setRange(spotRange(own.focus));
+    if (inside) setRange(spotRange(inside.focus));
   };
 
   const keyDown = (e: KeyboardEvent): void => {
-    if (!own) return;
+    if (!inside) return;
     const control = e.ctrlKey || e.metaKey;
     if (e.key === 'Tab') {
-      const next = leaving.current ? null : tabbed(own, e.shiftKey, rows.length, columns.length);
+      const next = leaving.current ? null : tabbed(inside, e.shiftKey, rows.length, columns.length);
       leaving.current = false;
       if (next) { e.preventDefault(); select(next, true); }
       return;
@@ -152,7 +152,7 @@ export function Grid(props: GridProps) {
     leaving.current = false;
     const arrow = e.key === 'ArrowUp' || e.key === 'ArrowDown';
     if (e.altKey && arrow) { e.preventDefault(); props.move(selected, e.key === 'ArrowUp' ? -1 : 1); return; }
-    const next = e.altKey ? null : moved(own, e.key, { control, shift: e.shiftKey }, rows.length, columns.length);
+    const next = e.altKey ? null : moved(inside, e.key, { control, shift: e.shiftKey }, rows.length, columns.length);
     if (next) { e.preventDefault(); select(next, true); return; }
     if (control && e.key.toLowerCase() === 'a') { e.preventDefault(); setRange({ anchor: { row: 0, column: 0 }, focus: { row: rows.length - 1, column: columns.length - 1 } }); return; }
     if (control && e.shiftKey && e.key.toLowerCase() === 'c') { e.preventDefault(); copy(true); return; }
@@ -170,19 +170,19 @@ export function Grid(props: GridProps) {
     table.current?.focus({ preventScroll: true });
     dragging.current = true;
     const first = { row: spot.row, column: spot.column ?? 0 }, last = { row: spot.row, column: spot.column ?? columns.length - 1 };
-    select(e.shiftKey && own ? { anchor: own.anchor, focus: last } : { anchor: first, focus: last });
+    select(e.shiftKey && inside ? { anchor: inside.anchor, focus: last } : { anchor: first, focus: last });
   };
   const pointerMove = (e: PointerEvent): void => {
-    if (!dragging.current || !own) return;
+    if (!dragging.current || !inside) return;
     if (!(e.buttons & 1)) { dragging.current = false; return; }
     const spot = spotUnder(e.target);
     if (!spot) return;
     const focus = { row: spot.row, column: spot.column ?? columns.length - 1 };
-    if (focus.row !== own.focus.row || focus.column !== own.focus.column) setRange({ anchor: own.anchor, focus });
+    if (focus.row !== inside.focus.row || focus.column !== inside.focus.column) setRange({ anchor: inside.anchor, focus });
   };
 
   const sort = (c: ViewColumn): void => setSorting(sorting?.column !== c.id ? { column: c.id, descending: false } : sorting.descending ? null : { column: c.id, descending: true });
-  const active = own && rows[own.focus.row]?.cells[own.focus.column];
+  const active = inside && rows[inside.focus.row]?.cells[inside.focus.column];
   return (
     <div class="gridbox">
       <div class="gridtools">{props.tools({ rows: selected, sorted: sorting ? rows : null, copy, save })}</div>
@@ -196,10 +196,10 @@ export function Grid(props: GridProps) {
           aria-multiselectable="true"
           aria-rowcount={rows.length + 1}
           aria-colcount={columns.length}
-          aria-activedescendant={own ? `${id}-${own.focus.row}-${own.focus.column}` : undefined}
+          aria-activedescendant={inside ? `${id}-${inside.focus.row}-${inside.focus.column}` : undefined}
           aria-description="Enter or F2 edits, Escape and then Tab leaves the table"
           onKeyDown={keyDown}
-          onFocus={() => { if (!own && rows.length) setRange(spotRange({ row: 0, column: 0 })); }}
+          onFocus={() => { if (!inside && rows.length) setRange(spotRange({ row: 0, column: 0 })); }}
           onPointerDown={pointerDown}
           onPointerMove={pointerMove}
           onPointerUp={() => { dragging.current = false; }}
@@ -225,7 +225,7 @@ export function Grid(props: GridProps) {
           <tbody>
             {rows.map((row, i) => {
               const within = box !== null && i >= box.top && i <= box.bottom, isEdited = editing?.row === row.id;
-              const isActive = editing ? isEdited : own?.focus.row === i;
+              const isActive = editing ? isEdited : inside?.focus.row === i;
               return (
                 <GridRow
                   key={row.id}
@@ -234,7 +234,7 @@ export function Grid(props: GridProps) {
                   number={i}
                   left={within ? box.left : -1}
                   right={within ? box.right : -1}
-                  active={isActive && own ? own.focus.column : -1}
+                  active={isActive && inside ? inside.focus.column : -1}
                   editing={isEdited ? editing.text : null}
                   chosen={row.id === props.chosen}
                   grid={id}
@@ -246,7 +246,7 @@ export function Grid(props: GridProps) {
           </tbody>
         </table>
       </div>
-      <p class={`gridsaid ${active?.severity ?? ''}`} role="status">{active ? active.message || columns[own.focus.column]!.info : ''}</p>
+      <p class={`gridsaid ${active?.severity ?? ''}`} role="status">{active ? active.message || columns[inside.focus.column]!.info : ''}</p>
     </div>
   );
 }

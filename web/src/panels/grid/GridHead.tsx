@@ -1,4 +1,4 @@
-// Heads of a grid: a click sorts, the unit can be chosen, groups of results have a head above.
+// Heads of a grid: a click sorts, the unit can be selected, groups of results have a common head.
 import type { ViewColumn } from '../../logic/gridView';
 
 export interface Sorting { column: string; descending: boolean }
@@ -25,7 +25,7 @@ function Unit({ column, choose }: { column: ViewColumn; choose: (unit: string) =
   if (!column.unit) return null;
   if (column.units.length < 2) return <span class="unit">[{column.unit}]</span>;
   return (
-    <select class="unit" value={column.unit} aria-label={`Unit of ${column.title}`} title="Unit of this column; the model keeps the units it is written in" onChange={(e) => choose(e.currentTarget.value)}>
+    <select class="unit" value={column.unit} aria-label={`Unit of ${column.title}`} title="Unit of this column; the model keeps its own units" onChange={(e) => choose(e.currentTarget.value)}>
       {[...column.units].sort().map((unit) => <option key={unit} value={unit}>[{unit}]</option>)}
     </select>
   );
@@ -33,7 +33,7 @@ function Unit({ column, choose }: { column: ViewColumn; choose: (unit: string) =
 
 export function GridHead({ columns, sorting, sort, chooseUnit, selectAll }: Props) {
   const groups = groupsIn(columns);
-  const orderOf = (c: ViewColumn): 'ascending' | 'descending' | 'none' => (sorting?.column === c.id ? (sorting.descending ? 'descending' : 'ascending') : 'none');
+  const sortOrder = (c: ViewColumn): 'ascending' | 'descending' | 'none' => (sorting?.column === c.id ? (sorting.descending ? 'descending' : 'ascending') : 'none');
   return (
     <thead>
       {groups.length > 1 ? (
@@ -45,7 +45,7 @@ export function GridHead({ columns, sorting, sort, chooseUnit, selectAll }: Prop
       <tr aria-rowindex={1}>
         <th class="corner"><button type="button" tabIndex={-1} aria-label="Select all" title="Select all (Ctrl A)" onClick={selectAll} /></th>
         {columns.map((c) => (
-          <th key={c.id} scope="col" aria-sort={orderOf(c)} class={`${c.words ? 't' : 'n'}${c.editable ? '' : ' result'}`} title={c.info}>
+          <th key={c.id} scope="col" aria-sort={sortOrder(c)} class={`${c.isText ? 't' : 'n'}${c.editable ? '' : ' result'}`} title={c.info}>
             <button type="button" class="sort" tabIndex={-1} onClick={() => sort(c)}>
               {c.title}
             </button>

@@ -1,4 +1,4 @@
-// One row of a grid: drawn anew only where something in it, or the selection within it, has changed.
+// One row of a grid: drawn again only if its content or its selection has changed.
 import { Component } from 'preact';
 import type { ViewCell, ViewColumn, ViewRow } from '../../logic/gridView';
 import { selectObject } from '../../state/workspace';
@@ -6,7 +6,7 @@ import { selectObject } from '../../state/workspace';
 export interface RowProps {
   row: ViewRow;
   columns: ViewColumn[];
-  /** Number in the grid, which is another than that in the list where the rows are sorted. */
+  /** Number in the grid, which differs from that in the list if the rows are sorted. */
   number: number;
   /** Selected cells, none: -1. */
   left: number;
@@ -25,7 +25,7 @@ const keys = Object.keys as (o: RowProps) => (keyof RowProps)[];
 
 interface EditorProps { text: string; column: ViewColumn; title: string; commit: RowProps['commit']; cancel: () => void }
 
-/** The field in the active cell. What was typed counts as soon as the cell is left, however it is left. */
+/** The field in the active cell. Typed text is committed in whichever way the cell is left. */
 function Editor({ text, column, title, commit, cancel }: EditorProps) {
   let left = false;
   const leave = (act: () => void): void => { if (!left) { left = true; act(); } };
@@ -55,7 +55,7 @@ function Editor({ text, column, title, commit, cancel }: EditorProps) {
 }
 
 function cellClass(cell: ViewCell, column: ViewColumn, selected: boolean, active: boolean): string {
-  const names = [cell.state, cell.severity && `has-${cell.severity}`, column.words ? 't' : 'n', selected && 'selected', active && 'active', !column.editable && cell.state !== 'result' && 'nested'];
+  const names = [cell.state, cell.severity && `has-${cell.severity}`, column.isText ? 't' : 'n', selected && 'selected', active && 'active', !column.editable && cell.state !== 'result' && 'nested'];
   return names.filter(Boolean).join(' ');
 }
 

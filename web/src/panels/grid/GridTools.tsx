@@ -9,7 +9,7 @@ import { selectObject } from '../../state/workspace';
 
 interface Props {
   table: GridTable;
-  /** List that a new row is added to. */
+  /** List that receives a new row. */
   list: string;
   selected: ViewRow[];
   sorted: ViewRow[] | null;
@@ -28,22 +28,22 @@ export function GridTools({ table, list, selected, sorted, copy, save, children 
   const target = selected.at(-1)?.list ?? list, isArc = isRow(byPath.value, target);
   return (
     <>
-      <button type="button" disabled={isArc} onClick={() => void addRow(target, allColumns(table))} title="A row like the last one, behind it">+ Row</button>
+      <button type="button" disabled={isArc} onClick={() => void addRow(target, allColumns(table))} title="Add a copy of the last row">+ Row</button>
       <button type="button" disabled={none} onClick={() => duplicateSelected(selected)} title={`Copy ${many}`}>Duplicate</button>
-      <button type="button" disabled={none} onClick={() => removeSelected(selected)} title={`Take ${many} out of the model`}>Remove</button>
+      <button type="button" disabled={none} onClick={() => removeSelected(selected)} title={`Remove ${many} from the model`}>Remove</button>
       <button type="button" disabled={none || sorted !== null} onClick={() => void moveRows(selected, -1)} aria-label="Move up" title={`Move ${many} up (Alt ↑)`}>↑</button>
       <button type="button" disabled={none || sorted !== null} onClick={() => void moveRows(selected, 1)} aria-label="Move down" title={`Move ${many} down (Alt ↓)`}>↓</button>
-      {sorted ? <button type="button" onClick={() => writeOrder(sorted)} title="The model gets the order that is seen">Write in this order</button> : null}
+      {sorted ? <button type="button" onClick={() => writeOrder(sorted)} title="Write the order shown into the model">Apply this order</button> : null}
       {table.hidden.length ? (
-        <select value="" aria-label="Add a column" title="Columns that no row has yet" onChange={(e) => { askColumns(table.key, [e.currentTarget.value]); e.currentTarget.value = ''; }}>
+        <select value="" aria-label="Add a column" title="Columns without values" onChange={(e) => { askColumns(table.key, [e.currentTarget.value]); e.currentTarget.value = ''; }}>
           <option value="">+ column</option>
           {table.hidden.map((c) => <option key={c.key} value={c.key}>{c.title}</option>)}
         </select>
       ) : null}
       {children}
       <span class="fill">{writingRows.value ? 'Writing …' : ''}</span>
-      <button type="button" class="tiny" onClick={() => copy(true)} title="The selected cells, or all, with their heads (Ctrl Shift C); Ctrl C without heads">Copy with heads</button>
-      <button type="button" class="tiny" onClick={save} title="Saves the table as a CSV file">CSV</button>
+      <button type="button" class="tiny" onClick={() => copy(true)} title="Copy the selected cells, or all, with headings (Ctrl Shift C); Ctrl C copies without headings">Copy with headings</button>
+      <button type="button" class="tiny" onClick={save} title="Save the table as a CSV file">CSV</button>
     </>
   );
 }

@@ -1,9 +1,9 @@
-// Any list of the model as a table, with the results that belong to its rows.
+// A list of the model as a table, with the results of its rows.
 import { useState } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isList, isRow, listAround, structureAround } from '../../logic/gridTables';
 import { parts, label } from '../../logic/formTree';
-import { arcFaults, rampEnd, wishedBoxes, wishFrom, writtenOut } from '../../logic/gridGenerate';
+import { findArcErrors, rampEnd, generatedBoxes, readArcRequest, writtenOut } from '../../logic/gridGenerate';
 import type { Pasted } from '../../logic/gridPaste';
 import { diagnosticsByKey, isPlaced, type ViewColumn, type ViewList, type ViewRow } from '../../logic/gridView';
 import { dropDrafts, drafts, schema, writeChanges } from '../../state/gridEdit';
@@ -16,39 +16,39 @@ import { Generate } from './Generate';
 import { Grid } from './Grid';
 import type { PastePlace } from './gridParts';
 import { GridTools, moveRows } from './GridTools';
-import { PasteOffer, pastedWords } from './PasteOffer';
+import { PasteOffer, pastedText } from './PasteOffer';
 
-/** Whether the object at a path is a list, which has a table. */
+/** True if the object at a path is a list, which has a table. */
 export const hasGrid = (path: string): boolean => path !== '' && isList(path, byPath.value, schema.value);
 
-/** A row of boxes on an arc: what it is made of, and its places as a list. */
+/** A row of boxes on an arc: its values, and its conversion to a list. */
 function ArcNote({ list, generate }: { list: ViewList; generate: () => void }) {
-  const structure = structureAround(list.path), wish = wishFrom(byPath.value, structure), end = structure === 'supports.stinger' ? rampEnd(byPath.value) : null;
-  const boxes = arcFaults(wish, end).length === 0 ? wishedBoxes(wish, end) : [];
+  const structure = structureAround(list.path), request = readArcRequest(byPath.value, structure), end = structure === 'supports.stinger' ? rampEnd(byPath.value) : null;
+  const boxes = findArcErrors(request, end).length === 0 ? generatedBoxes(request, end) : [];
   return (
     <div class="gridstrip">
-      <p>The {list.title} is given as a row: {wish.count} boxes, {wish.spacing} apart on a radius of {wish.radius}.</p>
+      <p>The {list.title} is defined as a row: {request.count} boxes at a spacing of {request.spacing} on a radius of {request.radius}.</p>
       <button type="button" onClick={generate}>Change …</button>
-      <button type="button" disabled={boxes.length === 0} onClick={() => void writeChanges(writtenOut(structure, wish, boxes, byPath.value.get(`${structure}.radius`)?.given ?? false))}>Write out as a list</button>
+      <button type="button" disabled={boxes.length === 0} onClick={() => void writeChanges(writtenOut(structure, request, boxes, byPath.value.get(`${structure}.radius`)?.given ?? false))}>Convert to a list</button>
     </div>
   );
 }
 
 function Said({ list }: { list: ViewList }) {
   const d = diagnosticsByKey(diagnostics.value).get(list.path);
-  return d ? <p class={d.severity === 'error' ? 'fault' : 'note'} role={d.severity === 'error' ? 'alert' : undefined}>{d.message}</p> : null;
+  return d ? <p class={d.severity === 'error' ? 'failuretext' : 'note'} role={d.severity === 'error' ? 'alert' : undefined}>{d.message}</p> : null;
 }
 
-/** Cells whose text could not be read; they are not in the model. */
+/** Cells with unreadable text; they are not in the model. */
 function Unread({ rows }: { rows: ViewRow[] }) {
   const bad = rows.flatMap((row) => row.cells.filter((cell) => cell.state === 'bad').map(() => row));
   if (bad.length === 0) return null;
   const drop = (): void => dropDrafts([...drafts.value].filter(([path, d]) => d.message && rows.some((row) => path === row.id || path.startsWith(`${row.id}.`))).map(([path]) => path));
   return (
     <div class="gridstrip bad" role="alert">
-      <p>{bad.length === 1 ? '1 cell is' : `${bad.length} cells are`} not in the model: correct the text, or give it up.</p>
+      <p>{bad.length === 1 ? '1 cell is' : `${bad.length} cells are`} not in the model: correct or discard the text.</p>
       <button type="button" onClick={() => selectObject(bad[0]!.id)}>Show</button>
-      <button type="button" onClick={drop}>Give up</button>
+      <button type="button" onClick={drop}>Discard</button>
     </div>
   );
 }
@@ -57,12 +57,12 @@ interface TableProps {
   id: string;
   label: string;
   lists: ViewList[];
-  /** What a row is chosen for besides the object: the place along the pipe. */
+  /** Effect of selecting a row in addition to its object: the position along the pipe. */
   choose?: (row: ViewRow) => void;
   tools?: ComponentChildren;
 }
 
-/** Where the pasted rows name the list that they belong to, each goes there. */
+/** Pasted rows that name their list are added to it. */
 function takeNamed(table: GridTable, pasted: Pasted, lists: ViewList[]): boolean {
   const named = lists.map((list) => ({ list, rows: pasted.rows.filter((row) => row.list.toLowerCase() === list.title.toLowerCase()) })).filter((p) => p.rows.length > 0);
   if (named.length === 0 || named.reduce((sum, p) => sum + p.rows.length, 0) !== pasted.rows.length) return false;
@@ -74,14 +74,14 @@ export function ModelTable({ id, label: name, lists, choose, tools }: TableProps
   const table = useGridTable(lists);
   const [offer, setOffer] = useState<Pasted | null>(null);
   const [generating, setGenerating] = useState('');
-  if (!table) return <p class="empty">{schema.value ? 'No table for this.' : 'Reading the columns …'}</p>;
+  if (!table) return <p class="empty">{schema.value ? 'This object has no table.' : 'Reading the columns …'}</p>;
   const structures = [...new Set(lists.filter((l) => /^supports\.(ramp|stinger)\.boxes$/.test(l.path)).map((l) => structureAround(l.path)))].reverse();
 
   const paste = (text: string, place: PastePlace | null): void => {
-    if (place && !place.all && !place.rows.some(isPlaced)) { const pasted = pasteAt(table, text, place); if (pasted.ignored.length) say(pastedWords(pasted)); return; }
+    if (place && !place.all && !place.rows.some(isPlaced)) { const pasted = pasteAt(table, text, place); if (pasted.ignored.length) say(pastedText(pasted)); return; }
     const pasted = readTable(table, text);
     if (pasted.rows.length === 0) return;
-    if (lists.length > 1 && takeNamed(table, pasted, lists)) say(`Pasted: ${pastedWords(pasted)}`);
+    if (lists.length > 1 && takeNamed(table, pasted, lists)) say(`Pasted: ${pastedText(pasted)}`);
     else setOffer(pasted);
   };
   const take = async (list: string, mode: 'replace' | 'append'): Promise<void> => {
@@ -129,7 +129,7 @@ export function ListGrid({ path }: { path: string }) {
   return <ModelTable key={path} id={`grid-${path.replace(/[^\w]+/g, '-')}`} label={title} lists={[{ path, title }]} />;
 }
 
-/** The list that the selected object is, or lies in; boxes have a table of their own. */
+/** The selected list, or the list of the selected object; boxes have a separate table. */
 function objectList(): string {
   const path = object.value, list = hasGrid(path) ? path : listAround(path);
   return /\.boxes$/.test(list) && structureAround(list) ? '' : list;

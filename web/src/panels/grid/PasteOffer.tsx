@@ -1,4 +1,4 @@
-// A table was pasted while no cell was selected: what shall become of it.
+// A table was pasted while no cell was selected: choice of its destination.
 import type { Pasted } from '../../logic/gridPaste';
 import type { ViewList } from '../../logic/gridView';
 import { countIn } from '../../state/gridEdit';
@@ -8,24 +8,24 @@ interface Props { pasted: Pasted; lists: ViewList[]; take: (list: string, mode: 
 
 const many = (n: number, what: string): string => `${n} ${what}${n === 1 ? '' : 's'}`;
 
-/** What a pasted table has, in words: its columns, what is left out, what cannot be read. */
-export function pastedWords({ rows, columns, ignored, hasHead }: Pasted): string {
+/** Summary of a pasted table: columns, ignored columns, unreadable cells. */
+export function pastedText({ rows, columns, ignored, hasHead }: Pasted): string {
   const bad = rows.reduce((sum, row) => sum + row.cells.filter((c) => 'message' in c.read).length, 0);
   return [
     `${many(rows.length, 'row')} with ${columns.map((c) => c.title).join(', ') || 'no column of this table'}`,
-    hasHead ? '' : 'no heads found, taken in the order of the columns',
-    ignored.length ? `not taken: ${ignored.join(', ')}` : '',
+    hasHead ? '' : 'no headings found, assigned in the order of the columns',
+    ignored.length ? `ignored: ${ignored.join(', ')}` : '',
     bad ? `${many(bad, 'cell')} cannot be read` : '',
   ].filter(Boolean).join('; ');
 }
 
 export function PasteOffer({ pasted, lists, take, close }: Props) {
   const named = lists.length > 1;
-  // the list astern first: a pasted table of boxes mostly is a stinger
+  // the aft list first: a pasted table of boxes is usually a stinger
   const order = [...lists].reverse();
   return (
     <div class="gridstrip" role="group" aria-label="Pasted table" onKeyDown={(e) => { if (e.key === 'Escape') close(); }}>
-      <p>Pasted: {pastedWords(pasted)}.</p>
+      <p>Pasted: {pastedText(pasted)}.</p>
       {pasted.columns.length ? order.map((list, i) => {
         const count = countIn(list.path);
         return (

@@ -1,4 +1,4 @@
-// The cable of the stage that is shown: tension along it and how much of it is used.
+// The cable of the selected stage: tension along it and its utilisation.
 import { bedHeight } from '../../logic/bed';
 import { cableChart, cableCheck, cableState } from '../../logic/cable';
 import { numberIn, unitName } from '../../logic/show';
@@ -25,7 +25,7 @@ export function CableTab() {
   const kN = (value: number): [string, string] => [numberIn(value, 'N'), unitName('N')], m = (value: number): [string, string] => [numberIn(value, 'm'), unitName('m')];
   const ends: [string, string] = stage.parts!.cable_at_far_end ? ['at the head', 'at the far end'] : ['at the winch', 'at the head'];
   const rows: [string, string, string][] = [
-    ['length out', ...m(cable.length)], [`tension ${ends[0]}`, ...kN(cable.near)], [`tension ${ends[1]}`, ...kN(cable.far)], ['largest tension', ...kN(cable.largest)], ['on the seabed', ...m(cable.onBed)],
+    ['length out', ...m(cable.length)], [`tension ${ends[0]}`, ...kN(cable.near)], [`tension ${ends[1]}`, ...kN(cable.far)], ['maximum tension', ...kN(cable.largest)], ['on the seabed', ...m(cable.onBed)],
     ...(breaking ? [['breaking load', ...kN(breaking)], ['of breaking load', tidy((100 * cable.largest) / breaking, 3), '%']] as [string, string, string][] : []),
     ...(check?.utilisation !== undefined ? [['utilisation, with the safety factor', tidy(check.utilisation, 3), '']] as [string, string, string][] : []),
   ];

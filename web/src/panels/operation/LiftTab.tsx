@@ -1,4 +1,4 @@
-// Lines and davits of the stage that is shown: the program's tables of lines.
+// Lines and davits of the selected stage: the program's tables of lines.
 import { Table } from '../../components/Table';
 import { withTwin } from '../../logic/show';
 import { chooseLine, chosenLine } from '../../state/moorings';
@@ -15,12 +15,12 @@ export function LiftTab() {
   const known = (name: string): boolean => lay.lines.some((line) => line.name === name);
   return (
     <div class="lifttab">
-      {stageLay.value || !operation.value ? null : <p class="brief">As drawn: choose a stage to see its lines.</p>}
+      {stageLay.value || !operation.value ? null : <p class="brief">Select a stage to see its lines.</p>}
       {tables.map(([name, table]) => (
         <Table key={name} table={table} sortable copyable file={name} numberTitle={(number, { unit }) => withTwin(number, unit)}
           rowAction={(line) => (known(line) ? { act: () => chooseLine(line), title: 'Show this line', chosen: chosenLine.value === line } : undefined)} />
       ))}
-      {tables.length === 0 ? <p class="empty">There are no lines besides the pipe.</p> : null}
+      {tables.length === 0 ? <p class="empty">There are no lines other than the pipe.</p> : null}
     </div>
   );
 }

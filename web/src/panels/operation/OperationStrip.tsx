@@ -1,4 +1,4 @@
-// Above the picture: what the operation is, and the commands that solve and design it.
+// Above the picture: the type of operation, and the commands that solve and design it.
 import { missingPart } from '../../logic/firstOperation';
 import { canSeek, operationTypes, stageCount } from '../../logic/operationKeys';
 import { byPath, errors, hasModel } from '../../state/model';
@@ -21,12 +21,12 @@ function Offers() {
   );
 }
 
-/** A dynamic run of the stage that is shown. */
+/** A dynamic run of the selected stage. */
 function SeaButton() {
   const stage = chosenStage.value, ready = byPath.value.get('analysis.dynamic')?.given === true;
   if (!operation.value || stage < 0) return null;
   const start = (): void => { goTo('storm'); void startRun({ kind: 'dynamic', stage: String(stage + 1) }); };
-  return <button type="button" disabled={!ready} title={ready ? "A dynamic run of the stage that is shown, with the model's analysis.dynamic" : 'The model has no analysis.dynamic'} onClick={start}>Run in the sea</button>;
+  return <button type="button" disabled={!ready} title={ready ? 'Dynamic analysis of the stage shown, with the settings of analysis.dynamic' : 'The model has no analysis.dynamic'} onClick={start}>Run dynamics for this stage</button>;
 }
 
 function Progress() {
@@ -45,10 +45,10 @@ function Commands() {
   return (
     <div class="commands">
       <button type="button" class="main" disabled={unready || count === 0} onClick={() => void solveOperation()}>{solving.value ? 'Solving…' : count === 1 ? 'Solve the stage' : `Solve ${count} stages`}</button>
-      {canSeek(typeName.value) ? <button type="button" disabled={unready || count < 2} title="Seeks for every stage the least tension that keeps the limits, and solves all stages" onClick={() => void designProcedure()}>Design the procedure</button> : null}
+      {canSeek(typeName.value) ? <button type="button" disabled={unready || count < 2} title="Find the minimum tension within the limits for every stage, and solve all stages" onClick={() => void designProcedure()}>Design the procedure</button> : null}
       <SeaButton />
       {outdated.value && !solving.value ? <span class="note">The model has changed since these stages were solved.</span> : null}
-      {errors.value.length > 0 ? <span class="fault">The model has errors.</span> : null}
+      {errors.value.length > 0 ? <span class="failuretext">The model has errors.</span> : null}
       <Progress />
     </div>
   );

@@ -1,11 +1,11 @@
-// A setting of a listed stage as a cell that can be edited.
+// An editable cell for an input of a listed stage.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { ApiError } from '../../api/client';
 import { complete, parseQuantity } from '../../logic/units';
 import { byPath, setKeys } from '../../state/model';
 import { say } from '../../state/notices';
 
-/** `text`: the value of the solved stage; the cell shows what the model says now. */
+/** `text`: the value of the solved stage; the cell shows the present value of the model. */
 export function SettingCell({ text, path, title }: { text: string; path: string; title: string }) {
   const field = path ? byPath.value.get(path) : undefined, written = field?.given ? String(field.value ?? '') : '';
   const [typed, setTyped] = useState(written), typing = useRef(false);
@@ -15,7 +15,7 @@ export function SettingCell({ text, path, title }: { text: string; path: string;
     typing.current = false;
     const next = typed.trim();
     if (next === written) return;
-    if (next && !parseQuantity(next)) { say(`${title}: a number and a unit, like "12 m".`); setTyped(written); return; }
+    if (next && !parseQuantity(next)) { say(`${title}: enter a number with a unit, for example 12 m.`); setTyped(written); return; }
     try {
       await setKeys([{ path, value: next ? complete(next, parseQuantity(written)?.unit || field.unit) : null }]);
     } catch (error) { say(error instanceof ApiError ? error.message : String(error)); setTyped(written); }

@@ -1,4 +1,4 @@
-// Diagrams of all stages over what has gone out; a click chooses the stage.
+// Diagrams of all stages over the length paid out; a click selects the stage.
 import { useMemo } from 'preact/hooks';
 import { stageCharts } from '../../logic/stageCharts';
 import { chooseStage, chosenStage, operation, outdated } from '../../state/operation';
@@ -8,10 +8,10 @@ import { NotSolved } from './NotSolved';
 export function StageCharts() {
   const solved = operation.value, all = useMemo(() => (solved ? stageCharts(solved) : null), [solved]);
   if (!all) return <NotSolved />;
-  const now = chosenStage.value >= 0 ? all.x[chosenStage.value]! : null;
+  const position = chosenStage.value >= 0 ? all.x[chosenStage.value]! : null;
   return (
     <div class="diagramgrid">
-      {all.charts.map((chart) => <DataDiagram key={chart.title} data={chart} now={now} old={outdated.value} onPick={(i) => void chooseStage(all.stages[i]!)} />)}
+      {all.charts.map((chart) => <DataDiagram key={chart.title} data={chart} position={position} old={outdated.value} onPick={(i) => void chooseStage(all.stages[i]!)} />)}
     </div>
   );
 }

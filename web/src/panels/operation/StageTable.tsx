@@ -1,8 +1,8 @@
-// The stages as a table: what is asked of each, what it gives, and how it stands.
+// The stages as a table: inputs, results and status.
 import { signal } from '@preact/signals';
 import type { HoldPoint, Operation, OperationStage } from '../../api/types';
 import { bullets } from '../../logic/findings';
-import { cell, columnsOf, columnUnit, isSetting, stageLevel, stageLights, stageName, stageTable, whyNot, type StageColumn } from '../../logic/operation';
+import { cell, stageColumns, columnUnit, isSetting, stageLevel, stageLights, stageName, stageTable, whyNot, type StageColumn } from '../../logic/operation';
 import { isStageList, listIndex, operationType } from '../../logic/operationKeys';
 import { fixedIn, unitName } from '../../logic/show';
 import { byPath } from '../../state/model';
@@ -36,10 +36,10 @@ function NameCell({ stage, index, holds }: { stage: OperationStage; index: numbe
   );
 }
 
-/** The list of the model is edited as a whole: rows added, removed, pasted. */
+/** Edits the list of the model as a whole: rows added, removed, pasted. */
 const listEdited = signal(false);
 
-/** Key of the model behind a setting of a listed stage; empty where stages are generated. */
+/** Model key of an input of a listed stage; empty if stages are generated. */
 function settingPath(column: StageColumn, index: number, count: number): string {
   if (!isStageList(byPath.value)) return '';
   const key = column.setting === 'tension' ? 'tension' : operationType(typeName.value)?.out;
@@ -69,7 +69,7 @@ function Head({ columns }: { columns: StageColumn[] }) {
       <tr>
         <th scope="col">stage</th>
         {columns.map((column) => <th key={column.name} scope="col" title={column.title}>{column.name}<small>{columnUnit(column) || '–'}</small></th>)}
-        <th scope="col" class="stageverdict" title="Of the checks and findings of the stage">verdict</th>
+        <th scope="col" class="stageverdict" title="Verdict of the checks and findings of the stage">verdict</th>
       </tr>
     </thead>
   );
@@ -97,20 +97,20 @@ function StageFindings({ stages }: { stages: OperationStage[] }) {
   );
 }
 
-/** How the stages are given, and how to change that. */
+/** Definition of the stages, and how to change it. */
 function Tools({ solved }: { solved: Operation }) {
   return (
     <div class="tabtools">
       {isStageList(byPath.value)
         ? <button type="button" onClick={() => { listEdited.value = true; }}>Add, remove or paste stages…</button>
-        : <span class="brief">Stages at even steps: change them in <button type="button" class="link" onClick={() => selectObject('operation.stages')}>their fields</button>, or <button type="button" class="link" disabled={outdated.value} onClick={() => void listStages()}>list them one by one</button>.</span>}
+        : <span class="brief">Stages at even steps: change them in <button type="button" class="link" onClick={() => selectObject('operation.stages')}>their fields</button>, or <button type="button" class="link" disabled={outdated.value} onClick={() => void listStages()}>list them individually</button>.</span>}
       <TableTools table={() => stageTable(solved)} file="stages" />
     </div>
   );
 }
 
 function Stages({ solved }: { solved: Operation }) {
-  const all = columnsOf(solved), columns = [...all.filter(isSetting), ...all.filter((column) => !isSetting(column))];
+  const all = stageColumns(solved), columns = [...all.filter(isSetting), ...all.filter((column) => !isSetting(column))];
   return (
     <div class="scrolled">
       <table class={`stages${outdated.value ? ' old' : ''}`} aria-label="Stages of the operation">

@@ -1,4 +1,4 @@
-// The settings of an operation in the strip: each in words, with its keys behind it.
+// Settings of an operation in the strip: each as a summary, with its keys in a popover.
 import { cableText, headText, isStageList, operationType, operationTypes, sameKeys, stagesText, tensionMode, tensionText, type TensionMode } from '../../logic/operationKeys';
 import { missingPart } from '../../logic/firstOperation';
 import { write } from '../../logic/units';
@@ -12,15 +12,15 @@ import { FieldRow } from '../FieldRow';
 
 const isError = (...groups: string[]): boolean => diagnostics.value.some((d) => d.severity === 'error' && groups.some((group) => d.key === group || d.key.startsWith(`${group}.`) || d.key.startsWith(`${group}[`)));
 
-/** What is wrong with these keys, for the mark of their button. */
-const fault = (...groups: string[]): string | undefined => (isError(...groups) ? 'has an error' : undefined);
+/** Note on errors in these keys, for the mark of their button. */
+const errorNote = (...groups: string[]): string | undefined => (isError(...groups) ? 'has an error' : undefined);
 
-/** Closes the panel that a button lies in. */
+/** Closes the panel of a button. */
 const closePanel = (event: { currentTarget: HTMLElement }): void => { event.currentTarget.closest<HTMLElement>('[popover]')?.hidePopover(); };
 
 const set = (changes: Change[]): Promise<unknown> => setKeys(changes).catch(sayError);
 
-/** The keys of a group that the form knows, without those of groups in it. */
+/** Keys of a group that the form has, without those of nested groups. */
 function Rows({ paths }: { paths: string[] }) {
   return <>{paths.map((path) => byPath.value.get(path)).filter((f) => f !== undefined).map((f) => <FieldRow key={f.path} field={f} />)}</>;
 }
@@ -33,36 +33,36 @@ function InTree({ path }: { path: string }) {
 }
 
 function TypeChoices() {
-  const now = typeName.value;
+  const current = typeName.value;
   const choose = (id: (typeof operationTypes)[number]['id']): void => {
-    if (id === now) return;
-    if (sameKeys(id, now)) void set([{ path: 'operation.type', value: id }]); else void addOperation(id);
+    if (id === current) return;
+    if (sameKeys(id, current)) void set([{ path: 'operation.type', value: id }]); else void addOperation(id);
   };
   return (
     <>
       <div class="choices">
         {operationTypes.map((type) => {
-          const missing = type.id === now ? '' : missingPart(type.id, operationParts.value);
+          const missing = type.id === current ? '' : missingPart(type.id, operationParts.value);
           return (
-            <button key={type.id} type="button" aria-pressed={type.id === now} disabled={missing !== ''} onClick={(e) => { choose(type.id); closePanel(e); }}>
+            <button key={type.id} type="button" aria-pressed={type.id === current} disabled={missing !== ''} onClick={(e) => { choose(type.id); closePanel(e); }}>
               <span>{type.name}</span><small>{missing || type.text}</small>
             </button>
           );
         })}
       </div>
-      <p class="brief">Another kind of operation begins with first values of its own; undo brings this one back.</p>
+      <p class="brief">Another type of operation starts with default values; undo restores this one.</p>
       <div class="acts"><button type="button" onClick={(e) => { void set([{ path: 'operation', value: null }]); closePanel(e); }}>Remove the operation</button></div>
     </>
   );
 }
 
 export function TypeField() {
-  const now = typeName.value;
-  return <Popover label="operation" value={operationType(now)?.name ?? now} note={fault('operation.type')} wide><TypeChoices /></Popover>;
+  const current = typeName.value;
+  return <Popover label="operation" value={operationType(current)?.name ?? current} note={errorNote('operation.type')} wide><TypeChoices /></Popover>;
 }
 
 function GroupField({ name, group, value }: { name: string; group: string; value: string }) {
-  return <Popover label={name} value={value} placeholder="not given" note={fault(group)}><Rows paths={directKeys(group)} /><InTree path={group} /></Popover>;
+  return <Popover label={name} value={value} placeholder="not given" note={errorNote(group)}><Rows paths={directKeys(group)} /><InTree path={group} /></Popover>;
 }
 
 const withHead = ['abandonment', 'recovery', 'lay_down', 'start_up', 'shore_pull', 'hold_back'];
@@ -77,8 +77,8 @@ export function PartFields() {
       {head ? <GroupField name="cable" group="operation.cable" value={cableText(fields)} /> : null}
       {type === 'shore_pull' || type === 'hold_back' ? <GroupField name="winch" group="operation.winch" value={texts('winch', ['distance', 'depth'])} /> : null}
       {type === 'start_up' ? <GroupField name="anchor" group="operation.anchor" value={texts('anchor', ['distance', 'depth'])} /> : null}
-      {type === 'passage' ? <Popover label="structure" value={text('operation.structure')} note={fault('operation.structure')}><Rows paths={['operation.structure']} /></Popover> : null}
-      {type === 'ballast' ? <Popover label="tank" value={text('operation.tank')} note={fault('operation.tank')}><Rows paths={['operation.tank']} /></Popover> : null}
+      {type === 'passage' ? <Popover label="structure" value={text('operation.structure')} note={errorNote('operation.structure')}><Rows paths={['operation.structure']} /></Popover> : null}
+      {type === 'ballast' ? <Popover label="tank" value={text('operation.tank')} note={errorNote('operation.tank')}><Rows paths={['operation.tank']} /></Popover> : null}
     </>
   );
 }
@@ -89,7 +89,7 @@ function EvenStages() {
     <>
       <Rows paths={['operation.stages.from', 'operation.stages.to', 'operation.stages.steps']} />
       <div class="acts">
-        <button type="button" disabled={!ready} title={ready ? 'Each stage with its own name, length and tension' : 'Solve the stages first'} onClick={(e) => { void listStages(); closePanel(e); }}>List them one by one</button>
+        <button type="button" disabled={!ready} title={ready ? 'Each stage with its own name, length and tension' : 'Solve the stages first'} onClick={(e) => { void listStages(); closePanel(e); }}>List them individually</button>
       </div>
     </>
   );
@@ -98,13 +98,13 @@ function EvenStages() {
 export function StagesField() {
   const fields = byPath.value;
   return (
-    <Popover label="stages" value={stagesText(fields)} note={fault('operation.stages')}>
-      {isStageList(fields) ? <><p class="brief">The stages are listed one by one: they are edited in the table below.</p><InTree path="operation.stages" /></> : <EvenStages />}
+    <Popover label="stages" value={stagesText(fields)} note={errorNote('operation.stages')}>
+      {isStageList(fields) ? <><p class="brief">The stages are listed individually: edit them in the table below.</p><InTree path="operation.stages" /></> : <EvenStages />}
     </Popover>
   );
 }
 
-const modes: [TensionMode, string][] = [['hold', 'as the tensioner in the lay'], ['force', 'one force'], ['bottom', 'of a bottom tension'], ['seek', 'the least that keeps limits']];
+const modes: [TensionMode, string][] = [['hold', 'as in the lay'], ['force', 'constant'], ['bottom', 'from bottom tension'], ['seek', 'minimum within limits']];
 const limits = ['utilisation', 'sagbend_strain', 'sagbend_stress', 'tip_clearance', 'roller_load'].map((key) => `operation.stages.limits.${key}`);
 
 function chooseMode(mode: TensionMode): void {
@@ -115,7 +115,7 @@ function chooseMode(mode: TensionMode): void {
   else void set([{ path: 'operation.stages.tension', value: mode === 'force' ? force : 'hold' }]);
 }
 
-/** One force in the place of a word. */
+/** A single force in place of a choice. */
 function ForceRow() {
   const field = byPath.value.get('operation.stages.tension');
   return field ? <FieldRow field={{ ...field, kind: 'quantity', unit: 'kN' }} name="force" /> : null;
@@ -127,7 +127,7 @@ function TensionChoice({ mode }: { mode: TensionMode }) {
       <div class="row wide">
         <label for="tension-mode">tension</label>
         <select id="tension-mode" value={mode} onChange={(e) => chooseMode(e.currentTarget.value as TensionMode)}>
-          {mode === 'forces' ? <option value="forces">several, from the first stage to the last</option> : null}
+          {mode === 'forces' ? <option value="forces">several values, from the first stage to the last</option> : null}
           {modes.map(([id, name]) => <option key={id} value={id}>{name}</option>)}
         </select>
       </div>
@@ -142,8 +142,8 @@ function TensionChoice({ mode }: { mode: TensionMode }) {
 export function TensionField() {
   const fields = byPath.value, mode = tensionMode(fields);
   return (
-    <Popover label="tension" value={tensionText(fields)} note={fault('operation.stages.tension', 'operation.stages.limits', 'operation.stages.bottom_tension')}>
-      {mode === 'listed' ? <p class="brief">Each stage has its own. "Design the procedure" seeks the least that keeps every limit, at as many even steps.</p> : <TensionChoice mode={mode} />}
+    <Popover label="tension" value={tensionText(fields)} note={errorNote('operation.stages.tension', 'operation.stages.limits', 'operation.stages.bottom_tension')}>
+      {mode === 'listed' ? <p class="brief">Each stage has its own tension. "Design the procedure" finds the minimum within all limits, at the same number of even steps.</p> : <TensionChoice mode={mode} />}
     </Popover>
   );
 }

@@ -1,4 +1,4 @@
-// The line at the lower left of the picture: time and motion of the vessel in a run, or the stage of an operation.
+// Caption at the lower left of the picture: time and vessel motion in a run, or the stage of an operation.
 import { fixedIn, text, unitName } from '../../logic/show';
 import { stagePlace } from '../../logic/operation';
 import { histories, shown as frame, valueAt } from '../../state/animation';
@@ -7,13 +7,13 @@ import { calmState, stage } from '../../state/moorings';
 import { chosenStage, operation } from '../../state/operation';
 import { ofRun, shownScene, shownStage } from '../../state/shown';
 
-const rollOf = (pose: readonly number[]): number => Math.atan2(pose[10]!, pose[11]!);
+const rollAngle = (pose: readonly number[]): number => Math.atan2(pose[10]!, pose[11]!);
 
-/** From the pose at rest. */
+/** Motion relative to the static pose. */
 function motion(pose: readonly number[]): string[] {
   const rest = shownScene.value?.vessel?.pose;
   if (!rest) return [];
-  return [`roll ${fixedIn(rollOf(pose) - rollOf(rest), 'rad', 1)}°`, `heave ${fixedIn(pose[2]! - rest[2]!, 'm', 2)} ${unitName('m')}`];
+  return [`roll ${fixedIn(rollAngle(pose) - rollAngle(rest), 'rad', 1)}°`, `heave ${fixedIn(pose[2]! - rest[2]!, 'm', 2)} ${unitName('m')}`];
 }
 
 function ofMoment(): string[] | null {
@@ -25,25 +25,25 @@ function ofMoment(): string[] | null {
 
 function ofStage(): string[] | null {
   if (ofRun.value) return null;
-  const now = shownStage.value, all = operation.value;
-  if (now && all) {
-    const { values } = now;
-    const out = now.out === null ? [] : [`${all.out_name.toLowerCase()} ${text(now.out, 'm', 4)}`];
+  const current = shownStage.value, all = operation.value;
+  if (current && all) {
+    const { values } = current;
+    const out = current.out === null ? [] : [`${all.out_name.toLowerCase()} ${text(current.out, 'm', 4)}`];
     const head = values?.head_z ?? null;
     const heights = head === null ? [] : [`head ${text(Math.abs(head), 'm', 3)} ${head < 0 ? 'below' : 'above'} the water`];
-    return [`stage ${stagePlace(now, chosenStage.value, all.stages.length)}`, ...out, ...heights];
+    return [`stage ${stagePlace(current, chosenStage.value, all.stages.length)}`, ...out, ...heights];
   }
   const moored = calmState.value;
   return moored && stage.value >= 0 ? [`stage ${moored.name || stage.value + 1}`] : null;
 }
 
 export function Caption() {
-  const parts = ofMoment() ?? ofStage(), at = reached.value;
+  const parts = ofMoment() ?? ofStage(), event = reached.value;
   if (!parts) return null;
   return (
     <div class="caption" data-clear>
       {parts.join(' · ')}
-      {at ? <p class="reached"><b>{at.title}</b>{at.detail ? `, ${at.detail}` : ''}</p> : null}
+      {event ? <p class="reached"><b>{event.title}</b>{event.detail ? `, ${event.detail}` : ''}</p> : null}
     </div>
   );
 }

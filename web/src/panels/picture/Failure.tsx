@@ -1,6 +1,6 @@
-// Why there is no solution, with the way to the place of the fault; the last valid solution stays in grey.
+// Reason for the missing solution, with a link to the error; the last valid solution is shown in grey.
 import { keyName, withoutPaths } from '../../logic/findings';
-import { leadToFault } from '../../state/lead';
+import { leadToDiagnostic } from '../../state/lead';
 import { errors } from '../../state/model';
 import { calmLay, shownFailure } from '../../state/shown';
 
@@ -11,7 +11,7 @@ export function Failure() {
     <div class="failure" role="alert" data-clear>
       <b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b>
       <p>{withoutPaths(bad.why)}</p>
-      {error ? <button type="button" onClick={() => leadToFault(error)}>Show {error.key ? keyName(error.key) : `line ${error.line}`}</button> : null}
+      {error ? <button type="button" onClick={() => leadToDiagnostic(error)}>Show {error.key ? keyName(error.key) : `line ${error.line}`}</button> : null}
       {calmLay.value !== null ? <p class="brief">The last valid solution is shown in grey.</p> : null}
     </div>
   );

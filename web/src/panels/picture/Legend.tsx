@@ -1,4 +1,4 @@
-// The legend of the picture: what the pipe is coloured by, the scale with its limit, and the loads of the rollers.
+// Legend of the picture: quantity along the pipe, its scale and limit, and loads of the rollers.
 import { gradientCss } from '../../components/colourScale';
 import { loadCss } from '../../logic/colour';
 import { partColours } from '../../logic/operation';
@@ -8,14 +8,14 @@ import { largestReaction, shown as frame } from '../../state/animation';
 import { colourBy, theme, type ColourBy } from '../../state/look';
 import { calmLay, ofRun, shownStage } from '../../state/shown';
 import { animating, flashing } from './moment';
-import { coloursOf, inFrames, type Colours } from './colouring';
+import { pipeColours, inFrames, type Colours } from './colouring';
 
 function Choice({ value, animated }: { value: ColourBy; animated: boolean }) {
   const closed = (key: string): boolean => animated && !inFrames(key as ColourBy);
   return (
     <select
       aria-label="Colour of the pipe"
-      title={animated ? 'A run stores tension and von Mises stress for its animation; the other quantities are in the diagrams.' : undefined}
+      title={animated ? 'Animations contain tension and von Mises stress only; other quantities are in the diagrams.' : undefined}
       value={value}
       onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}
     >
@@ -26,7 +26,7 @@ function Choice({ value, animated }: { value: ColourBy; animated: boolean }) {
   );
 }
 
-/** Numbers below the scale: its ends, and the limit where values exceed it. */
+/** Numbers below the scale: its ends, and the limit if values exceed it. */
 function Ends({ colours: { scale, shown, limit } }: { colours: Colours }) {
   const unit = shown.unit === '–' ? '' : ` ${shown.unit}`;
   const over = scale.high > scale.top, part = (scale.top - scale.low) / (scale.high - scale.low || 1);
@@ -38,7 +38,7 @@ function Ends({ colours: { scale, shown, limit } }: { colours: Colours }) {
         <span>{tidy(scale.high, 3)}{unit}</span>
       </div>
       {limit && (over || scale.top === limit.value) ? (
-        <div class={`limitkey${over ? ' over' : ''}`}>{over ? <><i /> above {limit.name}, {tidy(limit.value, 3)}{unit}</> : `to the limit: ${limit.name}`}</div>
+        <div class={`limitkey${over ? ' over' : ''}`}>{over ? <><i /> above {limit.name}, {tidy(limit.value, 3)}{unit}</> : `limit: ${limit.name}`}</div>
       ) : null}
     </>
   );
@@ -65,7 +65,7 @@ function PartKey() {
 
 export function Legend() {
   const animated = animating.value, lay = calmLay.value;
-  const colours = coloursOf(lay, animated && frame.peek() !== null);
+  const colours = pipeColours(lay, animated && frame.peek() !== null);
   return (
     <div class="legend" data-clear data-flashes={animated ? flashing.value : undefined}>
       <Choice value={colours.key} animated={animated} />

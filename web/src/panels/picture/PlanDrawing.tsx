@@ -1,4 +1,4 @@
-// The plan: north up, vessel, pipe, lines and what lies on the bed; mooring lines coloured by what they bear.
+// The plan: north up, vessel, pipe, lines and objects on the seabed; mooring lines coloured by tension.
 import { useRef } from 'preact/hooks';
 import type { Lay, MooringLine, Scene, Vector } from '../../api/types';
 import { download } from '../../components/download';
@@ -23,15 +23,15 @@ const head = 34; // px, for the buttons
 
 type Place = [number, number];
 
-const shapeOf = (line: MooringLine): Vector[] => (line.shape.length > 1 ? line.shape : [line.fairlead, line.anchor]);
+const findShape = (line: MooringLine): Vector[] => (line.shape.length > 1 ? line.shape : [line.fairlead, line.anchor]);
 const loadText = (line: MooringLine, inTime: boolean): string => `${inTime ? 'max ' : ''}${text(line.fairlead_tension, 'N')}`;
 
-/** Where the load of each line stands, as a share of its length: those of neighbours do not cover each other where there is room. */
+/** Position of the tension label on each line, as a fraction of its length, so that labels of neighbouring lines do not overlap if possible. */
 function loadPlaces(lines: readonly MooringLine[], on: PlanScreen, inTime: boolean): number[] {
   const taken: Place[] = [];
   return lines.map((line) => {
     const wide = 7.4 * loadText(line, inTime).length;
-    const seen = (share: number): Place => { const [x, y] = alongLine(shapeOf(line), share); return [on.x(x), on.y(y)]; };
+    const seen = (share: number): Place => { const [x, y] = alongLine(findShape(line), share); return [on.x(x), on.y(y)]; };
     const free = (share: number): boolean => taken.every(([x, y]) => Math.abs(x - seen(share)[0]) > wide || Math.abs(y - seen(share)[1]) > 14);
     const share = [0.52, 0.72, 0.86, 0.38].find(free) ?? 0.52;
     taken.push(seen(share));
@@ -43,7 +43,7 @@ interface LineProps { line: MooringLine; on: PlanScreen; chosen: boolean; inTime
 
 function Line({ line, on, chosen, inTime, loadAt }: LineProps) {
   const colour = levelColours[lineLevel(line, inTime)];
-  const load = loadText(line, inTime), points = shapeOf(line);
+  const load = loadText(line, inTime), points = findShape(line);
   const [mx, my] = alongLine(points, loadAt);
   const touch = line.parted || line.on_bed <= 0 ? null : alongLine(points, line.touchdown_distance / (line.horizontal_distance || 1));
   const [ax, ay] = flat(line.anchor);
@@ -63,7 +63,7 @@ function Line({ line, on, chosen, inTime, loadAt }: LineProps) {
   );
 }
 
-/** Lines by themselves: davits, tugs' lines, jumpers. */
+/** Lines other than moorings: davit cables, tug lines, jumpers. */
 function FreeLine({ name, points, on }: { name: string; points: Place[]; on: PlanScreen }) {
   return (
     <g class={`planline${chosenLine.value === name ? ' chosen' : ''}`} onPointerDown={pressed(() => chooseLine(name))}>
@@ -132,7 +132,7 @@ function North({ width, height, on }: { width: number; height: number; on: PlanS
   );
 }
 
-/** The pipe from above, to a little behind touchdown. */
+/** The pipe in plan, to slightly beyond touchdown. */
 function pipeTrack(lay: Lay): Place[] {
   const end = (lay.touchdown?.s ?? Infinity) + 300, places = pipePlaces(lay, drawnMoment.value);
   return places.flatMap((p, i): Place[] => ((lay.pipe.s[i] ?? Infinity) <= end ? [flat(p)] : []));
@@ -151,7 +151,7 @@ export function PlanDrawing() {
   const box = useRef<HTMLDivElement>(null), svg = useRef<SVGSVGElement>(null);
   const { width: whole, height } = useSize(box);
   const state = calmState.value, lay = calmLay.value, scene = drawnAt(shownScene.value);
-  // beside the plan where there is room
+  // next to the plan if there is room
   const tabled = state !== null && state.moorings.length > 0 && whole >= roomForTable;
   const width = tabled ? whole - tableWidth : whole;
   const offsets = stage.value < 0 && width > 420 ? offsetsInTime.value : null;

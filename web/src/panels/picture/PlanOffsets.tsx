@@ -1,4 +1,4 @@
-// Offsets of midship during a run, magnified: they are small beside the spread.
+// Offsets of midship during a run, magnified: they are small compared with the mooring spread.
 import { ellipse, scaleLength } from '../../logic/plan';
 import { shownUnit, text } from '../../logic/show';
 import type { OffsetsInTime } from '../../state/offsets';
@@ -13,7 +13,7 @@ export function PlanOffsets({ of, size }: { of: OffsetsInTime; size: number }) {
   const bar = scaleBar(2 * reach);
   return (
     <svg class="offsetplot" width={size} height={size} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="Offsets of midship during the run">
-      <title>Midship from where it is drawn, east to the right and north up: track, mean, and the ellipse of two standard deviations</title>
+      <title>Midship relative to its nominal position, east to the right and north up: track, mean, and ellipse of two standard deviations</title>
       <path class="axis" d={`M0 ${size / 2}H${size}M${size / 2} 0V${size}`} />
       <path class="track" d={of.track.map(([a, b], i) => `${i ? 'L' : 'M'}${across(a).toFixed(1)} ${up(b).toFixed(1)}`).join('')} />
       <ellipse

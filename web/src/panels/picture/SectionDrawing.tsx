@@ -1,4 +1,4 @@
-// Cross-section through the selected box, row by row, or through the pipe at the cursor; seen from astern, port at the left.
+// Cross-section through the selected box, row by row, or through the pipe at the cursor; view from astern, port on the left.
 import { useRef } from 'preact/hooks';
 import type { Lay, Scene, Support } from '../../api/types';
 import { bedHeight } from '../../logic/bed';
@@ -50,10 +50,10 @@ function RollerShape({ roller: r, scale, largest }: { roller: SectionRoller; sca
 
 const said = (r: SectionRoller): string => `${r.position} ${r.reaction > 0 ? text(r.reaction, 'N', 4) : `gap ${text(r.separation, 'mm', 3)}`}`;
 
-/** `foot`: where the name stands, below the middle of the bottom roller [px]. */
+/** `foot`: position of the name, below the centre of the bottom roller [px]. */
 interface RowProps { row: SectionRow; name: string; layers: readonly PipeLayer[]; x: number; y: number; foot: number; scale: number; largest: number; lines: boolean }
 
-/** Points to a pipe that lies too far away to be drawn. */
+/** Arrow to a pipe that is too far away to be drawn. */
 function AwayMark({ pipe: [x, y], outer, scale }: { pipe: readonly [number, number]; outer: number; scale: number }) {
   const size = Math.hypot(x, y), turn = (Math.atan2(x, y) * 180) / Math.PI;
   return (
@@ -76,8 +76,8 @@ function Row({ row, name, layers, x, y, foot, scale, largest, lines }: RowProps)
   );
 }
 
-/** What must be seen of all rows, around the middle of the bottom roller [m]: half across, above and below. A pipe far away is left out. */
-function roomOf(rows: readonly SectionRow[], outer: number): { across: number; above: number; below: number } {
+/** Extent of all rows about the centre of the bottom roller [m]: half width, above and below. A distant pipe is left out. */
+function findExtent(rows: readonly SectionRow[], outer: number): { across: number; above: number; below: number } {
   const rollers = rows.flatMap((row) => row.rollers), pipes = rows.map((row) => row.pipe).filter((p) => Math.hypot(...p) < farAway * outer);
   const half = (r: SectionRoller, along: number, round: number): number => 0.5 * r.face * Math.abs(along) + r.radius * Math.abs(round);
   return {
@@ -87,7 +87,7 @@ function roomOf(rows: readonly SectionRow[], outer: number): { across: number; a
   };
 }
 
-const farAway = 7; // of the pipe's radius
+const farAway = 7; // multiple of the pipe radius
 
 interface Size { width: number; height: number }
 
@@ -96,7 +96,7 @@ function BoxSection({ lay, scene, box, size, layers }: { lay: Lay; scene: Scene;
   const largest = Math.max(1, ...lay.supports.flatMap((s) => s.rollers.map((r) => r.reaction)));
   const head = size.height > 260 ? 70 : 62, lines = size.height > 260;
   const below = lines ? 26 + 16 * Math.max(...rows.map((row) => row.rollers.length)) : 32;
-  const room = roomOf(rows, outer), cell = size.width / Math.max(1, rows.length);
+  const room = findExtent(rows, outer), cell = size.width / Math.max(1, rows.length);
   const scale = Math.max(30, Math.min((cell - 16) / (2 * room.across), Math.max(40, size.height - head - below) / (room.above + room.below)));
   const top = head + Math.max(0, 0.4 * (size.height - head - below - scale * (room.above + room.below)));
   return (
@@ -164,7 +164,7 @@ export function SectionDrawing() {
         {box ? <Steps lay={lay} box={box} /> : null}
         <b>{box ? box.name : `pipe, ${place(lay.pipe.s[index]!)}`}</b>
         {box ? ` ${box.contact ? `reaction ${text(box.reaction, 'N', 4)}` : `clear by ${text(box.separation, 'mm', 3)}`}` : ''}
-        <small> from astern, port at the left</small>
+        <small> view from astern, port on the left</small>
       </p>
       <LayerKey layers={layers} />
     </div>

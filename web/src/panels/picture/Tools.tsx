@@ -1,4 +1,4 @@
-// Ruler, and the picture to the clipboard or to a file.
+// Ruler, and export of the picture to the clipboard or to a file.
 import type { RefObject } from 'preact';
 import { download } from '../../components/download';
 import { fixedIn, text, unitName } from '../../logic/show';
@@ -18,10 +18,10 @@ async function save({ box, view }: Props): Promise<void> {
 
 async function copy({ box, view }: Props): Promise<void> {
   try {
-    // the browser wants to know at the click what will be written
+    // the browser requires the content type at the click
     await navigator.clipboard.write([new ClipboardItem({ 'image/png': snapshot(box.current!, view.current) })]);
     say('Picture copied');
-  } catch { say('The browser does not let pictures be copied: save the picture instead'); }
+  } catch { say('The browser does not support copying pictures: save the picture instead'); }
 }
 
 function Reading() {

@@ -1,6 +1,6 @@
-// Values of what was picked: a roller, a box, a place of the pipe, or a line.
+// Values of the selected object: a roller, a box, a position on the pipe, or a line.
 import type { Support } from '../../api/types';
-import { rowsOf } from '../../logic/elevation';
+import { rollerRows } from '../../logic/elevation';
 import { nearest } from '../../logic/series';
 import { numberIn, quantities, unitName } from '../../logic/show';
 import { tidy } from '../../logic/units';
@@ -28,20 +28,20 @@ function RollerValues() {
     <dl class="values" data-clear>
       <div class="kv"><dt>{r.support.name}, row {r.row + 1}</dt><dd>{r.position}</dd></div>
       {inUnits('reaction', r.reaction, 'N')}
-      {clear && r.reaction > 0 ? null : inUnits(clear ? 'clear by' : 'pressed in', Math.abs(r.separation), 'mm', 3)}
+      {clear && r.reaction > 0 ? null : inUnits(clear ? 'clear by' : 'indentation', Math.abs(r.separation), 'mm', 3)}
     </dl>
   );
 }
 
-/** The reaction of every row, and the gap where it has none. */
+/** Reaction of every row, or its gap without contact. */
 function BoxValues({ box }: { box: Support }) {
-  const moment = drawnMoment.value, now = moment?.reactions.get(box.name);
+  const moment = drawnMoment.value, reaction = moment?.reactions.get(box.name);
   return (
     <dl class="values" data-clear>
       <div class="kv"><dt>{box.name}</dt><dd>{box.contact || moment ? '' : 'clear'}</dd></div>
-      {now === undefined ? null : inUnits('reaction now', now, 'N')}
-      {inUnits(moment ? 'reaction at rest' : 'reaction', box.reaction, 'N')}
-      {moment ? null : rowsOf(box).map((row, i) => {
+      {reaction === undefined ? null : inUnits('present reaction', reaction, 'N')}
+      {inUnits(moment ? 'static reaction' : 'reaction', box.reaction, 'N')}
+      {moment ? null : rollerRows(box).map((row, i) => {
         const sum = row.reduce((all, r) => all + r.reaction, 0), gap = Math.min(...row.map((r) => r.separation));
         const sides = row.filter((r) => r.position !== 'bottom' && r.reaction > 0).map((r) => r.position);
         const name = `row ${i + 1}${sides.length ? `, ${sides.join(', ')}` : ''}`;

@@ -1,4 +1,4 @@
-// Buttons of the views: those of the 3-D picture, and the drawings from the side, across and from above.
+// Buttons of the views: 3-D views, and drawings in elevation, section and plan.
 import { shownDrawings, shownViews, type ViewName } from '../../logic/views';
 import { mode } from '../../state/picture';
 import { calmLay } from '../../state/shown';

@@ -1,4 +1,4 @@
-// Says that the picture is of a run, and leads back to the model.
+// Shows that the picture is of a run, with a link back to the model.
 import { ofRun } from '../../state/shown';
 import { runName, select, selected } from '../../state/runs';
 

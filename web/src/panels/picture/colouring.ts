@@ -1,4 +1,4 @@
-// What the picture is coloured by: values, scale and limit, the same for the 3-D view, the drawings and the legend.
+// Colouring of the picture: values, scale and limit, shared by the 3-D view, the drawings and the legend.
 import { pictureScale, quantityLimit } from '../../logic/colour';
 import type { ValueScale } from '../../components/colourScale';
 import { quantity, type Shown } from '../../logic/show';
@@ -7,14 +7,14 @@ import { shown as frame } from '../../state/animation';
 import { colourBy, type ColourBy } from '../../state/look';
 import { envelopes } from '../../state/runs';
 
-/** Frames of a run hold tension and von Mises stress and nothing else. */
+/** Quantities stored in the frames of a run. */
 export const inFrames = (key: ColourBy): boolean => key === 'effective_tension' || key === 'von_mises';
 export const colouredBy = (animated: boolean): ColourBy => (animated && !inFrames(colourBy.value) ? 'von_mises' : colourBy.value);
 
 export interface Colours { key: ColourBy; shown: Shown; scale: ValueScale; limit: { value: number; name: string } | null }
 
-/** In the unit shown; of the run where there is one, so that colours do not jump from frame to frame. */
-export function coloursOf(lay: Lay | null, animated: boolean): Colours {
+/** In the shown unit; over the whole run if there is one, so that the scale is constant from frame to frame. */
+export function pipeColours(lay: Lay | null, animated: boolean): Colours {
   const key = colouredBy(animated), shown = quantity(key)!;
   const band = key === 'utilisation' || key === 'checks' ? null : envelopes.value?.[key];
   const list = animated && band?.max ? [...band.max, ...(band.min ?? [])] : (lay?.pipe[key] as number[] | undefined) ?? [];
@@ -31,7 +31,7 @@ export function inSi({ low, top, high }: ValueScale, { factor }: Shown): ValueSc
   return { low: low / factor, top: top / factor, high: high / factor };
 }
 
-/** Values along the pipe; null where they are not known. */
+/** Values along the pipe; null if unknown. */
 export function colourValues(lay: Lay, key: ColourBy): ArrayLike<number> | null {
   const f = frame.value;
   if (f) return key === 'effective_tension' ? f.effective_tension : f.von_mises;

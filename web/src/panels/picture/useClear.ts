@@ -1,4 +1,4 @@
-// Names in the picture keep clear of what stands over it: everything marked with data-clear.
+// Names in the picture avoid everything over it that is marked with data-clear.
 import type { RefObject } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { Rect } from '../../logic/labelPlaces';
@@ -16,21 +16,21 @@ function measured(box: HTMLElement): Rect[] {
 export function useClear(box: RefObject<HTMLElement>, view: RefObject<View3D | null>, ready: boolean): void {
   useEffect(() => {
     if (!box.current) return undefined;
-    const own = box.current;
+    const container = box.current;
     let last = '';
-    const tell = (): void => {
-      const taken = measured(own), key = JSON.stringify(taken);
+    const update = (): void => {
+      const taken = measured(container), key = JSON.stringify(taken);
       if (key === last) return;
       last = key;
       cards.value = taken;
       view.current?.keepClear(taken);
     };
-    const sizes = new ResizeObserver(tell);
-    const watch = (): void => { sizes.disconnect(); for (const element of own.querySelectorAll('[data-clear]')) sizes.observe(element); tell(); };
-    // cards come and go; what changes within them is told by their size
+    const sizes = new ResizeObserver(update);
+    const watch = (): void => { sizes.disconnect(); for (const element of container.querySelectorAll('[data-clear]')) sizes.observe(element); update(); };
+    // cards appear and disappear; changes of their content are detected by their size
     const changes = new MutationObserver(watch);
-    changes.observe(own, { childList: true });
-    sizes.observe(own);
+    changes.observe(container, { childList: true });
+    sizes.observe(container);
     watch();
     return () => { sizes.disconnect(); changes.disconnect(); };
   }, [ready]);

@@ -1,4 +1,4 @@
-// The 3-D view in its element, kept up to date with what is shown.
+// The 3-D view in its element, kept up to date with the content shown.
 import type { RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { effect } from '@preact/signals';
@@ -15,10 +15,10 @@ import { addRulerPoint, mode, reactionsAt, ruler } from '../../state/picture';
 import { chooseBox, chosenBox } from '../../state/chosenBox';
 import { ofRun, shownDrawn, shownFailure, shownLay, shownScene, shownStage } from '../../state/shown';
 import type { Picked, View3D } from '../../view/view3d';
-import { colourValues, coloursOf, inSi } from './colouring';
+import { colourValues, pipeColours, inSi } from './colouring';
 import { flashesAt, flashing } from './moment';
 
-/** Diameter of the cable, of that of the pipe. */
+/** Cable diameter as a fraction of the pipe diameter. */
 function cableThickness(): number {
   const cable = byPath.value.get('operation.cable.diameter')?.si, pipe = shownScene.value?.pipe.outer_radius;
   return cable && pipe ? cable / (2 * pipe) : 0.3;
@@ -37,7 +37,7 @@ function listen(v: View3D): void {
     const place = v.placeUnder(x, y);
     if (place) addRulerPoint({ place, flat: false });
   };
-  // a place of the pipe that was clicked is kept until the next click
+  // a clicked position on the pipe is kept until the next click
   v.onHover = (i) => { if (picked.value?.kind !== 'station') cursor.value = i === null ? null : shownLay.value?.pipe.s[i] ?? null; };
 }
 
@@ -61,7 +61,7 @@ function followStatics(v: View3D): (() => void)[] {
   ];
 }
 
-/** A moment of a run, and what follows with it. */
+/** An instant of a run, and the state that follows it. */
 function followMoment(v: View3D): (() => void)[] {
   return [
     effect(() => {
@@ -74,13 +74,13 @@ function followMoment(v: View3D): (() => void)[] {
     effect(() => {
       const s = shownLay.value;
       if (!s) return;
-      const f = frame.value, colours = coloursOf(s, f !== null);
+      const f = frame.value, colours = pipeColours(s, f !== null);
       v.setColouring({ values: shownFailure.value && !f ? null : colourValues(s, colours.key), scale: inSi(colours.scale, colours.shown) });
     }),
     effect(() => {
-      const s = shownLay.value, at = cursor.value;
+      const s = shownLay.value, place = cursor.value;
       void frame.value;
-      v.setCursor(s && at !== null ? nearest(s.pipe.s, at) : null);
+      v.setCursor(s && place !== null ? nearest(s.pipe.s, place) : null);
     }),
     effect(() => { const to = approach.value; if (to) v.approachBox(to.box); }),
   ];
@@ -96,7 +96,7 @@ export function useView3D(box: RefObject<HTMLElement>): { view: RefObject<View3D
     void import('../../view/view3d').then((module) => {
       if (gone || !box.current) return;
       let v: View3D;
-      try { v = new module.View3D(box.current); } catch { setProblem('This browser shows no 3-D pictures (WebGL is off). Drawings, numbers and diagrams work all the same.'); return; }
+      try { v = new module.View3D(box.current); } catch { setProblem('The 3-D view is not available: WebGL is off in this browser. Drawings, results and diagrams are not affected.'); return; }
       view.current = v;
       (window as unknown as { __view: View3D }).__view = v;
       listen(v);

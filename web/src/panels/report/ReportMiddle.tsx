@@ -1,4 +1,4 @@
-// The report itself, as it will be: its own page in a frame.
+// Preview of the report: its page in a frame.
 import { useEffect, useRef } from 'preact/hooks';
 import { prepareReport, reportSections } from '../../logic/reportPage';
 import { hasModel } from '../../state/model';
@@ -9,7 +9,7 @@ function Nothing() {
   const stages = subject.value === 'operation';
   return (
     <div class="empty noreport">
-      <p>{stages ? 'The report has the stages of the operation, with the procedure sheet that goes on board.' : 'The report has the lay of the model as it is now: key results, checks with their calculation, diagrams, tables, the model file.'}</p>
+      <p>{stages ? 'The report contains the stages of the operation, with the procedure sheet for use on board.' : 'The report contains the present lay of the model: key results, checks with their calculation, diagrams, tables, the model file.'}</p>
       <button type="button" class="main" disabled={busy.value || !canMake.value} onClick={() => void makeReport()}>{busy.value ? 'Making the report …' : stages ? 'Solve the stages and make the report' : 'Make the report'}</button>
     </div>
   );
@@ -35,8 +35,8 @@ export function ReportMiddle() {
     <section class={`reportmiddle${outdated.value ? ' old' : ''}`} aria-label="The report">
       {outdated.value ? (
         <p class="note" role="status">
-          Of the model as it was before the last change.
-          {canMake.value ? <button type="button" class="link" disabled={busy.value} onClick={() => void makeReport()}>Make it again</button> : null}
+          The model has changed since this report was made.
+          {canMake.value ? <button type="button" class="link" disabled={busy.value} onClick={() => void makeReport()}>Update the report</button> : null}
         </p>
       ) : null}
       {made ? <Page source={made.show} /> : <Nothing />}

@@ -1,4 +1,4 @@
-// Above the report: what is reported, document control, parts, paper, and the files.
+// Above the report: subject, document control, parts, paper, and files.
 import '../../styles/report.css';
 import { signal } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -7,7 +7,7 @@ import type { Lay, Matrix, Run } from '../../api/types';
 import { download } from '../../components/download';
 import type { TableData } from '../../components/document';
 import { tableCsv } from '../../components/tableText';
-import { sheetOf, workbook } from '../../components/workbook';
+import { makeSheet, workbook } from '../../components/workbook';
 import { prepareReport } from '../../logic/reportPage';
 import { stagesTable } from '../../logic/stagesTable';
 import { studySheets } from '../../logic/studyTables';
@@ -67,7 +67,7 @@ function SubjectField() {
   );
 }
 
-/** Sections to leave out; a report has them by their headings. */
+/** Sections to leave out, by their headings. */
 function Parts() {
   const box = useRef<HTMLDetailsElement>(null);
   useEffect(() => {
@@ -87,7 +87,7 @@ function Parts() {
       >
         <summary class="button">{headings.value.length === 0 ? 'all' : `${headings.value.length - out} of ${headings.value.length}`}</summary>
         <fieldset>
-          <legend>Shown and printed; the HTML file has all parts</legend>
+          <legend>For display and print; the HTML file contains all parts</legend>
           {headings.value.map((heading) => (
             <label key={heading}><input type="checkbox" checked={!leftOut.value.includes(heading)} onChange={(e) => toggle(heading, e.currentTarget.checked)} /> {heading}</label>
           ))}
@@ -97,13 +97,13 @@ function Parts() {
   );
 }
 
-/** The report as it is now; of the open model it is made first where it has changed. */
+/** Commands for the report; that of the open model is made first if it is outdated. */
 async function print(): Promise<void> {
   if (canMake.value && (!files.value || outdated.value)) await makeReport();
   if (files.value && !(canMake.value && outdated.value)) printReport(files.value.show, (page) => prepareReport(page, leftOut.value, paper.value));
 }
 
-/** Tables of what is reported. */
+/** Tables of the reported results. */
 async function tables(): Promise<TableData[]> {
   if (subject.value === 'operation') return operation.value ? [stagesTable(operation.value)] : [];
   const run = runs.value.find(({ id }) => id === files.value?.name);
@@ -116,15 +116,15 @@ async function tables(): Promise<TableData[]> {
 
 async function saveWorkbook(): Promise<void> {
   const list = await tables();
-  if (list.length && files.value) download(`${files.value.name}.xlsx`, workbook(list.map((table) => sheetOf(table))));
+  if (list.length && files.value) download(`${files.value.name}.xlsx`, workbook(list.map((table) => makeSheet(table))));
 }
 
 function Files() {
   const made = files.value, isComparison = runs.value.find(({ id }) => id === made?.name)?.kind === 'comparison';
   return (
     <div class="reportfiles">
-      {canMake.value && made ? <button type="button" disabled={busy.value} onClick={() => void makeReport()}>{busy.value ? 'Making …' : 'Make again'}</button> : null}
-      <button type="button" class="main" disabled={busy.value || (!made && !canMake.value)} title={`Prints it: choose "Save as PDF" as the printer`} onClick={() => void print()}>PDF</button>
+      {canMake.value && made ? <button type="button" disabled={busy.value} onClick={() => void makeReport()}>{busy.value ? 'Making …' : 'Update'}</button> : null}
+      <button type="button" class="main" disabled={busy.value || (!made && !canMake.value)} title={`Print: choose "Save as PDF" as the printer`} onClick={() => void print()}>PDF</button>
       {made ? (
         <>
           <a class="button" href={made.html} download={`${made.name}.html`}>HTML</a>
@@ -137,22 +137,22 @@ function Files() {
 }
 
 export function ReportStrip() {
-  const own = unitSystem === 'us' ? 'Letter' : 'A4';
+  const usualPaper = unitSystem === 'us' ? 'Letter' : 'A4';
   return (
     <section class="studystrip reportstrip" aria-label="Report">
       <div class="stripfields">
         <SubjectField />
         <Parts />
-        <StripField id="rp-paper" label="paper" title="Reports follow the units of the page: A4, with US customary units Letter. Another paper is of the PDF alone.">
+        <StripField id="rp-paper" label="paper" title="Reports use the units of the page, on A4 paper, or Letter for US customary units. A different paper size applies to the PDF only.">
           <select id="rp-paper" value={paper.value} onChange={(e) => { paper.value = e.currentTarget.value as typeof paper.value; }}>
-            <option value="own">{own}, as the units say</option>
-            {own === 'A4' ? <option value="letter">Letter</option> : <option value="A4">A4</option>}
+            <option value="own">{usualPaper} (default for the units)</option>
+            {usualPaper === 'A4' ? <option value="letter">Letter</option> : <option value="A4">A4</option>}
           </select>
         </StripField>
         <Files />
       </div>
       <div class="stripfields control">{control.map(([path, label, hint]) => <ControlField key={path} path={path} label={label} hint={hint} />)}</div>
-      {errors.value.length ? <p class="fault" role="alert">The model has errors: correct them first.</p> : null}
+      {errors.value.length ? <p class="failuretext" role="alert">The model has errors: correct them first.</p> : null}
     </section>
   );
 }

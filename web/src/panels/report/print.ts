@@ -1,10 +1,10 @@
-// Prints a report, of which every browser makes a PDF.
+// Prints a report (every browser can save a PDF).
 import { sayError } from '../../state/notices';
 
-/** Width that the report lays its figures out for [px]. */
+/** Layout width of the report figures [px]. */
 const wide = 1000;
 
-/** Loads the report out of sight and opens the browser's dialogue for printing it; `prepare` is done to its page before. */
+/** Loads the report in a hidden frame and opens the print dialog of the browser; `prepare` is applied to its page first. */
 export function printReport(source: string, prepare?: (page: Document) => void): void {
   document.querySelector('iframe.printed')?.remove();
   const frame = document.createElement('iframe');

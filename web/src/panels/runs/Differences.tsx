@@ -1,4 +1,4 @@
-// Runs side by side: keys of their models that differ, and results with their difference from the first.
+// Comparison of runs: differing keys of their models, and results with their difference from the first.
 import type { ComponentChildren } from 'preact';
 import { change, differenceTable, modelDifferences, resultRows, resultTable, runColours, shownFactor, shownUnitName, type KeyDifference, type ResultRow } from '../../logic/runCompare';
 import { keyName } from '../../logic/findings';
@@ -52,7 +52,7 @@ function Section({ title, tools, children }: { title: string; tools?: ComponentC
 
 export function Differences() {
   const list = compared.value, parts = list.map((run) => runParts.value.get(run.id));
-  if (list.length === 0) return <p class="empty">Choose runs in the table above: of one its results are shown, of two to four what differs.</p>;
+  if (list.length === 0) return <p class="empty">Select one run in the table above to see its results, or two to four to compare them.</p>;
   if (parts.some((part) => part === undefined)) return <p class="empty">Loading…</p>;
   const names = list.map(runName), models = parts.map((part) => part!.fields), known = models.filter((fields) => fields !== null);
   const keys = list.length > 1 && known.length === list.length ? modelDifferences(known) : [], rows = resultRows(parts.map((part) => part!.summary));
@@ -60,11 +60,11 @@ export function Differences() {
     <div class="comparetab">
       {list.length > 1 ? (
         <Section title="Differences in the model" tools={keys.length ? <TableTools table={() => differenceTable(names, keys)} file="model-differences" /> : null}>
-          {known.length < list.length ? <p class="brief">A run has no copy of its model, or the program is too old to give it.</p> : keys.length ? <Keys list={keys} /> : <p class="brief">The models have the same keys and values.</p>}
+          {known.length < list.length ? <p class="brief">No copy of the model is available for one of the runs.</p> : keys.length ? <Keys list={keys} /> : <p class="brief">The models have the same keys and values.</p>}
         </Section>
       ) : null}
       <Section title="Results" tools={rows.length ? <TableTools table={() => resultTable(names, rows)} file="run-results" /> : null}>
-        {rows.length ? <Results rows={rows} /> : <p class="brief">No results that can be compared: those of several seeds and studies are in Storm and Study.</p>}
+        {rows.length ? <Results rows={rows} /> : <p class="brief">No results to compare. Results of several seeds and of studies are in Storm and Study.</p>}
       </Section>
     </div>
   );

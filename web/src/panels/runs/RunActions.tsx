@@ -1,18 +1,18 @@
-// What can be done with the runs that are chosen.
+// Commands for the selected runs.
 import { useState } from 'preact/hooks';
 import type { Run } from '../../api/types';
 import { maxCompared } from '../../logic/runCompare';
 import { checked } from '../../state/compare';
 import { cancelRun, deleteRuns, reportAddress, reportToShow, resumeRun, runs, tableAddress } from '../../state/runs';
-import { isGoing, look, openModelOf, placeOf } from '../../state/runActions';
+import { isGoing, look, openRunModel, runWorkspace } from '../../state/runActions';
 import { workspaceNames } from '../../logic/workspaceNames';
 import { ReportLinks } from '../ReportLinks';
 import { renaming } from './RunRow';
 
-/** Asked twice: files are gone afterwards. */
+/** With confirmation: files cannot be restored. */
 function Delete({ list }: { list: Run[] }) {
   const [sure, setSure] = useState(''), ids = list.map((run) => run.id).join(' ');
-  // no longer compared, so that nothing is asked of a run that goes
+  // removed from the comparison first, so that no request refers to a deleted run
   const drop = (): void => {
     setSure('');
     checked.value = [];
@@ -29,15 +29,15 @@ function Delete({ list }: { list: Run[] }) {
 }
 
 function One({ run }: { run: Run }) {
-  const place = placeOf(run);
+  const place = runWorkspace(run);
   return (
     <>
-      {place === 'runs' ? null : <button type="button" class="main" onClick={() => look(run)}>Look at it in {workspaceNames[place]}</button>}
-      <button type="button" title="The model with which the run was started, as a new one without a file" onClick={() => void openModelOf(run)}>Open its model</button>
+      {place === 'runs' ? null : <button type="button" class="main" onClick={() => look(run)}>Open in {workspaceNames[place]}</button>}
+      <button type="button" title="Open the model of this run as a new, unsaved model" onClick={() => void openRunModel(run)}>Open its model</button>
       {run.has_results && run.kind !== 'seeds' ? <ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} /> : null}
       {run.has_results ? <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>CSV</a> : null}
       {run.parent ? null : <button type="button" onClick={() => { renaming.value = run.id; }}>Rename</button>}
-      {run.resumable && !isGoing(run) ? <button type="button" title="Continue where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
+      {run.resumable && !isGoing(run) ? <button type="button" title="Continue from the last checkpoint" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
     </>
   );
 }
@@ -47,7 +47,7 @@ export function RunActions() {
   const going = list.filter((run) => isGoing(run) && !run.parent), ended = list.filter((run) => !isGoing(run) && !run.parent);
   return (
     <div class="runacts" role="toolbar" aria-label="Chosen runs">
-      {list.length === 0 ? <span class="brief">Choose a run to see what it gave; choose two to {maxCompared} to compare them.</span> : null}
+      {list.length === 0 ? <span class="brief">Select a run to see its results, or two to {maxCompared} to compare them.</span> : null}
       {list.length === 1 ? <One run={list[0]!} /> : null}
       {list.length > 1 ? <span class="brief">{list.length > maxCompared ? `The first ${maxCompared} of ${list.length} are compared below.` : `${list.length} runs are compared below.`}</span> : null}
       {going.length ? <button type="button" onClick={() => { for (const run of going) void cancelRun(run.id); }}>{going.length === 1 ? 'Cancel' : `Cancel ${going.length}`}</button> : null}

@@ -9,7 +9,7 @@ import { compared, runParts } from '../../state/compare';
 import { fetchSeries, runName } from '../../state/runs';
 import { DataDiagram } from '../DataDiagram';
 
-/** What the diagrams show: an envelope, or "history:" with its name. */
+/** Content of the diagrams: an envelope, or "history:" with its name. */
 const slots = signal<readonly string[]>(['von_mises', 'effective_tension', 'history:top_tension']);
 const pixels = 900;
 
@@ -49,7 +49,7 @@ function History({ index, name }: { index: number; name: string }) {
 }
 
 export function RunDiagrams() {
-  if (compared.value.length === 0) return <p class="empty">Choose up to four runs in the table above: their diagrams are laid over each other.</p>;
+  if (compared.value.length === 0) return <p class="empty">Select up to four runs in the table above to overlay their diagrams.</p>;
   return (
     <div class="diagramgrid">
       {slots.value.map((slot, i) => (slot.startsWith('history:') ? <History key={i} index={i} name={slot.slice('history:'.length)} /> : <Envelope key={i} index={i} of={slot as EnvelopeKey} />))}

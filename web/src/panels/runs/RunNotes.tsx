@@ -1,19 +1,19 @@
-// Name and note of each chosen run, kept when the field is left.
+// Name and note of each selected run, saved when the field is left.
 import { useRef, useState } from 'preact/hooks';
 import type { Run } from '../../api/types';
 import { withoutPaths } from '../../logic/findings';
 import { compared } from '../../state/compare';
 import { annotate, runName } from '../../state/runs';
 
-function Words({ run }: { run: Run }) {
+function NoteFields({ run }: { run: Run }) {
   const [name, setName] = useState(run.name);
   const [note, setNote] = useState(run.note);
-  const kept = useRef({ name: run.name, note: run.note });  // as last sent: `run` has it only with the answer
+  const kept = useRef({ name: run.name, note: run.note });  // as last sent: `run` has it only after the answer
   const keep = (): void => {
-    const words = { ...(name === kept.current.name ? {} : { name: name.trim() }), ...(note === kept.current.note ? {} : { note: note.trim() }) };
+    const changes = { ...(name === kept.current.name ? {} : { name: name.trim() }), ...(note === kept.current.note ? {} : { note: note.trim() }) };
     const before = kept.current;
     kept.current = { name, note };
-    if (Object.keys(words).length) void annotate(run.id, words).then((done) => { if (!done) kept.current = before; });
+    if (Object.keys(changes).length) void annotate(run.id, changes).then((done) => { if (!done) kept.current = before; });
   };
   return (
     <section class="words" aria-label={`Notes on ${runName(run)}`}>
@@ -29,6 +29,6 @@ function Words({ run }: { run: Run }) {
 
 export function RunNotes() {
   const list = compared.value;
-  if (list.length === 0) return <p class="empty">Choose a run in the table above.</p>;
-  return <div class="runnotes">{list.map((run) => <Words key={run.id} run={run} />)}</div>;
+  if (list.length === 0) return <p class="empty">Select a run in the table above.</p>;
+  return <div class="runnotes">{list.map((run) => <NoteFields key={run.id} run={run} />)}</div>;
 }

@@ -3,16 +3,16 @@ import { useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import type { Run } from '../../api/types';
 import { durationText, kindText, startedText, stateMarks, stateNames, verdictMarks } from '../../logic/runTable';
-import { duration as inWords } from '../../logic/show';
+import { duration as formatDuration } from '../../logic/show';
 import { tidy } from '../../logic/units';
 import { withoutPaths } from '../../logic/findings';
 import { check, checked } from '../../state/compare';
 import { annotate, runName, select, timeToFinish } from '../../state/runs';
-import { casesOf, look } from '../../state/runActions';
+import { runCases, look } from '../../state/runActions';
 
 /** Studies whose cases are listed. */
 export const unfolded = signal<readonly string[]>([]);
-/** The run whose name is being typed. */
+/** The run that is being renamed. */
 export const renaming = signal('');
 
 function NameField({ run }: { run: Run }) {
@@ -39,7 +39,7 @@ function NameField({ run }: { run: Run }) {
 }
 
 function Name({ run, inner }: { run: Run; inner: boolean }) {
-  const cases = inner ? 0 : casesOf(run).length, open = unfolded.value.includes(run.id);
+  const cases = inner ? 0 : runCases(run).length, open = unfolded.value.includes(run.id);
   const fold = (e: Event): void => { e.stopPropagation(); unfolded.value = open ? unfolded.value.filter((id) => id !== run.id) : [...unfolded.value, run.id]; };
   return (
     <td class="name" title={run.note || undefined}>
@@ -57,7 +57,7 @@ function State({ run }: { run: Run }) {
   return (
     <td class="running">
       <div class="bar" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * run.progress)}><i style={{ width: `${100 * run.progress}%` }} /></div>
-      <small>{Math.round(100 * run.progress)} %{left === null ? '' : `, ${inWords(left)} left`}{run.time === undefined ? '' : ` · t = ${tidy(run.time, 4)} s`}</small>
+      <small>{Math.round(100 * run.progress)} %{left === null ? '' : `, ${formatDuration(left)} left`}{run.time === undefined ? '' : ` · t = ${tidy(run.time, 4)} s`}</small>
     </td>
   );
 }

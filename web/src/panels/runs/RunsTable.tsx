@@ -1,11 +1,11 @@
-// The runs of the folder as a table: filter, order, choice of several, and what can be done with them.
+// Runs of the folder as a table: filter, order, selection of several, and their commands.
 import { useRef } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import type { Run } from '../../api/types';
 import { matches, nextRunOrder, noFilter, orderedRuns, runColumns, runTable, kindNames, stateNames, type RunFilter, type RunOrder } from '../../logic/runTable';
 import { checked } from '../../state/compare';
 import { runName, runs } from '../../state/runs';
-import { casesOf } from '../../state/runActions';
+import { runCases } from '../../state/runActions';
 import { TableTools } from '../TableTools';
 import { RunActions } from './RunActions';
 import { RunRow, unfolded } from './RunRow';
@@ -24,13 +24,13 @@ function Choice({ name, value, options, set }: { name: string; value: string; op
 }
 
 function Filter() {
-  const now = filter.value;
+  const current = filter.value;
   return (
     <div class="runfilter" role="search" aria-label="Filter of the runs">
-      <input type="search" aria-label="Text in name, note or verdict" placeholder="name, note, verdict…" value={now.text} onInput={(e) => { filter.value = { ...now, text: e.currentTarget.value }; }} />
-      <Choice name="kind" value={now.kind} options={kindNames} set={(kind) => { filter.value = { ...now, kind }; }} />
-      <Choice name="state" value={now.state} options={stateNames} set={(state) => { filter.value = { ...now, state }; }} />
-      {now === noFilter ? null : <button type="button" class="tiny" onClick={() => { filter.value = noFilter; }}>all</button>}
+      <input type="search" aria-label="Text in name, note or verdict" placeholder="name, note, verdict…" value={current.text} onInput={(e) => { filter.value = { ...current, text: e.currentTarget.value }; }} />
+      <Choice name="kind" value={current.kind} options={kindNames} set={(kind) => { filter.value = { ...current, kind }; }} />
+      <Choice name="state" value={current.state} options={stateNames} set={(state) => { filter.value = { ...current, state }; }} />
+      {current === noFilter ? null : <button type="button" class="tiny" onClick={() => { filter.value = noFilter; }}>all</button>}
     </div>
   );
 }
@@ -51,19 +51,19 @@ function Head({ shown }: { shown: Run[] }) {
   );
 }
 
-/** Arrow keys go from row to row. */
+/** Arrow keys move from row to row. */
 function step(e: KeyboardEvent, table: HTMLElement | null): void {
   const way = e.key === 'ArrowDown' ? 1 : e.key === 'ArrowUp' ? -1 : 0;
   if (!way || !table || (e.target as HTMLElement).tagName === 'INPUT' && (e.target as HTMLInputElement).type !== 'checkbox') return;
-  const rows = [...table.querySelectorAll<HTMLElement>('tbody tr')], at = rows.findIndex((row) => row.contains(document.activeElement));
+  const rows = [...table.querySelectorAll<HTMLElement>('tbody tr')], index = rows.findIndex((row) => row.contains(document.activeElement));
   e.preventDefault();
-  rows[Math.max(0, Math.min(rows.length - 1, at + way))]?.focus();
+  rows[Math.max(0, Math.min(rows.length - 1, index + way))]?.focus();
 }
 
 export function RunsTable() {
   const table = useRef<HTMLTableElement>(null);
   const whole = runs.value.filter((run) => !run.parent), shown = orderedRuns(whole.filter((run) => matches(run, runName(run), filter.value)), order.value, runName);
-  if (whole.length === 0) return <p class="empty">No runs in this folder yet. Storms are started in Storm, studies in Study, stages in Operation.</p>;
+  if (whole.length === 0) return <p class="empty">No runs in this folder yet. Start storms in Storm, studies in Study, and stages in Operation.</p>;
   return (
     <div class="runstab">
       <div class="runsbar">
@@ -78,11 +78,11 @@ export function RunsTable() {
           <tbody>
             {shown.flatMap((run, i) => [
               <RunRow key={run.id} run={run} first={i === 0} />,
-              ...(unfolded.value.includes(run.id) ? casesOf(run).map((one) => <RunRow key={one.id} run={one} inner />) : []),
+              ...(unfolded.value.includes(run.id) ? runCases(run).map((item) => <RunRow key={item.id} run={item} inner />) : []),
             ])}
           </tbody>
         </table>
-        {shown.length === 0 ? <p class="empty">No run is like this. <button type="button" onClick={() => { filter.value = noFilter; }}>Show all</button></p> : null}
+        {shown.length === 0 ? <p class="empty">No matching runs. <button type="button" onClick={() => { filter.value = noFilter; }}>Show all</button></p> : null}
       </div>
     </div>
   );

@@ -1,4 +1,4 @@
-// Histories of the run next to each other, and spectra of histories.
+// Histories of the run side by side, and spectra of histories.
 import { signal, type Signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { get } from '../../api/client';
@@ -17,7 +17,7 @@ import { emptyText, plotCount, TabFrame, useWidth } from './TabFrame';
 
 const spectra = signal<string[]>([]);
 
-/** Chosen histories that the run has, filled up with those that are looked at first. */
+/** Selected histories that the run has, completed with default ones. */
 function chosenNames(chosen: readonly string[]): string[] {
   const names = columns.value.map((column) => column.name);
   const first = firstHistories(names).filter((name) => !chosen.includes(name));
@@ -40,7 +40,7 @@ function Choice({ label, name, index, chosen }: ChoiceProps) {
   );
 }
 
-/** The tensioner's range, for histories of its tension. */
+/** Tension range of the tensioner, for histories of its tension. */
 function range(name: string): [number, number] | null {
   if (!/^(top_tension|tensioner\/tension)$/.test(name)) return null;
   const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
@@ -57,8 +57,8 @@ export function History({ name, children }: { name: string; children: preact.Com
     <Plot
       data={data}
       empty="Loading…"
-      extra={{ shade: range(name), now: active.value ? time.value : null }}
-      title="Drag to zoom, double-click to reset, click to go to an instant"
+      extra={{ shade: range(name), position: active.value ? time.value : null }}
+      title="Drag to zoom, double-click to reset, click to go to a time"
       onClick={(x) => { if (active.value) seek(x); }}
       onZoom={setZoom}
       onWidth={setPixels}
@@ -92,11 +92,11 @@ function spectrumData(name: string, si: string, { frequency, density, segments, 
   const period = x[peak] ? `, peak at ${tidy(1 / x[peak]!, 3)} s` : '';
   return {
     title: columnName(name), xName: 'frequency [Hz]', yName: `spectral density [(${unit})²/Hz]`, x, s: x, marks: [], level: [],
-    lines: [{ name: `std ${tidy(std * factor, 4)} ${unitName(si)}${period}, ${segments} segment${segments === 1 ? '' : 's'}`, colour: colours.now, values }],
+    lines: [{ name: `std ${tidy(std * factor, 4)} ${unitName(si)}${period}, ${segments} segment${segments === 1 ? '' : 's'}`, colour: colours.current, values }],
   };
 }
 
-/** The spectrum of a history of the selected run, anew when the run has ended. */
+/** Spectrum of a history of the selected run, updated when the run has ended. */
 function useSpectrum(name: string): ChartData | null {
   const [data, setData] = useState<ChartData | null>(null);
   const run = selected.value, column = columns.value.find((c) => c.name === name);

@@ -1,4 +1,4 @@
-// Above the dock: which run is shown and which of its seeds, how far it is, and whether it is of the open model.
+// Above the dock: the run and seed shown, its progress, and whether it is outdated.
 import { withoutPaths } from '../../logic/findings';
 import { duration as timeText, numberIn, unitName } from '../../logic/show';
 import { tidy } from '../../logic/units';
@@ -17,7 +17,7 @@ function Progress({ run }: { run: Run }) {
         <i style={{ width: `${percent}%` }} />
       </div>
       <span>
-        {run.state === 'queued' ? 'waiting for the run before it' : `${percent} %`}
+        {run.state === 'queued' ? 'waiting for the previous run' : `${percent} %`}
         {left === null ? '' : `, ${timeText(left)} left`}
         {run.time === undefined ? '' : ` · t = ${tidy(run.time, 5)} s`}
         {run.top_tension === undefined ? '' : ` · tension ${numberIn(run.top_tension, 'N')} ${unitName('N')}`}
@@ -29,7 +29,7 @@ function Progress({ run }: { run: Run }) {
 
 const withState = (text: string, run: Run): string => (stateNames[run.state] ? `${text}, ${stateNames[run.state]}` : text);
 
-/** "seed 2 of 10"; with its title where that says more. */
+/** "seed 2 of 10"; with its title if that is more specific. */
 function caseText(run: Run, index: number, count: number, noun: string): string {
   const place = `${noun} ${index + 1} of ${count}`;
   return withState(run.title === `Seed ${index + 1}` ? place : `${place}: ${run.title}`, run);
@@ -41,13 +41,13 @@ function listedName(run: Run): string {
 }
 
 function Seeds() {
-  const cases = stormCases.value, at = cases.findIndex((one) => one.id === selected.value?.id);
+  const cases = stormCases.value, index = cases.findIndex((item) => item.id === selected.value?.id);
   if (cases.length === 0) return null;
   const noun = stormStudy.value?.kind === 'seeds' ? 'seed' : 'variant';
   return (
     <select aria-label={noun === 'seed' ? 'Seed shown' : 'Variant shown'} value={selected.value?.id} onChange={(e) => select(e.currentTarget.value)}>
-      {at < 0 ? <option value={selected.value?.id}>no {noun} yet</option> : null}
-      {cases.map((one, i) => <option key={one.id} value={one.id} disabled={!one.has_results}>{caseText(one, i, cases.length, noun)}</option>)}
+      {index < 0 ? <option value={selected.value?.id}>no {noun} yet</option> : null}
+      {cases.map((item, i) => <option key={item.id} value={item.id} disabled={!item.has_results}>{caseText(item, i, cases.length, noun)}</option>)}
     </select>
   );
 }
@@ -64,7 +64,7 @@ export function StormBar() {
       </select>
       <Seeds />
       {going ? <Progress run={whole} /> : null}
-      {whole?.state === 'failed' ? <span class="fault" role="alert">{withoutPaths(whole.message)}</span> : null}
+      {whole?.state === 'failed' ? <span class="failuretext" role="alert">{withoutPaths(whole.message)}</span> : null}
       {whole ? <Stale /> : null}
     </div>
   );

@@ -1,10 +1,10 @@
-// The storm above the picture: each setting as a button that shows its value, and Run with what it will do.
+// Storm settings above the picture: each as a button that shows its value, and Run with a summary.
 import { useState } from 'preact/hooks';
 import { Popover } from '../../components/Popover';
 import { duration as timeText } from '../../logic/show';
 import { directionText, expectedSeconds, motionText, seaText, seedsTyped, tensionerText } from '../../logic/storm';
 import { changes } from '../../state/live';
-import { leadToFault } from '../../state/lead';
+import { leadToDiagnostic } from '../../state/lead';
 import { byPath, errors, hasModel } from '../../state/model';
 import { duration, missing, pace, seeds, setUpStorm, startStorm, stormKind, stormKinds, type StormKind } from '../../state/storm';
 import { DirectionFields, DurationFields, MotionFields, SeaFields, SeedsFields, TensionerFields } from './StripFields';
@@ -12,14 +12,14 @@ import '../../styles/storm.css';
 
 const written = (path: string): string => { const field = byPath.value.get(path); return field?.given ? String(field.value ?? '') : ''; };
 
-/** Whole hours and minutes as such, whatever unit the model has. */
+/** Whole hours and minutes without decimals, for any unit in the model. */
 function durationText(): string {
   const text = written('analysis.dynamic.duration'), s = duration.value;
   if (!text || !(s >= 600) || s % 60 !== 0) return text;
   return s % 3600 === 0 ? `${s / 3600} h` : `${s / 60} min`;
 }
 
-/** Runs of the order: seeds of a storm, variants of a comparison. */
+/** Number of runs: seeds of a storm, variants of a comparison. */
 const runCount = (): number => (stormKind.value === 'storm' ? seeds.value.length : stormKind.value === 'tensioner' ? 3 : 2);
 
 /** "Run 10 × 3 h". */
@@ -37,23 +37,23 @@ function timeNeeded(): string {
 function SetUp() {
   const [busy, setBusy] = useState(false);
   const start = (): void => { setBusy(true); void setUpStorm().finally(() => setBusy(false)); };
-  const title = `Adds ${missing.value.join(', ')}: JONSWAP sea with Hs 2 m and Tp 8 s on the bow, the library hull scaled to the vessel, 3 h. One step of undo.`;
+  const title = `Adds ${missing.value.join(', ')}: JONSWAP sea with Hs 2 m and Tp 8 s on the bow, the library hull scaled to the vessel, 3 h. One undo step.`;
   return <button type="button" class="main" disabled={busy} title={title} onClick={start}>Set up a storm</button>;
 }
 
 function RunButton() {
-  const fault = errors.value[0];
+  const error = errors.value[0];
   const choose = (kind: string): void => { stormKind.value = kind as StormKind; };
   if (missing.value.length) return <SetUp />;
   return (
     <>
       <span class="runbutton">
-        <button type="button" class="main" disabled={fault !== undefined} onClick={() => void startStorm()}>{runText()}{timeNeeded()}</button>
-        <select aria-label="What Run does" title="What Run does" value={stormKind.value} onChange={(e) => choose(e.currentTarget.value)}>
+        <button type="button" class="main" disabled={error !== undefined} onClick={() => void startStorm()}>{runText()}{timeNeeded()}</button>
+        <select aria-label="Type of run" title="Type of run" value={stormKind.value} onChange={(e) => choose(e.currentTarget.value)}>
           {stormKinds.map(([id, text]) => <option key={id} value={id}>{text}</option>)}
         </select>
       </span>
-      {fault ? <button type="button" class="link" onClick={() => leadToFault(fault)}>error at {fault.key || `line ${fault.line}`}</button> : null}
+      {error ? <button type="button" class="link" onClick={() => leadToDiagnostic(error)}>error at {error.key || `line ${error.line}`}</button> : null}
     </>
   );
 }
@@ -71,7 +71,7 @@ export function StormStrip() {
       <Popover label="duration" value={durationText()} placeholder="not given"><DurationFields /></Popover>
       <Popover label="seeds" value={seedsTyped(seeds.value)}><SeedsFields /></Popover>
       <div class="stormacts"><RunButton /></div>
-      {changes.value.length ? <p class="note">A run computes the model as it is written: values on sliders count after "Apply to model".</p> : null}
+      {changes.value.length ? <p class="note">A run uses the model as written: slider values are included after "Apply to model".</p> : null}
       {motion.note ? <p class="brief">{motion.note}</p> : null}
     </div>
   );

@@ -1,4 +1,4 @@
-// Tables of the storm's dock: statistics and extremes of the run and across seeds, roller boxes over time.
+// Tables of the storm's dock: statistics and extremes of the run and over seeds, roller boxes over time.
 import { signal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { reactions } from '../../charts/data';
@@ -22,19 +22,19 @@ function Set({ table, file, rowAction }: SetProps) {
   return <Table table={table} sortable copyable file={file} rowAction={rowAction} numberTitle={(number, { unit }) => withTwin(number, unit)} />;
 }
 
-/** Across seeds or variants, or of the run alone: where there are both. */
+/** Switch between all seeds or variants and the single run, if both are available. */
 const across = signal(true);
 
-function Between({ whole, one }: { whole: ComponentChildren; one: ComponentChildren }) {
+function Between({ whole, single }: { whole: ComponentChildren; single: ComponentChildren }) {
   const seeds = stormStudy.value?.kind === 'seeds';
-  if (!stormStudy.value) return <>{one}</>;
+  if (!stormStudy.value) return <>{single}</>;
   return (
     <>
       <div class="stormhead" role="group" aria-label="Statistics of">
         <button type="button" aria-pressed={across.value} onClick={() => { across.value = true; }}>{seeds ? 'all seeds' : 'all variants'}</button>
         <button type="button" aria-pressed={!across.value} onClick={() => { across.value = false; }}>{seeds ? 'this seed' : 'this variant'}</button>
       </div>
-      {across.value ? whole : one}
+      {across.value ? whole : single}
     </>
   );
 }
@@ -42,7 +42,7 @@ function Between({ whole, one }: { whole: ComponentChildren; one: ComponentChild
 export function Statistics() {
   const d = runSummary.value?.dynamic, study = acrossCases.value;
   const more = Object.entries(calmLay.value?.run_tables ?? {});
-  const one = d ? (
+  const single = d ? (
     <>
       <Set table={statisticsTable(d, calmLay.value)} file="storm-statistics" />
       <FatigueResults />
@@ -51,7 +51,7 @@ export function Statistics() {
   ) : <p class="empty">Loading…</p>;
   return (
     <TabFrame ready={d !== undefined || study !== null}>
-      <Between whole={study ? <Set table={studyTable(study)} file="storm-seeds" /> : <p class="empty">Available when all have ended.</p>} one={one} />
+      <Between whole={study ? <Set table={studyTable(study)} file="storm-seeds" /> : <p class="empty">Available when all have ended.</p>} single={single} />
     </TabFrame>
   );
 }
@@ -60,11 +60,11 @@ export function Extremes() {
   const d = runSummary.value?.dynamic, study = acrossCases.value;
   const seeds = study ? seedExtremes(study) : null;
   const none = !d ? 'Loading…' : d.non_stationary ? `No extremes: ${d.non_stationary}.` : '';
-  const one = none || !d ? <p class="empty">{none}</p> : <Set table={extremesTable(d)} file="storm-extremes" />;
-  const few = <p class="empty">Extremes from seeds need ten of them, and a storm that is stationary.</p>;
+  const single = none || !d ? <p class="empty">{none}</p> : <Set table={extremesTable(d)} file="storm-extremes" />;
+  const few = <p class="empty">Extremes over seeds require at least ten seeds and a stationary storm.</p>;
   return (
     <TabFrame ready={d !== undefined || study !== null}>
-      <Between whole={seeds ? <Set table={seeds} file="storm-seed-extremes" /> : few} one={one} />
+      <Between whole={seeds ? <Set table={seeds} file="storm-seed-extremes" /> : few} single={single} />
     </TabFrame>
   );
 }
@@ -72,17 +72,17 @@ export function Extremes() {
 const chosenBox = signal('');
 const byRoller = signal(false);
 
-/** Path of a box in the model: the place among those of its structure. */
+/** Path of a box in the model: its index among those of its structure. */
 function boxPath(name: string): string {
-  const boxes = calmLay.value?.supports ?? [], box = boxes.find((other) => other.name === name);
+  const boxes = calmLay.value?.supports ?? [], box = boxes.find((support) => support.name === name);
   if (!box) return '';
-  return `supports.${box.structure}.boxes[${boxes.filter((other) => other.structure === box.structure).indexOf(box)}]`;
+  return `supports.${box.structure}.boxes[${boxes.filter((support) => support.structure === box.structure).indexOf(box)}]`;
 }
 
 type BoxDiagramKind = 'reaction' | 'separation' | 'all';
 const boxDiagram = signal<BoxDiagramKind>('reaction');
 
-/** Beside the table: histories of the chosen box, or the largest reactions of all. */
+/** Next to the table: histories of the selected box, or the maximum reactions of all. */
 function BoxDiagram({ box }: { box: string }) {
   const lay = calmLay.value, kind = boxDiagram.value;
   const choice = (

@@ -1,4 +1,4 @@
-// What the popovers of the storm's strip contain: the model's own keys, and one action for what is missing.
+// Popovers of the storm strip: the keys of the model, and a command for what is missing.
 import { useEffect, useState } from 'preact/hooks';
 import type { Change, Field } from '../../api/types';
 import { label, parts, tree, type Node } from '../../logic/formTree';
@@ -15,7 +15,7 @@ const write = (changes: Change[]): void => { void setKeys(changes).catch(sayErro
 const isValue = (field: Field): boolean => field.kind !== 'map' && field.kind !== 'list';
 const rowNames: Record<string, string> = { 'tensioner.range[0]': 'range from', 'tensioner.range[1]': 'range to' };
 
-/** Rows of keys that the model has or could have. */
+/** Rows of given and possible keys. */
 function Keys({ paths }: { paths: string[] }) {
   const known = paths.map((path) => byPath.value.get(path)).filter((field): field is Field => field !== undefined && isValue(field));
   return <>{known.map((field) => <FieldRow key={field.path} field={field} name={rowNames[field.path]} />)}</>;
@@ -43,12 +43,12 @@ export function DirectionFields() {
   return (
     <>
       <Keys paths={['environment.waves.from', 'vessel.heading']} />
-      <p class="brief">Azimuths clockwise from north: where the waves come from, and where the bow points to.</p>
+      <p class="brief">Azimuths clockwise from north: direction the waves come from, and heading of the bow.</p>
     </>
   );
 }
 
-/** Members of a group of the motion, as rows. */
+/** Keys of a group of the motion, as rows. */
 function Members({ node }: { node: Node<Field> }) {
   if (node.field && node.children.length === 0 && isValue(node.field)) return <FieldRow field={node.field} />;
   return (
@@ -61,7 +61,7 @@ function Members({ node }: { node: Node<Field> }) {
 
 const hullTitle = "RAOs of the box barge BGL-1, scaled by Froude's law: sway and roll with the beam, all other motions with the length";
 
-/** RAOs scaled from those that come with the program. */
+/** Scaled RAOs of the library hull. */
 function LibraryHull() {
   const [busy, setBusy] = useState(false);
   const file = String(byPath.value.get('vessel.motion.raos')?.value ?? '');
@@ -94,7 +94,7 @@ export function TensionerFields() {
     <>
       <Keys paths={['tension', 'mode', 'range[0]', 'range[1]', 'delay', 'velocity', 'acceleration', 'travel'].map((key) => `tensioner.${key}`)} />
       {range || !first ? null : (
-        <div class="acts"><button type="button" onClick={() => write(first)}>Control it within {(first[0]!.value as string[]).join(' to ')}</button></div>
+        <div class="acts"><button type="button" onClick={() => write(first)}>Control within {(first[0]!.value as string[]).join(' to ')}</button></div>
       )}
     </>
   );
@@ -123,9 +123,9 @@ export function SeedsFields() {
           onKeyDown={(e) => { if (e.key === 'Enter') send(); }}
         />
         <span class="twin">{typeof value === 'number' ? (value === 1 ? '1 run' : `${value} runs`) : value ? `${value.length} runs` : ''}</span>
-        {value === null ? <p class="fault">A number of seeds, or a list like "3, 7-9".</p> : null}
+        {value === null ? <p class="failuretext">Enter a number of seeds, or a list such as "3, 7-9".</p> : null}
       </div>
-      <p class="brief">Every seed is another sea of the same spectrum. Statistics of extremes want ten or more.</p>
+      <p class="brief">Each seed is a different realisation of the same spectrum. Extreme statistics require ten or more.</p>
     </>
   );
 }

@@ -1,17 +1,17 @@
-// Cases of a study in a drawing: a curve over one key, a map over two, bars of one key at a time.
+// Cases of a study in a drawing: a curve over one key, a map over two, bars for one key at a time.
 import type { Matrix, MatrixCase } from '../../api/types';
 import { Chart } from '../../components/Chart';
 import type { Frame } from '../../components/chart/types';
 import { resultLimit, valueScale } from '../../components/colourScale';
-import { HeatMap, stateWords } from '../../components/HeatMap';
+import { HeatMap, stateLabels } from '../../components/HeatMap';
 import { axisPlaces, keyAxis, roomAround } from '../../components/keyAxis';
 import { TwoSidedBars } from '../../components/TwoSidedBars';
-import { keyWords, resultName, resultTitle, resultUnit, resultValue, swings, type Cell } from '../../logic/studies';
+import { keyLabel, resultName, resultTitle, resultUnit, resultValue, swings, type Cell } from '../../logic/studies';
 import { tidy } from '../../logic/units';
 
 type Input = Matrix['inputs'][number];
 
-export const axisName = (input: { key: string; unit: string }): string => `${keyWords(input.key)}${input.unit ? ` [${input.unit}]` : ''}`;
+export const axisName = (input: { key: string; unit: string }): string => `${keyLabel(input.key)}${input.unit ? ` [${input.unit}]` : ''}`;
 
 export function axisWord(input: { words: string[]; values: (number | null)[] }, i: number): string {
   const value = input.values[i];
@@ -26,7 +26,7 @@ export interface Drawn { m: Matrix; axes: number[]; cells: Cell[][]; output: num
 
 /** "water_depth 80 m, tension 250 kN: 0.71, passes" */
 export function describeCell({ m, axes, output }: Pick<Drawn, 'm' | 'axes' | 'output'>, cell: Cell, i: number, j: number): string {
-  const places = axes.map((a, k) => `${keyWords(m.inputs[a]!.key)} ${axisWord(m.inputs[a]!, k ? j : i)} ${m.inputs[a]!.unit}`.trim());
+  const places = axes.map((a, k) => `${keyLabel(m.inputs[a]!.key)} ${axisWord(m.inputs[a]!, k ? j : i)} ${m.inputs[a]!.unit}`.trim());
   const value = cell.value === null ? '' : `${tidy(cell.value, 4)} ${resultUnit(m, output)}`.trim();
   const check = cell.cases[0]?.governing;
   return `${places.join(', ')}: ${value ? `${value}, ` : ''}${stateNames[cell.state]}${check ? `; governing: ${check}` : ''}`;
@@ -68,16 +68,16 @@ export function CaseCurve(drawn: Drawn) {
   );
 }
 
-export const marksText = (cells: Cell[][]): string => stateWords(cells.flat().map((cell) => cell.state));
+export const marksText = (cells: Cell[][]): string => stateLabels(cells.flat().map((cell) => cell.state));
 
 export function CaseMap(drawn: Drawn) {
   const { m, axes, cells, output, chosen, choose, width = 760 } = drawn;
   const [x, y] = axes.map((a) => m.inputs[a]!) as [Input, Input];
   const values = cells.flat().flatMap((cell) => (cell.value === null ? [] : [cell.value]));
-  const axis = (input: Input) => ({ name: axisName(input), words: axisPlaces(named(input)).words });
+  const axis = (input: Input) => ({ name: axisName(input), labels: axisPlaces(named(input)).labels });
   return (
     <HeatMap
-      label={`${resultTitle(m, output)} over ${keyWords(x.key)} and ${keyWords(y.key)}`} title={resultTitle(m, output)} width={width} row={30}
+      label={`${resultTitle(m, output)} over ${keyLabel(x.key)} and ${keyLabel(y.key)}`} title={resultTitle(m, output)} width={width} row={30}
       x={axis(x)} y={axis(y)} scale={valueScale(values, resultLimit(resultName(m, output)))}
       cells={cells.map((row, j) => row.map((cell, i) => (
         { value: cell.value, state: cell.state, title: describeCell(drawn, cell, i, j), chosen: isChosen(cell, chosen) })))}
@@ -86,18 +86,18 @@ export function CaseMap(drawn: Drawn) {
   );
 }
 
-/** What each key does to a result while the others keep the model's values. */
+/** Effect of each key on a result while the others keep the values of the model. */
 export function CaseSwings({ m, base, output, width = 760 }: { m: Matrix; base: MatrixCase; output: number; width?: number }) {
   const middle = resultValue(base, output), bars = swings(m, base, output);
-  if (middle === null) return <p class="empty">The case of the model itself has no such result.</p>;
+  if (middle === null) return <p class="empty">The base case has no such result.</p>;
   const [low, high] = [Math.min(middle, ...bars.map((bar) => bar.low)), Math.max(middle, ...bars.map((bar) => bar.high))];
   const room = 0.05 * (high - low) || 0.5, number = (value: number): string => tidy(value, 4);
   return (
     <TwoSidedBars
-      title={resultTitle(m, output)} label={`${resultUnit(m, output) || 'value'}; the line is the model's ${number(middle)}`} width={width} middle={middle}
+      title={resultTitle(m, output)} label={`${resultUnit(m, output) || 'value'}; the line is the value of the model, ${number(middle)}`} width={width} middle={middle}
       range={[low - room, high + room]} lowColour="#c77700" highColour="var(--pipe)"
       bars={bars.map(({ key, ...bar }) => (
-        { name: keyWords(key), low: bar.low, high: bar.high, title: `${key}: ${number(bar.low)} at ${bar.lowWord}, ${number(bar.high)} at ${bar.highWord}` }))}
+        { name: keyLabel(key), low: bar.low, high: bar.high, title: `${key}: ${number(bar.low)} at ${bar.lowWord}, ${number(bar.high)} at ${bar.highWord}` }))}
     />
   );
 }

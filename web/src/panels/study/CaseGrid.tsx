@@ -1,7 +1,7 @@
-// A result over two keys as a table: colour and a mark say what the checks say, a letter which check governs.
+// A result over two keys as a table: colour and mark show the check status, a letter the governing check.
 import type { Matrix } from '../../api/types';
 import { limitBroken } from '../../logic/layGrid';
-import { foremost, governingChecks, keyWords, kUtilisation, type Cell } from '../../logic/studies';
+import { foremost, governingChecks, keyLabel, kUtilisation, type Cell } from '../../logic/studies';
 import { tidy } from '../../logic/units';
 import { limits } from '../../state/studies';
 import { axisName, axisWord, describeCell, isChosen } from './CaseDrawing';
@@ -14,7 +14,7 @@ const marks: Partial<Record<Cell['state'], string>> = { exceeded: '✕', reserve
 
 interface GridProps { m: Matrix; axes: number[]; cells: Cell[][]; output: number; chosen: number | null; choose: (cell: Cell) => void; open: (cell: Cell) => void }
 
-/** Arrow keys move between the cells, which are one stop of the tab key. */
+/** Arrow keys move between the cells, which are one tab stop. */
 function move(event: KeyboardEvent): void {
   const step = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
   const cell = (event.target as HTMLElement).closest('td'), row = cell?.parentElement as HTMLTableRowElement | null;
@@ -49,7 +49,7 @@ export function CaseGrid(grid: GridProps) {
   const stopRow = Math.max(0, place.findIndex((i) => i >= 0)), stopColumn = Math.max(0, place[stopRow] ?? 0);
   return (
     <div class="casegrid">
-      <table role="grid" aria-label={`Cases over ${keyWords(x.key)} and ${keyWords(y.key)}`} onKeyDown={move}>
+      <table role="grid" aria-label={`Cases over ${keyLabel(x.key)} and ${keyLabel(y.key)}`} onKeyDown={move}>
         <thead>
           <tr><th scope="col" class="corner">{axisName(y)}<span>{axisName(x)}</span></th>{x.words.map((_, i) => <th key={i} scope="col">{axisWord(x, i)}</th>)}</tr>
         </thead>
@@ -68,7 +68,7 @@ export function CaseGrid(grid: GridProps) {
   );
 }
 
-/** Explains letters and marks of the cells. */
+/** Legend of letters and marks. */
 export function GridKey({ m, cells }: { m: Matrix; cells: Cell[][] }) {
   const checks = governingChecks(m), states = new Set(cells.flat().map((cell) => cell.state));
   return (

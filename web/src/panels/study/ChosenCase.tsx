@@ -1,19 +1,19 @@
-// The case that is chosen in a table or a drawing: its values and results, and the ways into the model.
+// The selected case: its values and results, and commands to use it in the model.
 import type { Matrix, MatrixCase } from '../../api/types';
 import { withoutPaths } from '../../logic/findings';
-import { keyWords, resultTitle } from '../../logic/studies';
+import { keyLabel, resultTitle } from '../../logic/studies';
 import { tidy } from '../../logic/units';
 import { caseKeys, chosenCase, matrix, openInLay, takeIntoModel, triedValues } from '../../state/studies';
 
-/** A key of one item; a pattern stands for several. */
+/** A key of one item; a pattern refers to several. */
 const isPlain = (key: string): boolean => !/[*]|\[[^\]\d]/.test(key);
 
 function Outcome({ c }: { c: MatrixCase }) {
-  if (c.state === 'failed') return <p class="fault">{withoutPaths(c.reason)}</p>;
+  if (c.state === 'failed') return <p class="failuretext">{withoutPaths(c.reason)}</p>;
   if (c.state === 'open') return <p class="brief">Not computed yet.</p>;
   const check = c.governing ? `${c.governing}${c.utilisation === null ? '' : `: ${tidy(c.utilisation, 3)}`}` : '';
   const verdict = c.verdict === 'exceeded' ? 'exceeded' : c.obstacle ? `passes with reservations: ${c.obstacle}` : c.verdict;
-  return <p class={c.passed ? 'brief' : c.verdict === 'reserved' ? 'note' : 'fault'}>{[check, verdict].filter(Boolean).join('; ')}</p>;
+  return <p class={c.passed ? 'brief' : c.verdict === 'reserved' ? 'note' : 'failuretext'}>{[check, verdict].filter(Boolean).join('; ')}</p>;
 }
 
 function Acts({ m, c }: { m: Matrix; c: MatrixCase }) {
@@ -22,15 +22,15 @@ function Acts({ m, c }: { m: Matrix; c: MatrixCase }) {
     <div class="acts">
       <button
         type="button" class="main" disabled={!tried} onClick={() => { if (tried) openInLay(tried); }}
-        title={tried ? 'Shows this case in Lay: its values are tried out, the model stays as it is' : 'Of these keys not all can be tried out: take them into the model'}
+        title={tried ? 'Show this case in Lay with trial values; the model is not changed' : 'Some of these keys cannot be tried out: apply them to the model'}
       >
         Open in Lay
       </button>
       <button
         type="button" disabled={!plain} onClick={() => void takeIntoModel(keys, `case ${c.number}`)}
-        title={plain ? 'Writes the values of this case into the model, as one step that undo takes back' : 'A key of several items cannot be written'}
+        title={plain ? 'Write the values of this case into the model, as one undo step' : 'A key of several items cannot be written'}
       >
-        Take into the model
+        Apply to model
       </button>
     </div>
   );
@@ -47,7 +47,7 @@ export function ChosenCase() {
       </header>
       <Outcome c={c} />
       <dl>
-        {m.inputs.map((input, i) => <div key={input.key} title={input.key}><dt>{keyWords(input.key)}</dt><dd>{c.words[i]}</dd></div>)}
+        {m.inputs.map((input, i) => <div key={input.key} title={input.key}><dt>{keyLabel(input.key)}</dt><dd>{c.words[i]}</dd></div>)}
         {c.state === 'done' ? m.outputs.map((out, i) => (
           <div key={out.name} title={out.name}><dt>{resultTitle(m, i)}</dt><dd>{typeof c.values[i] === 'number' ? tidy(c.values[i]!, 4) : '–'}</dd></div>
         )) : null}

@@ -1,4 +1,4 @@
-// The dock's curves: every result over the key, over two keys a curve for each row, and the tensions over the depth.
+// Curves of the dock: every result over the key, over two keys a curve for each row, and the tensions over the depth.
 import type { Matrix } from '../../api/types';
 import { Chart } from '../../components/Chart';
 import { curveLook } from '../../components/colours';
@@ -12,12 +12,12 @@ import { axes, chooseCell, isLayGrid, shape } from './shown';
 
 const kWide = 420, kTall = 240;
 
-/** In the colours of the page, light or dark. */
+/** In the colours of the theme. */
 const layLook = { curves: ['var(--pipe)', '#e07b1a'], limit: 'var(--bad)', passing: 'var(--range)' };
 
 const inPage = (k: number): { colour: string; dash?: string } => { const look = curveLook(k); return look.colour === '#000000' ? { ...look, colour: 'var(--ink)' } : look; };
 
-/** More rows than this would not be told apart. */
+/** Maximum number of distinguishable curves. */
 const kRows = 9;
 
 const results = (m: Matrix): number[] => [kUtilisation, ...m.outputs.map((_, i) => i)];
@@ -39,7 +39,7 @@ function RowCurves({ m, output }: { m: Matrix; output: number }) {
   );
 }
 
-/** Least and most tension, and the lay-back there, over the depth. */
+/** Minimum and maximum tension, and the lay-back there, over the depth. */
 function TensionCurves({ m }: { m: Matrix }) {
   const [x, y] = axes.value as [number, number], list = depthLimits(m, x, y, fixed.value, limits.value), down = m.inputs[y]!;
   const axis = { name: axisName(down), words: down.words, values: down.values }, { places } = axisPlaces(axis);
@@ -68,7 +68,7 @@ function MatrixCurves({ m }: { m: Matrix }) {
   const base = baseCase(m);
   if (base) return <>{results(m).map((output) => <div key={output}><CaseSwings m={m} base={base} output={output} width={kWide} /></div>)}</>;
   if (shape.value === 'grid') return <>{isLayGrid.value ? <TensionCurves m={m} /> : null}{results(m).map((output) => <RowCurves key={output} m={m} output={output} />)}</>;
-  if (shape.value !== 'curve') return <p class="empty">{m.operability ? 'Limits of operability are drawn above.' : 'There is no single key to draw these cases over.'}</p>;
+  if (shape.value !== 'curve') return <p class="empty">{m.operability ? 'Limits of operability are drawn above.' : 'These cases do not vary over a single key.'}</p>;
   return <>{results(m).map((output) => <CaseCurve key={output} m={m} axes={axes.value} cells={cellsOver(m, axes.value, fixed.value, output)} output={output} chosen={chosenCase.value} choose={chooseCell} width={kWide} />)}</>;
 }
 

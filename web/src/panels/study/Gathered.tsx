@@ -1,4 +1,4 @@
-// Several seeds by their statistics, or variants side by side; each case is a run of its own.
+// Several seeds by their statistics, or variants side by side; each case is a separate run.
 import type { Run } from '../../api/types';
 import { bullets } from '../../logic/findings';
 import { runs, select } from '../../state/runs';

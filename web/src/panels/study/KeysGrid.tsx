@@ -1,34 +1,34 @@
-// The keys that a study varies, a row for each: its unit, the model's value, a range or a list of values.
+// Varied keys of a study, a row for each: its unit, the value of the model, a range or a list of values.
 import { useState } from 'preact/hooks';
 import { variableKeys } from '../../logic/seek';
-import { axisCount, emptyAxis, firstAxis, tenthAxis, type AxisWish } from '../../logic/studyFile';
+import { axisCount, emptyAxis, firstAxis, tenthAxis, type AxisRequest } from '../../logic/studyFile';
 import { byPath, fields } from '../../state/model';
-import { kind, modelKeys, setStudy, wish } from '../../state/studies';
+import { kind, modelKeys, setStudy, request } from '../../state/studies';
 
-/** Keys of the sea come with dynamic analyses. */
+/** Keys of the sea are only for dynamic analyses. */
 function offered(): string[] {
   const sea = fields.value.filter((f) => /^environment\.waves\.(hs|tp|from|height|period)$/.test(f.path)).map((f) => f.path);
   return [...new Set([...variableKeys(fields.value).map((f) => f.path), ...sea])];
 }
 
-/** With values about the model's: of one at a time a tenth down and up. */
-const newAxis = (key: string): AxisWish => {
+/** With values about that of the model: a tenth down and up for one key at a time. */
+const newAxis = (key: string): AxisRequest => {
   const field = byPath.value.get(key);
   const axis = kind.value === 'each' ? tenthAxis(field) : firstAxis(field);
   return axis.key ? axis : emptyAxis(key);
 };
 
-function setAxis(index: number, part: Partial<AxisWish>): void {
-  setStudy({ axes: wish.value.axes.map((axis, i) => (i === index ? { ...axis, ...part } : axis)) });
+function setAxis(index: number, part: Partial<AxisRequest>): void {
+  setStudy({ axes: request.value.axes.map((axis, i) => (i === index ? { ...axis, ...part } : axis)) });
 }
 
 function rename(index: number, key: string): void {
-  const axis = wish.value.axes[index]!;
+  const axis = request.value.axes[index]!;
   const untouched = !axis.list && (!axis.from || axis.from === newAxis(axis.key).from);
   setAxis(index, untouched && byPath.value.has(key) ? newAxis(key) : { key });
 }
 
-function Row({ axis, index }: { axis: AxisWish; index: number }) {
+function Row({ axis, index }: { axis: AxisRequest; index: number }) {
   const number = index + 1, listed = axis.list.trim() !== '', values = axisCount(axis);
   const cell = (part: 'from' | 'to' | 'count', name: string) => (
     <td class={listed ? 'unused' : undefined}>
@@ -57,7 +57,7 @@ function Row({ axis, index }: { axis: AxisWish; index: number }) {
       </td>
       <td class="soft number">{values || ''}</td>
       <td>
-        <button type="button" class="tiny" aria-label={`Remove key ${number}`} onClick={() => setStudy({ axes: wish.value.axes.filter((_, k) => k !== index) })}>✕</button>
+        <button type="button" class="tiny" aria-label={`Remove key ${number}`} onClick={() => setStudy({ axes: request.value.axes.filter((_, k) => k !== index) })}>✕</button>
       </td>
     </tr>
   );
@@ -67,9 +67,9 @@ function AddKey() {
   const [text, setText] = useState('');
   const add = (field: HTMLInputElement): void => {
     const key = field.value.trim();
-    field.value = '';  // the state may be empty already, and the field would keep its text
+    field.value = '';  // the state may already be empty, and the field would keep its text
     setText('');
-    setStudy({ axes: [...wish.value.axes, newAxis(key)] });
+    setStudy({ axes: [...request.value.axes, newAxis(key)] });
   };
   return (
     <input
@@ -89,7 +89,7 @@ export function KeysGrid() {
           <tr><th scope="col">key</th><th scope="col">unit</th><th scope="col">model</th><th scope="col">from</th><th scope="col">to</th><th scope="col">count</th><th scope="col">values</th><th /><th /></tr>
         </thead>
         <tbody>
-          {wish.value.axes.map((axis, i) => <Row key={i} axis={axis} index={i} />)}
+          {request.value.axes.map((axis, i) => <Row key={i} axis={axis} index={i} />)}
           <tr><td class="key"><AddKey /></td><td colSpan={8} /></tr>
         </tbody>
       </table>

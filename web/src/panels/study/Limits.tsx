@@ -1,4 +1,4 @@
-// Limits of operability: a table over one key or two, a chart, a rose where a key is a direction, the workable time.
+// Limits of operability: a table over one or two keys, a chart, a rose over a direction, the workable time.
 import type { VNode } from 'preact';
 import type { MatrixLimits } from '../../api/types';
 import { headingAxis, OperabilityChart, OperabilityRose, Workability, type OperabilityData } from '../../components/Operability';
@@ -7,7 +7,7 @@ import { limitsTable } from '../../logic/studyTables';
 import { tidy } from '../../logic/units';
 import { axisName, axisWord } from './CaseDrawing';
 
-/** As the drawings of the report take them. */
+/** Data in the format of the report drawings. */
 export function operabilityData(of: MatrixLimits): OperabilityData {
   const values = of.cells.flatMap(({ limit }) => (limit === null ? [] : [limit]));
   return {
@@ -17,7 +17,7 @@ export function operabilityData(of: MatrixLimits): OperabilityData {
   };
 }
 
-/** The drawing that is saved: the rose where a key is a direction, else the chart; null over no key. */
+/** The drawing to save: the rose if a key is a direction, otherwise the chart; null without a key. */
 export function limitsDrawing(of: MatrixLimits): VNode | null {
   if (of.axes.length === 0) return null;
   const data = operabilityData(of);
@@ -27,7 +27,7 @@ export function limitsDrawing(of: MatrixLimits): VNode | null {
 function Crossed({ of }: { of: MatrixLimits }) {
   const [rows, columns] = of.axes;
   const cellAt = (place: number[]) => of.cells.find((c) => c.at.every((i, k) => i === place[k]));
-  const words = (place: number[]): string => {
+  const cellText = (place: number[]): string => {
     const cell = cellAt(place);
     if (!cell || !cell.decided) return '?';
     return `${cell.limit === null ? 'none' : `${cell.beyond ? '≥ ' : ''}${tidy(cell.limit, 4)}`}${cell.reason ? ' *' : ''}`;
@@ -39,7 +39,7 @@ function Crossed({ of }: { of: MatrixLimits }) {
         <thead><tr><th scope="col">{axisName(rows!)} \ {axisName(columns!)}</th>{columns!.words.map((_, i) => <th key={i} scope="col">{axisWord(columns!, i)}</th>)}</tr></thead>
         <tbody>
           {rows!.words.map((_, j) => (
-            <tr key={j}><th scope="row">{axisWord(rows!, j)}</th>{columns!.words.map((_c, i) => <td key={i} title={why([j, i])}>{words([j, i])}</td>)}</tr>
+            <tr key={j}><th scope="row">{axisWord(rows!, j)}</th>{columns!.words.map((_c, i) => <td key={i} title={why([j, i])}>{cellText([j, i])}</td>)}</tr>
           ))}
         </tbody>
       </table>

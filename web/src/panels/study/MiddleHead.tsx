@@ -1,9 +1,9 @@
-// Above the table: what is shown of which study, how far it is, and its files.
+// Above the table: the study and result shown, its progress, and its files.
 import type { VNode } from 'preact';
 import type { Run } from '../../api/types';
 import { address } from '../../api/client';
 import { download } from '../../components/download';
-import { sheetOf, workbook } from '../../components/workbook';
+import { makeSheet, workbook } from '../../components/workbook';
 import { depthLimits } from '../../logic/layGrid';
 import { duration } from '../../logic/show';
 import { baseCase, kUtilisation, resultTitle } from '../../logic/studies';
@@ -22,7 +22,7 @@ function when(run: Run): string {
   return run.started ? date.toLocaleString([], today ? { hour: '2-digit', minute: '2-digit' } : { day: 'numeric', month: 'short', hour: '2-digit', minute: '2-digit' }) : 'waiting';
 }
 
-/** The studies of the folder. */
+/** Studies of the folder. */
 export function StudyChoice() {
   if (studies.value.length === 0) return null;
   return (
@@ -49,14 +49,14 @@ export function Progress({ run }: { run: Run }) {
   return (
     <div class={`studyprogress ${run.state}`} role="status">
       {going ? <div class="bar" role="progressbar" aria-label="Progress" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * run.progress)}><i style={{ width: `${100 * run.progress}%` }} /></div> : null}
-      <span>{run.state === 'queued' ? 'waiting for the run before it' : run.message || run.state}{left === null ? '' : `, about ${duration(left)} left`}</span>
+      <span>{run.state === 'queued' ? 'waiting for the previous run' : run.message || run.state}{left === null ? '' : `, about ${duration(left)} left`}</span>
       {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
       {run.resumable ? <button type="button" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
     </div>
   );
 }
 
-/** What PNG and SVG are made from; null where nothing is drawn. */
+/** Content of PNG and SVG; null if there is no drawing. */
 function drawing(): VNode | null {
   const m = matrix.value, drawn = m && { m, axes: axes.value, cells: cells.value, output: output.value, chosen: null, width: 760 };
   if (!m || !drawn) return null;
@@ -69,7 +69,7 @@ function drawing(): VNode | null {
 function saveWorkbook(name: string): void {
   const m = matrix.value!, [x, y] = axes.value;
   const tensions = isLayGrid.value ? depthLimits(m, x!, y!, fixed.value, limits.value) : null;
-  download(`${name}.xlsx`, workbook(studySheets(m, axes.value, fixed.value, tensions).map((table) => sheetOf(table))));
+  download(`${name}.xlsx`, workbook(studySheets(m, axes.value, fixed.value, tensions).map((table) => makeSheet(table))));
 }
 
 function MatrixFiles({ run }: { run: Run }) {

@@ -1,4 +1,4 @@
-// What the cases of a study gave: several seeds by their statistics, variants beside each other.
+// Results of the cases of a study: several seeds by their statistics, variants side by side.
 import type { Study, StudyQuantity } from '../../api/types';
 import { tidy } from '../../logic/units';
 
@@ -7,11 +7,11 @@ const shown = (value: number | null | undefined, q: StudyQuantity): string => (v
 interface Shown { head: { name: string; title: string }[]; values: (q: StudyQuantity) => (number | null | undefined)[] }
 
 const overSeeds: Shown = { head: ['mean', 'std', 'min', 'max'].map((name) => ({ name, title: `${name} over the seeds` })), values: (q) => [q.mean, q.std, q.min, q.max] };
-const besideEachOther = (of: Study): Shown => ({ head: of.cases.map((c) => ({ name: c.name.replace('_', ' '), title: c.words })), values: (q) => q.values });
+const caseByCase = (of: Study): Shown => ({ head: of.cases.map((c) => ({ name: c.name.replace('_', ' '), title: c.words })), values: (q) => q.values });
 
-/** The quantity has a line of its own: its name is longer than a column is wide. */
+/** The quantity has a separate line: its name is longer than a column is wide. */
 export function QuantityTable({ of }: { of: Study }) {
-  const columns = of.kind === 'seeds' ? overSeeds : besideEachOther(of);
+  const columns = of.kind === 'seeds' ? overSeeds : caseByCase(of);
   return (
     <table class="minmax study">
       <thead><tr>{columns.head.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}</th>)}</tr></thead>

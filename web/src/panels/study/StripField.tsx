@@ -1,4 +1,4 @@
-// A field of a strip: its label small above it.
+// A field of a strip with a small label above it.
 import type { ComponentChildren } from 'preact';
 
 export function StripField({ id, label, title, children }: { id: string; label: string; title?: string; children: ComponentChildren }) {

@@ -1,4 +1,4 @@
-// The middle of the workspace: the table or drawing of the study that is shown, and the case that is chosen in it.
+// Middle of the study workspace: the table or drawing of the study, and the selected case.
 import { signal } from '@preact/signals';
 import { hasModel } from '../../state/model';
 import { bullets } from '../../logic/findings';
@@ -18,7 +18,7 @@ import { Files, Progress, ResultChoice, StudyChoice } from './MiddleHead';
 import { axes, cells, chooseCell, heldAxes, isLayGrid, openCell, shape } from './shown';
 import { useCasePicture } from './picture';
 
-/** A grid of more cells than this is drawn as a map. */
+/** Larger grids are drawn as a map. */
 const kReadable = 600;
 const asMap = signal<boolean | null>(null);
 const drawsMap = (): boolean => asMap.value ?? cells.value.flat().length > kReadable;
@@ -41,11 +41,11 @@ function HeldKeys() {
 
 function Tensions() {
   const m = matrix.value!, [x, y] = axes.value as [number, number], { utilisation, clearance, reserved } = limits.value;
-  const keeps = [`utilisation up to ${utilisation}`, ...(clearance === null ? [] : [`tip clearance from ${clearance}`]), reserved ? 'reservations count as passing' : 'only what passes without reservations'];
+  const keeps = [`utilisation up to ${utilisation}`, ...(clearance === null ? [] : [`tip clearance from ${clearance}`]), reserved ? 'reservations count as passing' : 'reservations do not count as passing'];
   const list = depthLimits(m, x, y, fixed.value, limits.value);
   return (
-    <section aria-label="Tension to ask of the vessel">
-      <h3>Tension to ask of the vessel <small>{keeps.join(', ')}; ≤ and ≥ where the table ends first; between two tensions interpolated where one check governs at both{list.some(({ gap }) => gap) ? '; * not at every tension between' : ''}</small></h3>
+    <section aria-label="Permissible tensions">
+      <h3>Permissible tensions <small>{keeps.join(', ')}; ≤ and ≥ mark limits of the table; values between two tensions are interpolated if the same check governs at both{list.some(({ gap }) => gap) ? '; * not for every tension in between' : ''}</small></h3>
       <Table table={{ ...tensionTable(m, axes.value, list), title: '' }} sortable copyable file="tensions" />
     </section>
   );
@@ -80,7 +80,7 @@ function Head() {
       {m ? <HeldKeys /> : null}
       <span class="grow" />
       <StudyChoice />
-      <button type="button" aria-pressed={pictureShown.value} onClick={() => { pictureShown.value = !pictureShown.value; }} title="The picture of the lay, of the chosen case where its keys can be tried out">Picture</button>
+      <button type="button" aria-pressed={pictureShown.value} onClick={() => { pictureShown.value = !pictureShown.value; }} title="Picture of the lay, or of the selected case if its keys can be tried out">Picture</button>
     </header>
   );
 }
@@ -93,7 +93,7 @@ function Shown() {
   if (layTable.value) return <LayRows of={layTable.value.of} />;
   return (
     <p class="empty">
-      {hasModel.value ? 'Nothing is solved yet. Choose above what varies, then Solve.' : 'No model yet.'}
+      {hasModel.value ? 'No results yet. Select the keys to vary above, then solve.' : 'No model yet.'}
       {studies.value.length ? ' Earlier studies of this folder can be chosen at the top right.' : ''}
     </p>
   );
@@ -106,9 +106,9 @@ export function StudyMiddle() {
     <section class="studymiddle" aria-label="Results of the study">
       <Head />
       {run ? <Progress run={run} /> : null}
-      {outdated.value ? <p class="note">Of the model as it was before the last change: solve again.</p> : null}
+      {outdated.value ? <p class="note">The model has changed since: solve again.</p> : null}
       <div class="studyfiles">
-        <p class="brief standing" role="status">{m?.cases.length ? tally(m) : ''}{m && shape.value === 'grid' ? '; a cell shows its case, double click opens it in Lay' : ''}</p>
+        <p class="brief standing" role="status">{m?.cases.length ? tally(m) : ''}{m && shape.value === 'grid' ? '; click a cell to show its case, double-click to open it in Lay' : ''}</p>
         <Files />
       </div>
       {run?.note ? <p class="note">{run.note}</p> : null}

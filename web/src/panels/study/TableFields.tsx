@@ -1,11 +1,11 @@
-// Fields of a lay table: what stands in its rows and columns, and what a case has to keep.
-import type { AxisWish } from '../../logic/studyFile';
+// Fields of a lay table: its rows and columns, and the limits of a case.
+import type { AxisRequest } from '../../logic/studyFile';
 import { grid, lay, limits, setGrid, setLay, setTableOver, tableOver, type TableOver } from '../../state/studies';
 import { StripField } from './StripField';
 
 const overs: [TableOver, string][] = [['grid', 'depths by tensions'], ['tension', 'tension'], ['lay_back', 'lay-back'], ['depth', 'water depth']];
 
-interface EndsProps { id: string; label: string; axis: Pick<AxisWish, 'from' | 'to' | 'count'>; set: (part: Partial<AxisWish>) => void; counted: string }
+interface EndsProps { id: string; label: string; axis: Pick<AxisRequest, 'from' | 'to' | 'count'>; set: (part: Partial<AxisRequest>) => void; counted: string }
 
 /** From, to and number of values under one label. */
 function Ends({ id, label, axis, set, counted }: EndsProps) {
@@ -33,7 +33,7 @@ function Limits() {
           onChange={(e) => { const value = Number(e.currentTarget.value); if (value > 0) set({ utilisation: value }); else e.currentTarget.value = String(utilisation); }}
         />
       </StripField>
-      <StripField id="lt-clearance" label="tip clearance from" title="Of the pipe above the last stinger box, in the unit of the table">
+      <StripField id="lt-clearance" label="tip clearance from" title="Clearance of the pipe above the last stinger box, in the unit of the table">
         <input
           id="lt-clearance" class="count" inputMode="decimal" value={clearance ?? ''} placeholder="any" autocomplete="off"
           onChange={(e) => { const value = Number.parseFloat(e.currentTarget.value); set({ clearance: Number.isFinite(value) ? value : null }); }}

@@ -1,4 +1,4 @@
-// The picture beside the table, on demand: it shows the chosen case where its keys can be tried out.
+// The picture next to the table, on demand: it shows the selected case if its keys can be tried out.
 import { useEffect } from 'preact/hooks';
 import { caseKeys, chosenCase, matrix, pictureShown, triedValues, tryValues } from '../../state/studies';
 

@@ -1,9 +1,9 @@
-// Saves a drawing of the page as SVG or PNG: on white, in the colours of paper.
+// Saves a drawing of the page as SVG or PNG: on white, in print colours.
 import { render, type VNode } from 'preact';
 import style from '../../components/chart.css?inline';
 import { download } from '../../components/download';
 
-/** Not all programs that read drawings know variables. */
+/** Some programs that read SVG do not support CSS variables. */
 const paper: Record<string, string> = {
   ink: '#1b2733', soft: '#51606e', axis: '#51606e', grid: '#e6ebf0', mark: '#7b8794', paper: '#ffffff', deep: '#e6ecf1', pipe: '#0b5394', bad: '#b3261e',
   warn: '#8a5a00', good: '#1f7a3f', range: '#cfe8cf' };
@@ -12,7 +12,7 @@ const inPaper = (text: string): string => text.replace(/var\(--([\w-]+)\)/g, (_,
 
 const kFont = 'Arial, Helvetica, sans-serif';
 
-/** The text of the first drawing in `drawn`, with its size in pixels. */
+/** Text of the first drawing in `drawn`, with its size in pixels. */
 export function drawingText(drawn: VNode): { text: string; width: number; height: number } | null {
   const box = document.createElement('div');
   render(drawn, box);
@@ -21,10 +21,10 @@ export function drawingText(drawn: VNode): { text: string; width: number; height
   const [, , width = 640, height = 320] = (svg.getAttribute('viewBox') ?? '').split(/\s+/).map(Number);
   svg.setAttribute('width', String(width));
   svg.setAttribute('height', String(height));
-  const own = document.createElementNS('http://www.w3.org/2000/svg', 'style');
-  own.textContent = `${style}svg.drawing{width:${width}px;height:${height}px;background:#fff;font-family:${kFont}}`
+  const embedded = document.createElementNS('http://www.w3.org/2000/svg', 'style');
+  embedded.textContent = `${style}svg.drawing{width:${width}px;height:${height}px;background:#fff;font-family:${kFont}}`
     + '.point circle{fill:#0b5394}.point path{fill:none;stroke:#b3261e;stroke-width:1.8}.hit{fill:transparent}';
-  svg.prepend(own);
+  svg.prepend(embedded);
   const text = inPaper(new XMLSerializer().serializeToString(svg));
   render(null, box);
   return { text, width, height };

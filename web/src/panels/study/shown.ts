@@ -1,10 +1,10 @@
-// What is drawn of the study that is shown.
+// Axes and selection of the study shown.
 import { computed } from '@preact/signals';
-import { cellsOver, foremost, gridAxes, shapeOf, spreadAxes, type Cell } from '../../logic/studies';
+import { cellsOver, foremost, gridAxes, findShape, spreadAxes, type Cell } from '../../logic/studies';
 import { kTension } from '../../logic/layGrid';
 import { caseKeys, chosenCase, fixed, matrix, openInLay, output, triedValues } from '../../state/studies';
 
-export const shape = computed(() => (matrix.value ? shapeOf(matrix.value) : null));
+export const shape = computed(() => (matrix.value ? findShape(matrix.value) : null));
 
 /** Keys along the drawing: one, or columns and rows. */
 export const axes = computed<number[]>(() => {
@@ -15,15 +15,15 @@ export const axes = computed<number[]>(() => {
 
 export const cells = computed<Cell[][]>(() => (matrix.value && axes.value.length ? cellsOver(matrix.value, axes.value, fixed.value, output.value) : []));
 
-/** Other keys, which are held at one of their values. */
+/** The other keys, held at one of their values. */
 export const heldAxes = computed<number[]>(() => (matrix.value ? spreadAxes(matrix.value).filter((a) => axes.value.length > 0 && !axes.value.includes(a)) : []));
 
-/** Columns are tensions: the table says what to ask of the vessel. */
+/** True if the columns are tensions: the table then gives permissible tensions. */
 export const isLayGrid = computed(() => shape.value === 'grid' && matrix.value!.inputs[axes.value[0]!]!.key === kTension && matrix.value!.analysis === 'static');
 
 export function chooseCell(cell: Cell): void { chosenCase.value = foremost(cell)?.number ?? null; }
 
-/** Tries the case out in Lay where its keys allow that. */
+/** Tries the case out in Lay if its keys can be tried out. */
 export function openCell(cell: Cell): void {
   const m = matrix.value, c = foremost(cell);
   const set = m && c ? triedValues(caseKeys(m, c)) : null;

@@ -1,14 +1,14 @@
-// The other tabs of the dock: the result as a table, what governs, all cases, the study file.
+// Other tabs of the dock: the result as a table, governing checks, all cases, the study file.
 import { Table } from '../../components/Table';
 import { download } from '../../components/download';
 import { rangeText } from '../../logic/laytable';
 import { casesTable, governingCounts, governingTable, limitsTable, resultTable } from '../../logic/studyTables';
 import { fileName } from '../../state/model';
-import { chosenCase, editedFile, file, isPlainTable, lay, layTable, matrix, output, plainFile, refused } from '../../state/studies';
+import { chosenCase, editedFile, file, isPlainTable, lay, layTable, matrix, output, plainFile, rejection } from '../../state/studies';
 import { LayRows } from './LayRows';
 import { axes, cells, shape } from './shown';
 
-const nothing = <p class="empty">Nothing is solved yet.</p>;
+const nothing = <p class="empty">No results yet.</p>;
 
 const kShown = 1000;
 
@@ -44,7 +44,7 @@ export function GoverningTab() {
   );
 }
 
-/** The lay table over one key has no study file: the command that makes it. */
+/** The lay table over one key has no study file, but a command line. */
 function command(): string {
   const option = { tension: '--tension', lay_back: '--lay-back', depth: '--depth' }[lay.value.vary];
   return `overbend lay-table ${fileName.value || 'model.yaml'} ${option} '${rangeText(lay.value)}' -o table`;
@@ -58,7 +58,7 @@ export function StudyFileTab() {
       <div class="acts">
         <button type="button" onClick={() => void navigator.clipboard.writeText(text)}>Copy</button>
         <button type="button" title="For the command line, or a cluster: overbend study study.yaml" onClick={() => download('study.yaml', new Blob([text], { type: 'text/yaml' }))}>Download</button>
-        <button type="button" disabled={editedFile.value === null} onClick={() => { editedFile.value = null; refused.value = ''; }}>Back to the fields above</button>
+        <button type="button" disabled={editedFile.value === null} onClick={() => { editedFile.value = null; rejection.value = ''; }}>Back to the fields above</button>
       </div>
       <textarea
         aria-label="Study file" spellcheck={false} rows={Math.max(8, text.split('\n').length)} value={text}

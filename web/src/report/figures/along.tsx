@@ -1,4 +1,4 @@
-// What diagrams along the pipe share: the part of the line, bands and names of the boxes, yield stress, touchdown.
+// Common parts of diagrams along the pipe: part of the line, bands and names of the boxes, yield stress, touchdown.
 import type { VNode } from 'preact';
 import { Chart } from '../../components/Chart';
 import type { Area, Curve, LegendEntry, Level, Point } from '../../components/chart/types';
@@ -7,10 +7,10 @@ import { overbendEnd, wholeEnd } from '../../components/lay';
 import { fixed, shortened, useUnits } from '../../components/units';
 import type { PipeData, ShownColumn } from '../data';
 
-/** A quantity along the pipe and how its values are shown. */
+/** A quantity along the pipe and the format of its values. */
 export interface AlongKind extends Partial<ShownColumn> {
   name: string;
-  /** Name at the axis, where shorter. */
+  /** Label of the axis, if shorter. */
   axis?: string;
   unit: string;
   /** The axis begins at zero. */
@@ -23,9 +23,9 @@ interface AlongProps {
   pipe: PipeData;
   kind: AlongKind;
   part: string;
-  /** Of the values as shown. */
+  /** Range of the values as shown. */
   range: readonly [number, number];
-  /** Room above the yield stress, where it is the largest, in tenths of the range: labels stand there. */
+  /** Room above the yield stress, if it is the maximum, in tenths of the range, for labels. */
   aboveYield?: number;
   curves: Curve[];
   areas?: Area[];
@@ -35,23 +35,23 @@ interface AlongProps {
   hover: (s: number) => string;
 }
 
-/** Distance along the pipe where a part of a figure ends: "overbend" or the whole line. */
+/** Arc length at the end of a part of a figure: "overbend" or the whole line. */
 export const partEnd = (pipe: PipeData, part: string): number => (part === 'overbend' ? overbendEnd(pipe) : wholeEnd(pipe));
 
-/** Numbers of the places of an ascending list up to an end. */
+/** Indices of an ascending list up to an end. */
 export const upTo = (s: readonly number[], end: number): number[] => [...s.keys()].filter((i) => s[i]! <= end + 1e-9);
 
 /** A value as shown, with its unit. */
 export const shownValue = (value: number, { unit, digits = 0 }: AlongKind): string => `${fixed(value, digits)} ${unit}`;
 
-/** The place of the largest. */
+/** Index of the maximum. */
 export function largest(indices: readonly number[], value: (i: number) => number): number {
   return indices.reduce((best, i) => (value(i) > value(best) ? i : best), indices[0]!);
 }
 
 interface Yield { min: number; max: number; curve?: Curve; level: Level }
 
-/** A level where there is one steel, else a curve with the name of the lowest. */
+/** A level for a single steel grade, otherwise a curve with the name of the lowest. */
 function yieldStress({ stations }: PipeData, kind: AlongKind, end: number): Yield | null {
   const indices = upTo(stations.s, end);
   const values = indices.map((i) => stations.yield_stress[i]! * kind.factor!);
@@ -64,7 +64,7 @@ function yieldStress({ stations }: PipeData, kind: AlongKind, end: number): Yiel
   return { min, max, curve: { points, ...look }, level: { value: min, name, ...look, width: 0 } };
 }
 
-/** The range of the axis: labels stand above the curve. */
+/** Range of the axis, with room for labels above the curve. */
 function axisRange([lo, hi]: readonly [number, number], kind: AlongKind, limit: Yield | null, aboveYield: number): [number, number] {
   if (kind.zero) [lo, hi] = [Math.min(lo, 0), Math.max(hi, 0)];
   if (limit && hi > 0.5 * limit.max) hi = Math.max(hi, limit.max);

@@ -17,14 +17,14 @@ export const positions: { name: Position; colour: string }[] = [
 const kGap = 0.8;  // between boxes
 export const kHalfBar = 0.36;
 
-/** Places on the axis: of every row, and from and to which a box reaches. */
+/** Positions on the axis: of every row, and the ends of each box. */
 export interface Slots {
   rows: { box: number; row: number; value: number }[];
   boxes: { name: string; from: number; to: number }[];
   end: number;
 }
 
-export function slotsOf(supports: readonly { name: string; rows: readonly unknown[] }[]): Slots {
+export function makeSlots(supports: readonly { name: string; rows: readonly unknown[] }[]): Slots {
   const slots: Slots = { rows: [], boxes: [], end: 0 };
   let value = 0.5;
   supports.forEach(({ name, rows }, box) => {
@@ -39,7 +39,7 @@ export function slotsOf(supports: readonly { name: string; rows: readonly unknow
 
 const kBoxesFromTensioner = 'Roller rows of each box, from the tensioner astern';
 
-/** A chart whose x axis are the slots of the boxes. */
+/** A chart whose x axis is the slots of the boxes. */
 export function BoxChart({ slots, label = kBoxesFromTensioner, ...chart }: Omit<ChartProps, 'x'> & { slots: Slots; label?: string }): VNode {
   const names = slots.boxes.map(({ name, from, to }) => ({ value: 0.5 * (from + to), text: name, short: shortened(name) }));
   const zero = { value: 0, colour: '#41505e', width: 1 };
@@ -55,7 +55,7 @@ export function BoxChart({ slots, label = kBoxesFromTensioner, ...chart }: Omit<
 
 export const roundBar = (value: number, low: number, high: number): Pick<Bar, 'x' | 'y'> => ({ x: [value - kHalfBar, value + kHalfBar], y: [low, high] });
 
-/** A cross right above a level. */
+/** A cross just above a level. */
 export function Cross({ frame, x, colour, title, y = 0 }: { frame: Frame; x: number; colour: string; title?: string; y?: number }): VNode {
   return (
     <text text-anchor="middle" x={frame.x(x)} y={frame.y(y) - 3} style={{ fontSize: '15px', fill: colour }}>
@@ -71,7 +71,7 @@ const rollerAt = (supports: readonly SupportData[], box: number, row: number, po
 export const Reactions: DrawFigure = ({ data }) => {
   const units = useUnits();
   const { supports } = data as PipeData;
-  const slots = slotsOf(supports);
+  const slots = makeSlots(supports);
   const bars: Bar[] = [];
   let largest = { reaction: 0, x: 0, top: 0, name: '' };
   let max = 0;
@@ -103,7 +103,7 @@ export const Reactions: DrawFigure = ({ data }) => {
 
 interface Separation { roller: RollerData; box: string; x: number; part: number; colour: string }
 
-/** Rollers of some positions with their places; side by side within a row. */
+/** Rollers of some positions with their slots; side by side within a row. */
 function separations(supports: readonly SupportData[], slots: Slots, shown: typeof positions): Separation[] {
   return slots.rows.flatMap(({ box, row, value }) => shown.flatMap(({ name, colour }, part) => {
     const roller = rollerAt(supports, box, row, name);
@@ -111,10 +111,10 @@ function separations(supports: readonly SupportData[], slots: Slots, shown: type
   }));
 }
 
-/** Past the end of a roller and behind it the pipe has no separation from it that says anything: a cross stands there. */
+/** Beyond the end of a roller and behind it the separation of the pipe has no meaning: a cross is drawn. */
 function SeparationChart({ supports, title, shown }: { supports: SupportData[]; title: string; shown: typeof positions }) {
   const units = useUnits();
-  const slots = slotsOf(supports);
+  const slots = makeSlots(supports);
   const all = separations(supports, slots, shown);
   if (all.length === 0) return null;
   const width = (2 * kHalfBar) / shown.length;
@@ -123,9 +123,9 @@ function SeparationChart({ supports, title, shown }: { supports: SupportData[]; 
   const values = near.map(({ roller }) => roller.separation);
   const [lo, hi] = [Math.min(0, ...values), Math.max(0, ...values)];
   const room = 0.12 * (hi - lo || 1e-3);
-  const away = 'the pipe has passed the end of the roller';
+  const away = 'the pipe is beyond the end of the roller';
   const least = near.find(({ roller }) => roller.separation === Math.min(...values));
-  // In words: among so many bars a label would find no room.
+  // In the title: a label would not fit among so many bars.
   const smallest = least
     ? `${units.shown(least.roller.separation, 'section', 2)} at ${least.box}, ${least.roller.position}`
     : 'none, the pipe is outside the rollers';
@@ -137,17 +137,17 @@ function SeparationChart({ supports, title, shown }: { supports: SupportData[]; 
       slots={slots}
       title={`${title}; smallest ${smallest}`}
       y={y}
-      bars={near.map((one) => ({
-        x: [one.x, one.x + width],
-        y: [Math.min(one.roller.separation, 0), Math.max(one.roller.separation, 0)],
-        colour: one.colour,
-        title: text(one, units.shown(one.roller.separation, 'section', 2)),
+      bars={near.map((item) => ({
+        x: [item.x, item.x + width],
+        y: [Math.min(item.roller.separation, 0), Math.max(item.roller.separation, 0)],
+        colour: item.colour,
+        title: text(item, units.shown(item.roller.separation, 'section', 2)),
       }))}
       legend={legend}
     >
       {(frame) => passed.length > 0 && (
         <g>
-          {passed.map((one) => <Cross frame={frame} x={one.x + width / 2} colour={one.colour} title={text(one, away)} />)}
+          {passed.map((item) => <Cross frame={frame} x={item.x + width / 2} colour={item.colour} title={text(item, away)} />)}
           <text class="soft" x={frame.left + 8} y={frame.top + 16}>{`\u00d7  ${away}`}</text>
         </g>
       )}
@@ -155,7 +155,7 @@ function SeparationChart({ supports, title, shown }: { supports: SupportData[]; 
   );
 }
 
-/** Bottom rollers; sides, whose gap is of another size, in a chart of their own. */
+/** Bottom rollers; side rollers, whose gap is of a different magnitude, in a separate chart. */
 export const Separations: DrawFigure = ({ data }) => {
   const { supports } = data as PipeData;
   return (

@@ -1,4 +1,4 @@
-// Rollers against gap springs, impacts resolved against captured: bars side by side, box by box.
+// Rollers against gap springs, resolved against captured impacts: bars side by side, box by box.
 import type { VNode } from 'preact';
 import type { Frame, LegendEntry, Point } from '../../components/chart/types';
 import type { SupportData } from '../../components/lay';
@@ -6,7 +6,7 @@ import { colours } from '../../components/colours';
 import { fixed } from '../../components/units';
 import type { ComparedBoxRun, ComparedContact, ComparedQuantity } from '../data';
 import type { FigureProps } from '../figures';
-import { BoxChart, Cross, slotsOf } from './boxes';
+import { BoxChart, Cross, makeSlots } from './boxes';
 
 const looks = [{ colour: colours.pipe, rows: '#9fc3e6' }, { colour: colours.second, rows: null }];
 
@@ -18,7 +18,7 @@ interface Kind {
   rows?: 'row_contact_share' | 'row_peak_force';
   /** The static reaction is marked. */
   before?: boolean;
-  /** Of the axis, where not by the values. */
+  /** Range of the axis, if not that of the values. */
   top?: number;
   ticks?: number[];
 }
@@ -35,7 +35,7 @@ interface RunBar { x: [number, number]; value: number; before: number; rows: num
 
 function runBars({ boxes, runs, shown }: ComparedContact, supports: SupportData[], kind: Kind): RunBar[] {
   const { unit, factor, digits } = shown[kind.key];
-  return slotsOf(supports).boxes.flatMap(({ from, to }, b) => {
+  return makeSlots(supports).boxes.flatMap(({ from, to }, b) => {
     const box = boxes[b]!;
     const width = (to - from - 0.2) / box.runs.length;
     return box.runs.map((run: ComparedBoxRun, k): RunBar => {
@@ -53,7 +53,7 @@ function runBars({ boxes, runs, shown }: ComparedContact, supports: SupportData[
   });
 }
 
-/** Each row's own value, on the bar of its box; a single row has that of the bar. */
+/** The value of each row, on the bar of its box; a single row has the value of the bar. */
 function rowPoints({ x: [x0, x1], rows, look }: RunBar): Point[] {
   if (rows.length < 2 || !look.rows) return [];
   return rows.map((value, k) => ({ x: x0 + (k + 0.5) * (x1 - x0) / rows.length, y: value, radius: 3.4, colour: look.rows!, edge: '#12395f' }));
@@ -80,7 +80,7 @@ export function ComparedContactChart({ part, data }: FigureProps): VNode {
   const top = kind.top ?? 1.14 * (Math.max(...bars.map(({ value }) => value)) || 1);
   return (
     <BoxChart
-      slots={slotsOf(supports)}
+      slots={makeSlots(supports)}
       label="Support boxes, from the tensioner astern"
       title={kind.title}
       y={{ label: kind.top ? kind.axis : `${kind.axis} [${comparison.shown[kind.key].unit}]`, range: [0, top], ticks: kind.ticks }}

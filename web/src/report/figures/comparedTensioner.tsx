@@ -1,4 +1,4 @@
-// The tensioner off, controlled and constant: histories of tension and travel in one diagram.
+// Tensioner modes off, controlled and constant: histories of tension and travel in one diagram.
 import type { VNode } from 'preact';
 import { Chart } from '../../components/Chart';
 import { extent } from '../../components/chart/scale';
@@ -17,7 +17,7 @@ const looks: Record<ComparedTensionerRun['name'], { colour: string; width: numbe
   constant: { colour: colours.ink, width: 1.1, dash: '5 3' },
 };
 
-/** In the order of their numbers in the data. */
+/** In the order of their indices in the data. */
 const states = [
   { text: 'holds', colour: '#dfe5ea' },
   { text: 'delay', colour: '#f0c24b' },
@@ -35,7 +35,7 @@ function valueRange({ runs, range }: ComparedTensioner, quantity: Quantity, clos
   return extent([...values, ...others]);
 }
 
-/** Where the stretches of a trace are drawn as areas, those of dashed curves are not. */
+/** Stretches of a trace are drawn as areas, except those of dashed curves. */
 function runAreas(runs: ComparedTensionerRun[], quantity: Quantity, scale: TimeScale): Area[] {
   return runs.filter(({ name }) => !looks[name].dash)
     .map((run) => traceArea(run[quantity], scale, { line: looks[run.name].colour, area: looks[run.name].colour }));
@@ -57,7 +57,7 @@ function runCurves(runs: ComparedTensionerRun[], quantity: Quantity, scale: Time
 
 type Span = ComparedTensionerRun['states'][number];
 
-/** What the controlled tensioner did, below the curves. */
+/** States of the controlled tensioner, below the curves. */
 function StateStrip({ frame, spans, seconds }: { frame: Frame; spans: Span[]; seconds: number }): VNode {
   const top = frame.bottom - stripHeight;
   const place = (time: number): number => Math.min(Math.max(frame.x(time / seconds), frame.left), frame.right);
@@ -83,7 +83,7 @@ export function ComparedTensionerChart({ part, data }: FigureProps): VNode {
   const first = close ? closeFrom : -buildUp;
   const [lo, hi] = valueRange(comparison, quantity, close);
   const room = 0.07 * (hi - lo || 1);
-  const below = room + (hi - lo + 2 * room) * stripHeight / (height - 130); // the strip stands there
+  const below = room + (hi - lo + 2 * room) * stripHeight / (height - 130); // room for the strip
   const limits = quantity === 'travel' && limit ? [-limit, limit].filter((end) => end > lo - below && end < hi + room) : [];
   const bounds = quantity === 'tension' ? range ?? [] : [];
   const levels: Level[] = [

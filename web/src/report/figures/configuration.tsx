@@ -12,7 +12,7 @@ const degrees = Math.PI / 180;
 
 interface View { title: string; azimuth: number; elevation: number; height: number; build: (lay: LayData, camera: Camera) => SceneContent }
 
-function viewOf(lay: LayData, part: string): View | null {
+function findView(lay: LayData, part: string): View | null {
   if (part === 'whole') {
     const steep = lay.water_depth > 0.4 * wholeEnd(lay);
     return { title: 'Whole line', azimuth: steep ? -62 : -70, elevation: 20, height: steep ? 520 : 385, build: wholeScene };
@@ -35,7 +35,7 @@ const rollerEntries = [
 export function Configuration({ part, data }: FigureProps) {
   const lay = data as LayData;
   const { name, factor } = useUnits().unit('Pa');
-  const view = viewOf(lay, part);
+  const view = findView(lay, part);
   const build = useCallback((camera: Camera) => view!.build(lay, camera), [lay, part]);
   if (!view) return null;
   return (

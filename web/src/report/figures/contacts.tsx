@@ -1,4 +1,4 @@
-// Rollers over time: how long each carries, how much, and how hard the pipe hits them.
+// Rollers over time: fraction of time in contact, reactions, and impacts.
 import type { VNode } from 'preact';
 import { Chart } from '../../components/Chart';
 import { colours } from '../../components/colours';
@@ -6,7 +6,7 @@ import { fixed, useUnits } from '../../components/units';
 import type { Position } from '../../components/lay';
 import type { DynamicRollerData, ImpactData, PipeData } from '../data';
 import type { DrawFigure } from '../figures';
-import { BoxChart, Cross, kHalfBar, positions, roundBar, slotsOf, type Slots } from './boxes';
+import { BoxChart, Cross, kHalfBar, positions, roundBar, makeSlots, type Slots } from './boxes';
 
 interface Seen { box: string; x: number; roller: DynamicRollerData }
 
@@ -14,10 +14,10 @@ type PositionLook = (typeof positions)[number];
 
 const upperFirst = (text: string) => text[0]!.toUpperCase() + text.slice(1);
 
-/** A chart for every position that has rollers. */
+/** A chart for every position with rollers. */
 function chartsByPosition(pipe: PipeData, draw: (look: PositionLook, slots: Slots, seen: Seen[]) => VNode | null): VNode {
   const { supports, dynamic } = pipe;
-  const slots = slotsOf(supports);
+  const slots = makeSlots(supports);
   const seenAt = (position: Position) => slots.rows.flatMap(({ box, row, value }) => {
     const roller = dynamic!.supports[box]?.rows[row]?.[position];
     return roller ? [{ box: supports[box]!.name, x: value, roller }] : [];
@@ -29,7 +29,7 @@ function chartsByPosition(pipe: PipeData, draw: (look: PositionLook, slots: Slot
   return <>{positions.map(draws)}</>;
 }
 
-/** Which rollers does the pipe miss? */
+/** Fraction of the time in which each roller carries. */
 export const Shares: DrawFigure = ({ data }) => chartsByPosition(data as PipeData, (look, slots, seen) => (
   <BoxChart
     slots={slots}
@@ -44,7 +44,7 @@ export const Shares: DrawFigure = ({ data }) => chartsByPosition(data as PipeDat
     points={seen.filter(({ roller }) => roller.static_reaction > 0).map(({ x }) => ({ x, y: 109, colour: colours.ink, radius: 3.6 }))}
     legend={[
       { text: 'fraction of time in contact', colour: look.colour, look: 'block' },
-      { text: 'carries in the static state', colour: colours.ink, look: 'dot' },
+      { text: 'in contact in the static state', colour: colours.ink, look: 'dot' },
     ]}
   >
     {(frame) => seen.filter(({ roller }) => roller.contact_share <= 0).map(({ x }) => <Cross frame={frame} x={x} colour={colours.accent} />)}
@@ -57,7 +57,7 @@ export const Ranges: DrawFigure = ({ data }) => {
     const seen = all.filter(({ roller }) => roller.reaction.max > 0 || roller.static_reaction > 0);
     if (seen.length === 0) return null;
     const max = Math.max(...seen.map(({ roller }) => Math.max(roller.reaction.max, roller.static_reaction)));
-    const largest = seen.reduce((best, one) => (one.roller.reaction.max > best.roller.reaction.max ? one : best));
+    const largest = seen.reduce((best, item) => (item.roller.reaction.max > best.roller.reaction.max ? item : best));
     const title = ({ box, roller: { reaction, static_reaction: before } }: Seen) => `${box}, ${look.name}: ${units.number(reaction.min, 'N', 1)} to `
       + `${units.shown(reaction.max, 'N', 1)}, mean ${units.shown(reaction.mean, 'N', 1)}, static ${units.shown(before, 'N', 1)}`;
     const side = (x: number, sign: number) => x + sign * kHalfBar;
@@ -68,8 +68,8 @@ export const Ranges: DrawFigure = ({ data }) => {
         height={250}
         title={`${upperFirst(look.name)} rollers`}
         y={{ range: [0, 1.15 * max], label: 'Reaction', si: 'N' }}
-        bars={seen.map((one) => ({
-          ...roundBar(one.x, one.roller.reaction.min, one.roller.reaction.max), colour: colours.band, edge: colours.dynamic, title: title(one),
+        bars={seen.map((item) => ({
+          ...roundBar(item.x, item.roller.reaction.min, item.roller.reaction.max), colour: colours.band, edge: colours.dynamic, title: title(item),
         }))}
         curves={seen.map(({ x, roller: { reaction } }) => ({
           points: [[side(x, -1), reaction.mean], [side(x, 1), reaction.mean]], colour: colours.second, covered: true,

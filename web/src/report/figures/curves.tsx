@@ -20,7 +20,7 @@ export const Curves: DrawFigure = ({ data }) => {
   const [first, last] = extent(chart.curves.flatMap(({ points }) => points.map(([x]) => x)));
   const x: [number, number] = [first, last > first ? last : first + 1];
   const heights = [...chart.curves, ...chart.ground, ...chart.water].flatMap(({ points }) => points.map(([, y]) => y));
-  // Lines of the surroundings may reach far beyond the curves.
+  // Lines of the surroundings may extend far beyond the curves.
   const surrounding = (look: Omit<Curve, 'points'>) => ({ name, points }: NamedCurve): Curve => (
     { ...look, title: name, points: points.map(([across, y]) => [Math.min(Math.max(across, x[0]), x[1]), y]) });
   const curves = chart.curves.map((curve, i) => ({ ...curve, ...looks[curve.look], ...curveLook(curve.colour ?? i), title: curve.name }));

@@ -10,15 +10,15 @@ import { AlongChart, largest, partEnd, shownValue, upTo, type AlongKind } from '
 
 interface Further { key: string; name: string; colour: string; dash: string; mark?: string }
 
-interface Kind extends Omit<AlongKind, 'unit'> { key: string; own?: string; more?: Further[] }
+interface Kind extends Omit<AlongKind, 'unit'> { key: string; legend?: string; more?: Further[] }
 
 const kinds: Record<string, Kind> = {
   tension: {
-    key: 'effective_tension', name: 'Effective tension', axis: 'Tension', own: 'effective tension',
+    key: 'effective_tension', name: 'Effective tension', axis: 'Tension', legend: 'effective tension',
     more: [{ key: 'wall_tension', name: 'wall tension', colour: colours.second, dash: '6 4' }],
   },
   moment: {
-    key: 'bending_moment', name: 'Bending moment', zero: true, own: 'magnitude',
+    key: 'bending_moment', name: 'Bending moment', zero: true, legend: 'magnitude',
     more: [
       { key: 'vertical_moment', name: 'vertical part, sagging +', colour: colours.third, dash: '9 3' },
       { key: 'lateral_moment', name: 'lateral part, to port +', colour: colours.second, dash: '5 3', mark: 'lateral' },
@@ -44,7 +44,7 @@ function useExtremes(pipe: PipeData, kind: Kind, look: AlongKind): Point[] {
     const value = stationValue(pipe, kind.key, pipe.touchdown.s);
     add(pipe.touchdown.s, value, `${units.shown(value, 'N', 1)} at touchdown`);
   }
-  // The tension of the sagbend is largest at its upper end, which says nothing.
+  // The tension of the sagbend is largest at its upper end, which is trivial.
   for (const region of tension && pipe.overbend ? regions.slice(0, 1) : regions) {
     const extreme = pipe[region]?.[kind.key];
     if (extreme) add(extreme.s, extreme.value, `${shownValue(extreme.value * look.factor!, look)} at ${units.shown(extreme.s, 'm', 1)} (${extreme.place})`);
@@ -52,7 +52,7 @@ function useExtremes(pipe: PipeData, kind: Kind, look: AlongKind): Point[] {
   return points;
 }
 
-/** The largest of further curves that ask for it, where it is more than a tenth of the first. */
+/** The maximum of further marked curves, if it is more than a tenth of the first. */
 function useFurtherExtremes({ stations }: PipeData, kind: Kind, look: AlongKind, indices: readonly number[]): Point[] {
   const units = useUnits();
   return (kind.more ?? []).filter((curve) => curve.mark).flatMap((curve) => {
@@ -87,7 +87,7 @@ export const Diagram: DrawFigure = ({ id, part, data }) => {
         { points: points(kind.key), colour: colours.pipe, width: 2.2 },
       ]}
       points={[...extremes, ...further]}
-      legend={kind.own ? [{ text: kind.own, colour: colours.pipe }, ...more.map(({ name, colour, dash }) => ({ text: name, colour, dash }))] : undefined}
+      legend={kind.legend ? [{ text: kind.legend, colour: colours.pipe }, ...more.map(({ name, colour, dash }) => ({ text: name, colour, dash }))] : undefined}
       hover={(s) => shownValue(stationValue(pipe, kind.key, s) * look.factor, look)}
     />
   );
@@ -109,7 +109,7 @@ function useDynamicExtremes(dynamic: DynamicData, kind: Kind, look: AlongKind, i
   return [...points, point(s[i]!, max[i]!, '')];
 }
 
-/** Smallest, largest and mean of a dynamic run, and the static value. */
+/** Minimum, maximum and mean of a dynamic run, and the static value. */
 export const Envelope: DrawFigure = ({ id, part, data }) => {
   const pipe = data as PipeData;
   const dynamic = pipe.dynamic!;

@@ -5,7 +5,7 @@ import { extent } from '../../components/chart/scale';
 import type { Frame } from '../../components/chart/types';
 import { colours } from '../../components/colours';
 import { hullCorner, hullHeights, overbendEnd, seabedHeight, seabedPlaces, stationsUpTo, wholeEnd, type LayData } from '../../components/lay';
-import { NamesAt, Surroundings, elevationAxes, elevationOf, polygonIn, rollerLooks } from '../../components/SideView';
+import { NamesAt, Surroundings, elevationAxes, pipeElevation, polygonIn, rollerLooks } from '../../components/SideView';
 import { useUnits } from '../../components/units';
 import type { FigureProps } from '../figures';
 
@@ -20,7 +20,7 @@ function Rows({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
 }
 
 function OverbendElevation({ lay }: { lay: LayData }): VNode {
-  const points = elevationOf(lay, stationsUpTo(lay, overbendEnd(lay)));
+  const points = pipeElevation(lay, stationsUpTo(lay, overbendEnd(lay)));
   const [lowest, highest] = extent(points.map((p) => p[1]));
   const [bow, last] = [points[0]![0] - 4, points.at(-1)![0]];
   const room = 0.07 * (highest - lowest);
@@ -52,14 +52,14 @@ function WaterName({ frame, x }: { frame: Frame; x: number }): VNode {
 
 function WholeElevation({ lay }: { lay: LayData }): VNode {
   const units = useUnits();
-  const points = elevationOf(lay, stationsUpTo(lay, wholeEnd(lay)));
+  const points = pipeElevation(lay, stationsUpTo(lay, wholeEnd(lay)));
   const [first, last] = [points[0]![0], points.at(-1)![0]];
   const bow = Math.min(first, hullCorner(lay, 1, 0, 1, 0, 0)[0]) - 5;
   const bed = seabedPlaces(lay, bow, last).map((x) => seabedHeight(lay, x));
   const [lowest] = extent(points.map((p) => p[1]));
   const highest = Math.max(...points.map((p) => p[1]), hullHeights(lay)[1]);
   const room = 0.07 * (highest - lowest);
-  const above = Math.max(1.6 * room, 0.036 * (last - bow)); // the word at the tensioner stands there
+  const above = Math.max(1.6 * room, 0.036 * (last - bow)); // room for the name at the tensioner
   const touch = lay.touchdown.p;
   return (
     <Chart

@@ -13,7 +13,7 @@ const kSmallTitle = 410;  // pixels
 
 const bracketed = (unit: string) => (unit ? `[${unit}]` : '');
 
-/** With as much of the statistics as finds room. */
+/** With as many of the statistics as fit. */
 function title(history: HistoryData, small: boolean): string {
   const text = (value: number) => fixed(value, history.digits);
   const { min, max, mean, std } = history.over_time;
@@ -21,7 +21,7 @@ function title(history: HistoryData, small: boolean): string {
   if (!small) return `${history.title}: ${all} ${history.unit}`.trimEnd();
   const head = `${history.title} ${bracketed(history.unit)}`.trimEnd();
   const texts = [`${head}: ${all}`, `${head}: ${text(min)} to ${text(max)}, std ${text(std)}`, `${head}: ${text(min)} to ${text(max)}`];
-  return texts.find((words) => textWidth(words, 13, true) < kSmallTitle) ?? head;
+  return texts.find((text) => textWidth(text, 13, true) < kSmallTitle) ?? head;
 }
 
 function valueRange(history: HistoryData): [number, number] {
@@ -44,7 +44,7 @@ function HistoryChart({ history, small, scale }: { history: HistoryData; small: 
   const areas = [traceArea(history, scale, { line: colours.dynamic, area: colours.history })];
   if (history.slow) areas.push(traceArea(history.slow, scale, { line: colours.second, area: colours.second }));
   const legend: LegendEntry[] = [];
-  if (!small && history.slow) legend.push({ text: 'slow part', colour: colours.second });
+  if (!small && history.slow) legend.push({ text: 'low-frequency part', colour: colours.second });
   if (!small && history.static !== null) legend.push({ text: `static ${fixed(history.static, history.digits)}`, colour: colours.accent, dash: '7 4' });
   return (
     <Chart
@@ -71,7 +71,7 @@ export const History: DrawFigure = ({ part, data, small }) => {
 
 const kPeriods = [2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 60, 120];  // [s]
 
-/** Periods above a frequency axis, as many as find room. */
+/** Periods above a frequency axis, as many as fit. */
 function PeriodAxis({ frame }: { frame: Frame }): VNode {
   const shown: { period: number; x: number }[] = [];
   for (const period of kPeriods) {
@@ -96,11 +96,11 @@ function SpectrumChart({ spectrum, end }: { spectrum: SpectrumData; end: number 
   const { frequency, density, unit } = spectrum;
   const max = Math.max(...density);
   const peak = frequency[density.indexOf(max)]!;
-  const words = `${spectrum.title} [${unit ? `${unit}\u00b2` : '1'}/Hz]${peak > 0 ? `, peak at ${fixed(1 / peak, 1)} s` : ''}`;
+  const title = `${spectrum.title} [${unit ? `${unit}\u00b2` : '1'}/Hz]${peak > 0 ? `, peak at ${fixed(1 / peak, 1)} s` : ''}`;
   return (
     <Chart
       small
-      title={words}
+      title={title}
       height={210}
       left={68}
       headRoom={16}
@@ -114,7 +114,7 @@ function SpectrumChart({ spectrum, end }: { spectrum: SpectrumData; end: number 
   );
 }
 
-/** On one frequency scale, so that they can be compared. */
+/** On a common frequency scale, for comparison. */
 export const Spectra: DrawFigure = ({ data }) => {
   const { spectra } = (data as PipeData).dynamic!;
   const end = Math.max(...spectra.map(({ frequency }) => frequency.at(-1)!));

@@ -1,11 +1,11 @@
-// What diagrams over time share.
+// Common functions of diagrams over time.
 import type { Area, Band, Vertical } from '../../components/chart/types';
 import type { Trace } from '../data';
 
 const kFullRange = 4095;  // quanta of a trace
-const kThin = 60;  // quanta: stretches hardly higher than a point
+const kThin = 60;  // quanta: maximum height of a stretch that counts as a point
 
-/** Minutes where seconds would be long numbers. */
+/** Minutes if seconds would be long numbers. */
 export interface TimeScale { name: string; seconds: number; range: [number, number] }
 
 /** [s]; the build-up ends at 0. */
@@ -24,13 +24,13 @@ export function traceTime({ range: [first, last] }: TimeScale, trace: Trace): (k
   return (k) => first + (k + 0.5) * step;
 }
 
-/** Whether each stretch is hardly more than a point, so that the band looks like a line. */
+/** True for stretches that are hardly more than a point, so that the band looks like a line. */
 export function looksLikeLine({ low, high }: Trace): boolean {
   const heights = low.flatMap((value, k) => (value === null ? [] : [high[k]! - value])).sort((a, b) => a - b);
   return heights.length > 0 && heights[heights.length >> 1]! < kThin;
 }
 
-/** From the least to the largest of every stretch of time. */
+/** From the minimum to the maximum of every time interval. */
 export function traceArea(trace: Trace, scale: TimeScale, look: { line: string; area: string }): Area {
   const time = traceTime(scale, trace);
   const value = (level: number | null) => (level === null ? null : trace.lowest + trace.quantum * level);

@@ -1,4 +1,4 @@
-// Lines by themselves: shape and tension along each.
+// Lines other than moorings: shape and tension along each.
 import type { VNode } from 'preact';
 import { Chart } from '../../components/Chart';
 import { extent, withRoom } from '../../components/chart/scale';
@@ -8,7 +8,7 @@ import { useUnits } from '../../components/units';
 import type { LineData, LinesReport } from '../data';
 import type { FigureProps } from '../figures';
 
-/** Horizontal distance along the plane through both ends, and height; lines with ends above each other are seen from the south. */
+/** Horizontal distance in the vertical plane through both ends, and height; lines with vertically aligned ends are viewed from the south. */
 function pointsInPlane({ places }: LineData): [number, number][] {
   const [a, b] = [places[0]!, places.at(-1)!];
   const far = Math.hypot(b[0] - a[0], b[1] - a[1]);
@@ -21,7 +21,7 @@ export function LineShape({ part, data }: FigureProps): VNode {
   const line = lines[Number(part)]!;
   const points = pointsInPlane(line);
   const [x, z] = [extent(points.map((p) => p[0])), extent(points.map((p) => p[1]))];
-  const bed = depth > 0 && z[0] < -0.6 * depth ? -depth : null; // shown where the line comes near
+  const bed = depth > 0 && z[0] < -0.6 * depth ? -depth : null; // shown if the line comes near
   const low = Math.min(z[0], bed ?? z[0]);
   const high = z[1] > -0.4 * (z[1] - low) ? Math.max(z[1], 0) : z[1];
   const room = 0.08 * Math.max(x[1] - x[0], high - low, 1);

@@ -8,7 +8,7 @@ import { EndNames } from '../../components/EndNames';
 import type { MooringSpread, PipeAtStep, PullAheadStep } from '../../components/mooringSpread';
 import { shortened, useUnits } from '../../components/units';
 import type { FigureProps } from '../figures';
-import { spreadOf } from './moorings';
+import { readSpread } from './moorings';
 
 /** A range with some room on both sides; the chart widens that of a constant. */
 function withSomeRoom([lo, hi]: Range): Range {
@@ -17,7 +17,7 @@ function withSomeRoom([lo, hi]: Range): Range {
 
 interface LineCurvesProps {
   title: string;
-  /** Of every line. */
+  /** Range over all lines. */
   curves: CurvePoint[][];
   names: string[];
   marks: boolean;
@@ -25,7 +25,7 @@ interface LineCurvesProps {
   y: { label: string; si: string; digits: number };
 }
 
-/** A curve for every line, with their names at the right. */
+/** A curve for every line, with names at the right. */
 function LineCurves({ title, curves, names, marks, x, y }: LineCurvesProps): VNode {
   const ends = (frame: Frame) => curves.flatMap((points, k) =>
     (points.length > 0 ? [{ text: names[k]!, colour: curveLook(k).colour, y: frame.y(points.at(-1)![1]!) }] : []));
@@ -77,7 +77,7 @@ function OverAdvance({ spread: { steps, states }, part }: { spread: MooringSprea
 
 /** Lines stage by stage, or over the advance of a pull-ahead. */
 export function MooringStages({ part, data }: FigureProps): VNode {
-  const spread = spreadOf(data);
+  const spread = readSpread(data);
   return part === 'stages' ? <StageTensions spread={spread} /> : <OverAdvance spread={spread} part={part} />;
 }
 
@@ -91,7 +91,7 @@ const pipeCurves: { key: PipeAtStep; title: string; si: string; digits: number }
 /** The pipe over the advance of a pull-ahead. */
 export function MovePipe({ data }: FigureProps): VNode {
   const units = useUnits();
-  const { steps } = spreadOf(data);
+  const { steps } = readSpread(data);
   const known = pipeCurves.filter(({ key }) => steps.every((step) => (step.pipe?.[key] ?? null) !== null));
   return (
     <>

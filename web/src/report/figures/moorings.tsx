@@ -6,20 +6,20 @@ import { extent } from '../../components/chart/scale';
 import type { Frame, Point } from '../../components/chart/types';
 import { colours } from '../../components/colours';
 import {
-  distance, groupAlike, hangingAndLaid, lineColours, offsetInWorld, type MooringLineData, type MooringSpread, type Place,
+  distance, groupAlike, suspendedAndLaid, lineColours, offsetInWorld, type MooringLineData, type MooringSpread, type Place,
 } from '../../components/mooringSpread';
 import { Arrow, Name, PlanView } from '../../components/PlanView';
 import type { MooringsReport, OffsetRange, VesselInTime } from '../data';
 import type { FigureProps } from '../figures';
 
-export const spreadOf = (data: unknown): MooringSpread => (data as MooringsReport).moorings;
+export const readSpread = (data: unknown): MooringSpread => (data as MooringsReport).moorings;
 
 export function MooringPlan({ data }: FigureProps): VNode {
-  const spread = spreadOf(data);
+  const spread = readSpread(data);
   return <PlanView spread={spread} state={spread.states[0]!} />;
 }
 
-/** A list at the upper right, where no line hangs, with leaders to the touchdowns: the nearest on top, so that none cross. */
+/** A list at the upper right, clear of the lines, with leaders to the touchdown points: the nearest on top, so that none cross. */
 function TouchdownNames({ frame, lines }: { frame: Frame; lines: MooringLineData[] }): VNode {
   const groups = groupAlike(lines).sort(([a], [b]) => a!.touchdown - b!.touchdown);
   const rows = groups.filter((_, k) => frame.top + 26 + 19 * k < frame.bottom - 40);
@@ -29,15 +29,15 @@ function TouchdownNames({ frame, lines }: { frame: Frame; lines: MooringLineData
   return (
     <g>
       {rows.map(([line], k) => {
-        const [hanging, laid] = hangingAndLaid(line!);
-        const touch = laid[0] ?? hanging.at(-1)!;
+        const [suspended, laid] = suspendedAndLaid(line!);
+        const touch = laid[0] ?? suspended.at(-1)!;
         const [x, y] = [frame.x(distance(touch, line!.fairlead)), frame.y(touch[2])];
         const row = first + 19 * k;
         return (
           <g>
             <text class="soft halo" x={left + 6} y={row + 5}>{texts[k]}</text>
             <path d={`M${left} ${row}L${Math.min(left - 14, x + 60)} ${row}L${x} ${y - 4}`} fill="none" stroke="#9aa6b1" stroke-width="0.9" />
-            <circle cx={x} cy={y} r="3.2" fill="#fff" stroke={lineColours.hanging} stroke-width="1.5" />
+            <circle cx={x} cy={y} r="3.2" fill="#fff" stroke={lineColours.suspended} stroke-width="1.5" />
           </g>
         );
       })}
@@ -46,7 +46,7 @@ function TouchdownNames({ frame, lines }: { frame: Frame; lines: MooringLineData
 }
 
 export function MooringProfile({ data }: FigureProps): VNode {
-  const lines = spreadOf(data).states[0]!.lines.filter((line) => !line.parted && line.shape.length > 1);
+  const lines = readSpread(data).states[0]!.lines.filter((line) => !line.parted && line.shape.length > 1);
   const low = Math.min(...lines.flatMap((line) => line.shape.map((p) => p[2])));
   const high = Math.max(0, ...lines.map((line) => line.fairlead[2]));
   const far = Math.max(...lines.map((line) => distance(line.anchor, line.fairlead)));
@@ -60,7 +60,7 @@ export function MooringProfile({ data }: FigureProps): VNode {
       levels={[{ value: 0, colour: '#6fa8cc', width: 1 }]}
       curves={lines.map((line) => ({
         points: line.shape.map((p) => [distance(p, line.fairlead), p[2]] as const),
-        colour: line.slack ? lineColours.slack : lineColours.hanging,
+        colour: line.slack ? lineColours.slack : lineColours.suspended,
         width: 1.5,
       }))}
     >
@@ -69,7 +69,7 @@ export function MooringProfile({ data }: FigureProps): VNode {
   );
 }
 
-/** Offset during a run, in axes of the hull from where midship was at its start; where that was in the world. */
+/** Offset during a run, in hull axes from the initial position of midship, which is given in world axes. */
 function makeOffset(spread: MooringSpread, run: VesselInTime): (along: number, port: number) => Place {
   return (along, port) => offsetInWorld(spread, run.start_surge + along, run.start_sway + port);
 }
@@ -111,7 +111,7 @@ function ScatterOfRun({ frame, spread, run }: { frame: Frame; spread: MooringSpr
   );
 }
 
-/** A cross where midship is drawn, and the direction of the bow. */
+/** A cross at the nominal midship, and the direction of the bow. */
 function NominalPose({ frame, spread }: { frame: Frame; spread: MooringSpread }): VNode {
   const [x, y] = [frame.x(0), frame.y(0)];
   const [bowX, bowY] = [frame.right - 76, frame.top + 28];
@@ -121,7 +121,7 @@ function NominalPose({ frame, spread }: { frame: Frame; spread: MooringSpread })
     <g>
       {spread.length > 0 && <Arrow x={bowX} y={bowY} azimuth={spread.heading} colour="#5d6a76" text="bow" />}
       <path d={`M${x - 7} ${y}H${x + 7}M${x} ${y - 7}V${y + 7}`} stroke={colours.ink} stroke-width="1.6" />
-      <Name frame={frame} at={[0, 0]} text="as drawn" css="soft" />
+      <Name frame={frame} position={[0, 0]} text="nominal" css="soft" />
     </g>
   );
 }
@@ -138,9 +138,9 @@ function offsetPoints(spread: MooringSpread, run: VesselInTime | null): Point[] 
   return [...points, { x, y, label: 'mean', colour: colours.dynamic }];
 }
 
-/** Offsets of midship: a point per state, and of a run its ellipses and its range. */
+/** Offsets of midship: a point per state, and for a run its ellipses and its range. */
 export function MooringOffsets({ part, data }: FigureProps): VNode {
-  const spread = spreadOf(data);
+  const spread = readSpread(data);
   const run = part === 'dynamic' ? (data as MooringsReport).dynamic!.vessel : null;
   const points = offsetPoints(spread, run);
   const seen: Place[] = [[0, 0], ...points.map((p): Place => [p.x, p.y])];
@@ -155,7 +155,7 @@ export function MooringOffsets({ part, data }: FigureProps): VNode {
       title={run ? 'Offset of midship: ellipses of 1, 2 and 3 standard deviations, dashed: range of the run' : 'Offset of midship'}
       equal
       maxHeight={420}
-      x={{ label: 'East of midship as drawn', si: 'm', range: [x[0] - room, x[1] + room] }}
+      x={{ label: 'East of nominal midship', si: 'm', range: [x[0] - room, x[1] + room] }}
       y={{ label: 'North', si: 'm', range: [middle - half, middle + half] }}
       points={points}
       inside={(frame) => run && <ScatterOfRun frame={frame} spread={spread} run={run} />}

@@ -3,10 +3,10 @@ import { OperabilityChart, OperabilityRose, Workability, type OperabilityData } 
 import type { StudyData } from '../data';
 import type { DrawFigure } from '../figures';
 
-const limitsOf = (data: unknown): OperabilityData => (data as { study: StudyData }).study.operability!;
+const readLimits = (data: unknown): OperabilityData => (data as { study: StudyData }).study.operability!;
 
 export const operabilityFigures: Record<string, DrawFigure> = {
-  operability_chart: ({ data }) => <OperabilityChart all={limitsOf(data)} />,
-  operability_rose: ({ data }) => <OperabilityRose all={limitsOf(data)} />,
-  workability: ({ data }) => <Workability months={limitsOf(data).months ?? []} year={limitsOf(data).year ?? 0} />,
+  operability_chart: ({ data }) => <OperabilityChart all={readLimits(data)} />,
+  operability_rose: ({ data }) => <OperabilityRose all={readLimits(data)} />,
+  workability: ({ data }) => <Workability months={readLimits(data).months ?? []} year={readLimits(data).year ?? 0} />,
 };

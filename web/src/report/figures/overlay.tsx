@@ -1,11 +1,11 @@
-// Curves of several folders of results in one chart.
+// Curves of several result folders in one chart.
 import { Chart } from '../../components/Chart';
 import { curveColours, curveDashes } from '../../components/colours';
 import { nameEnd, roomAround, wholeRange } from '../../components/keyAxis';
 import type { OverlayData } from '../data';
 import type { DrawFigure } from '../figures';
 
-/** Every folder has a dash of its own, so that print in grey tells them apart. */
+/** Every folder has a different dash, so that they can be distinguished in grey print. */
 const folderLook = (folder: number) => ({ colour: curveColours[folder % curveColours.length]!, dash: curveDashes[folder % curveDashes.length] });
 
 function Overlay({ names, figures }: OverlayData) {

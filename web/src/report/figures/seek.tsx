@@ -1,4 +1,4 @@
-// The path of a goal seek: the result over the key, or with several keys over the steps.
+// The path of a goal seek: the result over the key, or over the steps for several keys.
 import { Chart } from '../../components/Chart';
 import { extent, withRoom } from '../../components/chart/scale';
 import { colours } from '../../components/colours';
@@ -6,7 +6,7 @@ import { significant } from '../../components/units';
 import type { SeekData, SeekGoalData } from '../data';
 import type { DrawFigure } from '../figures';
 
-/** The models solved, in shown units; along the key they are sorted by it. */
+/** Solved models, in shown units; over the key they are sorted by it. */
 export function pathPoints({ keys, goals, path }: SeekData, goal: SeekGoalData): [number, number][] {
   const place = goals.indexOf(goal);
   if (keys.length > 1) return path.map((step, i) => [i + 1, step.results[place]! * goal.factor]);

@@ -1,4 +1,4 @@
-// Results over the stages of an operation. The stage that stands out in the figure of the lines does so here.
+// Results over the stages of an operation. The highlighted stage is shared with the figure of the lines.
 import type { VNode } from 'preact';
 import { Chart } from '../../components/Chart';
 import type { Pixel } from '../../components/chart/labels';
@@ -9,9 +9,9 @@ import { useHighlighted } from '../../components/highlight';
 import { fixed } from '../../components/units';
 import type { StageCurve, StagesData } from '../data';
 import type { FigureProps } from '../figures';
-import { highlightOf, stageColour, stagesOf } from './stageList';
+import { stageHighlight, stageColour, readStages } from './stageList';
 
-/** Places of the stages on the x axis: the progress where it changes one way from stage to stage, else their numbers. */
+/** Positions of the stages on the x axis: the progress if it is monotonic, otherwise their indices. */
 function stageAxis({ list, out }: StagesData) {
   const progress = list.map((stage) => stage.out);
   const changes = (sign: number): boolean => progress.every((value, i) => value !== null && (i === 0 || sign * (value - progress[i - 1]!) > 0));
@@ -25,7 +25,7 @@ function stageAxis({ list, out }: StagesData) {
   return { values, axis: byProgress ? { label: out, si: 'm', range } : { label: 'Stage', ticks: numbers, range } };
 }
 
-/** A limit is shown where the values come near. */
+/** A limit is shown if values come near it. */
 function limitShown({ limit }: StageCurve, lo: number, hi: number): number | null {
   const near = (value: number): number => 3 * Math.max(hi - lo, 0.1 * Math.abs(value));
   return limit !== null && limit < hi + near(hi) && limit > lo - near(lo) ? limit : null;
@@ -34,7 +34,7 @@ function limitShown({ limit }: StageCurve, lo: number, hi: number): number | nul
 interface KnownPoint { index: number; x: number; value: number }
 
 function StagePoints({ frame, stages, points, digits }: { frame: Frame; stages: StagesData; points: KnownPoint[]; digits: number }): VNode {
-  const current = useHighlighted(highlightOf(stages));
+  const current = useHighlighted(stageHighlight(stages));
   const shown = points.find(({ index }) => index === current);
   return (
     <g>
@@ -64,7 +64,7 @@ function StagePoints({ frame, stages, points, digits }: { frame: Frame; stages: 
 }
 
 function StageCurveChart({ stages, curve }: { stages: StagesData; curve: StageCurve }): VNode {
-  const highlight = highlightOf(stages);
+  const highlight = stageHighlight(stages);
   const { values, axis } = stageAxis(stages);
   const points = values.flatMap((x, index): KnownPoint[] => (curve.values[index] === null ? [] : [{ index, x, value: curve.values[index]! }]));
   let [lo, hi] = extent(curve.values);
@@ -92,6 +92,6 @@ function StageCurveChart({ stages, curve }: { stages: StagesData; curve: StageCu
 }
 
 export function StageCurves({ data }: FigureProps): VNode {
-  const stages = stagesOf(data);
+  const stages = readStages(data);
   return <>{stages.curves.map((curve) => <StageCurveChart key={curve.key} stages={stages} curve={curve} />)}</>;
 }

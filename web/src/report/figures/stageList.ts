@@ -1,15 +1,15 @@
-// What the figures of the stages of an operation share.
+// Common functions of the figures of operation stages.
 import { viridis } from '../../components/colourScale';
 import { Highlight } from '../../components/highlight';
 import { fixed, type Units } from '../../components/units';
 import type { StagesData, StagesReport } from '../data';
 
-export const stagesOf = (data: unknown): StagesData => (data as StagesReport).stages;
+export const readStages = (data: unknown): StagesData => (data as StagesReport).stages;
 
 /** Common to all panels of one report. */
 const highlights = new WeakMap<StagesData, Highlight>();
 
-export function highlightOf(stages: StagesData): Highlight {
+export function stageHighlight(stages: StagesData): Highlight {
   const known = highlights.get(stages);
   if (known) return known;
   const made = new Highlight();
@@ -26,7 +26,7 @@ const withUnit = (value: number, digits: number, unit: string): string => `${fix
 
 const uncapitalised = (text: string): string => text.slice(0, 1).toLowerCase() + text.slice(1);
 
-/** A stage in a line of text. */
+/** Summary of a stage in a line of text. */
 export function describeStage({ list, curves, out }: StagesData, i: number, units: Units): string {
   const stage = list[i]!;
   if (!stage.line) return `Stage ${stage.name}: no solution. ${stage.why}`;

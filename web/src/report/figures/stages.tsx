@@ -1,4 +1,4 @@
-// The line at all stages of an operation in one figure. A stage that is pointed at or chosen below the figure stands out
+// The line at all stages of an operation in one figure. A stage under the pointer or selected below the figure is highlighted
 // in every panel.
 import type { VNode } from 'preact';
 import { useMemo } from 'preact/hooks';
@@ -13,7 +13,7 @@ import { Sea, elevationAxes, polygonIn } from '../../components/SideView';
 import { useUnits } from '../../components/units';
 import type { StageData, StageLine, StagesData } from '../data';
 import type { FigureProps } from '../figures';
-import { describeStage, highlightOf, solvedStages, stageColour, stagesOf } from './stageList';
+import { describeStage, stageHighlight, solvedStages, stageColour, readStages } from './stageList';
 
 type Place = readonly [number, number];
 
@@ -23,8 +23,8 @@ const lineLooks = {
   cable: { width: 1.4, dash: '6 3' },
 };
 
-/** Over ground a stage is shifted by the advance of the vessel. */
-const placesOf = (stage: StageData, { points }: StageLine, part: string): Place[] => points.map(([x, z]) => [part === 'ground' ? x - stage.ahead : x, z]);
+/** Relative to the ground, a stage is shifted by the advance of the vessel. */
+const linePlaces = (stage: StageData, { points }: StageLine, part: string): Place[] => points.map(([x, z]) => [part === 'ground' ? x - stage.ahead : x, z]);
 
 const toPixels = (frame: Frame, places: readonly Place[]): Pixel[] => places.map(([x, z]) => [frame.x(x), frame.y(z)]);
 
@@ -33,7 +33,7 @@ interface DrawnStage { index: number; colour: string; runs: { kind: StageLine['o
 function drawStages(stages: StagesData, part: string, frame: Frame): DrawnStage[] {
   return solvedStages(stages).map((index) => {
     const stage = stages.list[index]!;
-    const runs = stage.line!.map((run) => ({ kind: run.of, pixels: toPixels(frame, placesOf(stage, run, part)) }));
+    const runs = stage.line!.map((run) => ({ kind: run.of, pixels: toPixels(frame, linePlaces(stage, run, part)) }));
     return { index, colour: stageColour(stages, index), runs };
   });
 }
@@ -82,9 +82,9 @@ function StagePath({ stage, heads, faint }: { stage: DrawnStage; heads: boolean;
   );
 }
 
-/** Lines of all stages, heads above them; what stands out is above the others, which are faint. */
+/** Lines of all stages, with the heads above them; the highlighted stage is on top of the others, which are faint. */
 function StageShapes({ stages, part, frame }: { stages: StagesData; part: string; frame: Frame }): VNode {
-  const current = useHighlighted(highlightOf(stages));
+  const current = useHighlighted(stageHighlight(stages));
   const drawn = useMemo(() => drawStages(stages, part, frame), [stages, part, frame]);
   const shown = drawn.some((stage) => stage.index === current) ? current : null;
   const sorted = [...drawn].sort((a, b) => Number(a.index === shown) - Number(b.index === shown));
@@ -97,7 +97,7 @@ function StageShapes({ stages, part, frame }: { stages: StagesData; part: string
   );
 }
 
-/** Numbers of the stages beside their heads, where they find room. */
+/** Stage numbers next to the heads, if they fit. */
 function HeadNumbers({ frame, stages, part }: { frame: Frame; stages: StagesData; part: string }): VNode {
   const taken: Pixel[] = [];
   const numbers = drawStages(stages, part, frame).flatMap(({ index, colour, runs }) => {
@@ -111,7 +111,7 @@ function HeadNumbers({ frame, stages, part }: { frame: Frame; stages: StagesData
   return <g text-anchor="middle">{numbers}</g>;
 }
 
-/** Distance of a point from a line through pixels. */
+/** Distance of a point from a polyline in pixels. */
 function distanceTo(pixels: readonly Pixel[], [x, y]: Pixel): number {
   let least = Infinity;
   for (let k = 1; k < pixels.length; ++k) {
@@ -123,7 +123,7 @@ function distanceTo(pixels: readonly Pixel[], [x, y]: Pixel): number {
   return least;
 }
 
-const reach = 14; // of the pointer [px]
+const reach = 14; // reach of the pointer [px]
 
 /** The stage whose line passes nearest to a pixel. */
 function nearestStage(stages: StagesData, part: string, frame: Frame, pixel: Pixel): number | null {
@@ -132,10 +132,10 @@ function nearestStage(stages: StagesData, part: string, frame: Frame, pixel: Pix
   return nearest.index < 0 ? null : nearest.index;
 }
 
-/** Every stage with its colour, to be chosen; and the values of the one that stands out. */
+/** Every stage with its colour, for selection; and the values of the highlighted one. */
 function StageKeys({ stages }: { stages: StagesData }): VNode {
   const units = useUnits();
-  const highlight = highlightOf(stages);
+  const highlight = stageHighlight(stages);
   const current = useHighlighted(highlight);
   return (
     <>
@@ -156,14 +156,14 @@ function StageKeys({ stages }: { stages: StagesData }): VNode {
           </button>
         ))}
       </div>
-      <p class="stage-values">{current === null ? 'Point at a line or choose a stage to read its values.' : describeStage(stages, current, units)}</p>
+      <p class="stage-values">{current === null ? 'Point at a line or select a stage to see its values.' : describeStage(stages, current, units)}</p>
     </>
   );
 }
 
-/** What a panel shows: distances and heights. */
-function rangesOf(stages: StagesData, part: string): { x: Range; z: Range } {
-  const all = solvedStages(stages).flatMap((i) => stages.list[i]!.line!.flatMap((run) => placesOf(stages.list[i]!, run, part)));
+/** Extent of a panel: distances and heights. */
+function findRanges(stages: StagesData, part: string): { x: Range; z: Range } {
+  const all = solvedStages(stages).flatMap((i) => stages.list[i]!.line!.flatMap((run) => linePlaces(stages.list[i]!, run, part)));
   const [x, z] = [extent(all.map((p) => p[0])), extent(all.map((p) => p[1]))];
   if (part === 'supports') {
     const rows = stages.supports.flatMap((box) => box.rows);
@@ -182,17 +182,17 @@ function rangesOf(stages: StagesData, part: string): { x: Range; z: Range } {
 }
 
 const titles: Record<string, string> = {
-  whole: 'Seen from the barge (true to scale)',
+  whole: 'Relative to the vessel (true to scale)',
   supports: 'Ramp and stinger (heights enlarged)',
-  ground: 'Over ground: the place of the barge at the first stage is zero (true to scale)',
+  ground: 'Relative to the ground: origin at the vessel position of the first stage (true to scale)',
 };
 
 const lineLegend: LegendEntry[] = (['pipe', 'head', 'cable'] as const).map((text) => ({ text, colour: '#41505e', ...lineLooks[text] }));
 
 export function Stages({ part, data }: FigureProps): VNode {
-  const stages = stagesOf(data);
-  const highlight = highlightOf(stages);
-  const { x, z } = rangesOf(stages, part);
+  const stages = readStages(data);
+  const highlight = stageHighlight(stages);
+  const { x, z } = findRanges(stages, part);
   const room = 0.06 * (z[1] - z[0] || 1);
   const cable = stages.list.some(({ line }) => line?.some((run) => run.of === 'cable'));
   const onPointer = (pixel: Pixel | null, frame: Frame, click: boolean): void => {

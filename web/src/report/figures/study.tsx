@@ -1,4 +1,4 @@
-// Results of a study over its keys: curves, maps, swings, rank correlations, scatter.
+// Results of a study over its keys: curves, maps, ranges, rank correlations, scatter.
 import { Chart } from '../../components/Chart';
 import type { LegendEntry, Point } from '../../components/chart/types';
 import { colours } from '../../components/colours';
@@ -6,12 +6,12 @@ import { axisPlaces, keyAxis, roomAround } from '../../components/keyAxis';
 import { TwoSidedBars } from '../../components/TwoSidedBars';
 import type { CorrelationData, StudyData, StudyGroupData, SwingData } from '../data';
 import type { DrawFigure } from '../figures';
-import { describeGroup, groupsWith, valueWords } from './study_cases';
+import { describeGroup, groupsWith, valueText } from './study_cases';
 import { kMaxMultiples, StudyMaps } from './study_maps';
 
 const kSeedBand = '#c9dbea';
 
-/** Colour, edge and name of a point; passed ones need no name. */
+/** Colour, edge and label of a point; passed cases need no label. */
 const kLooks: Partial<Record<StudyGroupData['state'], { colour: string; edge: string; text: string }>> = {
   reserved: { colour: '#fff', edge: colours.second, text: 'with reservations' },
   exceeded: { colour: '#fff', edge: colours.accent, text: 'check exceeded' },
@@ -28,20 +28,20 @@ const stateLegend = (groups: readonly StudyGroupData[]): LegendEntry[] =>
 function StudyCurves({ study }: { study: StudyData }) {
   const key = study.axes[0]!;
   const { places } = axisPlaces(study.inputs[key]!);
-  const xOf = (group: StudyGroupData): number => places[group.at[key]!]!;
+  const findX = (group: StudyGroupData): number => places[group.at[key]!]!;
   return (
     <>
-      {study.outputs.map(({ name, at }) => {
-        const groups = groupsWith(study, at).sort((a, b) => xOf(a) - xOf(b));
+      {study.outputs.map(({ name, at: index }) => {
+        const groups = groupsWith(study, index).sort((a, b) => findX(a) - findX(b));
         if (groups.length === 0) return null;
-        const spread = groups.map((group) => [xOf(group), group.low[at]!, group.high[at]!] as const);
+        const spread = groups.map((group) => [findX(group), group.low[index]!, group.high[index]!] as const);
         return (
           <Chart
             small title={name} height={250} x={keyAxis(study.inputs[key]!)}
             y={{ range: roomAround(spread.flatMap(([, low, high]) => [low, high]), 0.08) }}
             areas={[{ points: spread, colour: kSeedBand }]}
-            curves={[{ points: groups.map((group) => [xOf(group), group.mean[at]!]), colour: colours.pipe }]}
-            points={groups.map((group) => groupPoint(study, group, xOf(group), at, 3.2))}
+            curves={[{ points: groups.map((group) => [findX(group), group.mean[index]!]), colour: colours.pipe }]}
+            points={groups.map((group) => groupPoint(study, group, findX(group), index, 3.2))}
             legend={stateLegend(groups)}
           />
         );
@@ -57,12 +57,12 @@ function StudySwings({ all }: { all: SwingData[] }) {
         const sorted = [...bars].sort((a, b) => (b.high - b.low) - (a.high - a.low));
         const [low, high] = [Math.min(base, ...bars.map((bar) => bar.low)), Math.max(base, ...bars.map((bar) => bar.high))];
         const room = 0.05 * (high - low) || 0.5;
-        const words = (bar: (typeof bars)[number]): string =>
-          `${bar.name}: ${valueWords(bar.low)} at ${bar.low_word}, ${valueWords(bar.high)} at ${bar.high_word}`;
+        const barTitle = (bar: (typeof bars)[number]): string =>
+          `${bar.name}: ${valueText(bar.low)} at ${bar.low_word}, ${valueText(bar.high)} at ${bar.high_word}`;
         return (
           <TwoSidedBars
             title={output} label="value; the line is the base case" middle={base} range={[low - room, high + room]}
-            bars={sorted.map((bar) => ({ ...bar, title: words(bar) }))}
+            bars={sorted.map((bar) => ({ ...bar, title: barTitle(bar) }))}
           />
         );
       })}
@@ -102,12 +102,12 @@ function StudyScatter({ study }: { study: StudyData }) {
   );
 }
 
-const studyOf = (data: unknown): StudyData => (data as { study: StudyData }).study;
+const readStudy = (data: unknown): StudyData => (data as { study: StudyData }).study;
 
 export const studyFigures: Record<string, DrawFigure> = {
-  study_correlations: ({ data }) => <StudyCorrelations all={(studyOf(data).tornado ?? []) as CorrelationData[]} />,
-  study_curves: ({ data }) => <StudyCurves study={studyOf(data)} />,
-  study_maps: ({ data }) => <StudyMaps study={studyOf(data)} />,
-  study_scatter: ({ data }) => <StudyScatter study={studyOf(data)} />,
-  study_swings: ({ data }) => <StudySwings all={(studyOf(data).tornado ?? []) as SwingData[]} />,
+  study_correlations: ({ data }) => <StudyCorrelations all={(readStudy(data).tornado ?? []) as CorrelationData[]} />,
+  study_curves: ({ data }) => <StudyCurves study={readStudy(data)} />,
+  study_maps: ({ data }) => <StudyMaps study={readStudy(data)} />,
+  study_scatter: ({ data }) => <StudyScatter study={readStudy(data)} />,
+  study_swings: ({ data }) => <StudySwings all={(readStudy(data).tornado ?? []) as SwingData[]} />,
 };

@@ -1,10 +1,10 @@
-// Cases of a study as its figures need them.
+// Cases of a study for its figures.
 import type { StudyAxisData, StudyData, StudyGroupData } from '../data';
 
-/** "hs" of "hs [m]". */
-export const nameOf = (axis: StudyAxisData): string => axis.name.replace(/ \[.*/, '');
+/** "hs" from "hs [m]". */
+export const axisTitle = (axis: StudyAxisData): string => axis.name.replace(/ \[.*/, '');
 
-export const valueWords = (value: number | null | undefined): string =>
+export const valueText = (value: number | null | undefined): string =>
   (value === null || value === undefined ? 'no result' : String(Number(value.toPrecision(4))));
 
 const isSolved = (group: StudyGroupData): boolean => group.state !== 'failed' && group.state !== 'open';
@@ -17,12 +17,12 @@ const kVerdicts: Record<StudyGroupData['state'], string> = {
   passed: 'passed', reserved: 'passed with reservations', exceeded: 'a governing check is exceeded', 'not judged': 'solved, not judged',
   failed: 'no result', open: 'not run' };
 
-/** What is shown of a case under the pointer. */
+/** Tooltip of a case. */
 export function describeGroup(study: StudyData, group: StudyGroupData): string {
   return [
     `case ${group.case}`,
-    ...study.inputs.map((input, i) => `${nameOf(input)}: ${group.words[i]}`),
-    ...(group.governing ? [`${group.governing}: ${valueWords(group.utilisation)}`] : []),
+    ...study.inputs.map((input, i) => `${axisTitle(input)}: ${group.words[i]}`),
+    ...(group.governing ? [`${group.governing}: ${valueText(group.utilisation)}`] : []),
     group.state === 'passed' && !group.governing ? 'solved' : kVerdicts[group.state],
   ].join('\n');
 }
@@ -30,13 +30,13 @@ export function describeGroup(study: StudyData, group: StudyGroupData): string {
 /** Groups with the same values of the keys that a map does not vary, and these values. */
 export interface Facet { groups: StudyGroupData[]; title: string }
 
-/** The two keys with the most values span a map; every combination of the others has its own. */
+/** The two keys with the most values span a map; every combination of the others has a separate map. */
 export function mapLayout(study: StudyData): { x: number; y: number; facets: Facet[] } {
   const count = (axis: number): number => study.inputs[axis]!.words.length;
   const [x, y, ...others] = [...study.axes].sort((a, b) => count(b) - count(a));
   const facets = new Map<string, Facet>();
   for (const group of study.groups) {
-    const title = others.map((axis) => `${nameOf(study.inputs[axis]!)} ${group.words[axis]}`).join(', ');
+    const title = others.map((axis) => `${axisTitle(study.inputs[axis]!)} ${group.words[axis]}`).join(', ');
     const key = others.map((axis) => group.at[axis]).join(' ');
     if (!facets.has(key)) facets.set(key, { groups: [], title });
     facets.get(key)!.groups.push(group);

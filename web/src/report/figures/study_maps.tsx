@@ -1,9 +1,9 @@
 // Results of a study over two keys, a map for each result and combination of the other keys.
 import { resultLimit, valueScale } from '../../components/colourScale';
-import { HeatMap, stateWords, type HeatCell } from '../../components/HeatMap';
+import { HeatMap, stateLabels, type HeatCell } from '../../components/HeatMap';
 import { axisPlaces } from '../../components/keyAxis';
 import type { StudyData } from '../data';
-import { describeGroup, groupsWith, mapLayout, valueWords, type Facet } from './study_cases';
+import { describeGroup, groupsWith, mapLayout, valueText, type Facet } from './study_cases';
 
 export const kMaxMultiples = 36;
 
@@ -14,18 +14,18 @@ function facetCells(study: StudyData, [x, y]: [number, number], { groups }: Face
   for (const group of groups) {
     const value = group.mean[output.at] ?? null;
     const state = value === null && group.state !== 'open' ? 'failed' : group.state;
-    rows[group.at[y]!]![group.at[x]!] = { value, state, title: `${output.name}: ${valueWords(value)}\n${describeGroup(study, group)}` };
+    rows[group.at[y]!]![group.at[x]!] = { value, state, title: `${output.name}: ${valueText(value)}\n${describeGroup(study, group)}` };
   }
   return rows;
 }
 
 export function StudyMaps({ study }: { study: StudyData }) {
   const { x, y, facets } = mapLayout(study);
-  const axis = (input: number) => ({ name: study.inputs[input]!.name, words: axisPlaces(study.inputs[input]!).words });
+  const axis = (input: number) => ({ name: study.inputs[input]!.name, labels: axisPlaces(study.inputs[input]!).labels });
   const outputs = study.outputs.filter((output) => groupsWith(study, output.at).length > 0);
   const maps = outputs.flatMap((output) => facets.map((facet) => ({ output, facet })));
   const scales = new Map(outputs.map((output) => [output, valueScale(groupsWith(study, output.at).map((g) => g.mean[output.at]!), resultLimit(output.name))]));
-  const words = stateWords(study.groups.map((group) => group.state));
+  const legend = stateLabels(study.groups.map((group) => group.state));
   const rest = maps.length - kMaxMultiples;
   return (
     <>
@@ -35,7 +35,7 @@ export function StudyMaps({ study }: { study: StudyData }) {
           cells={facetCells(study, [x, y], facet, output)} scale={scales.get(output)!}
         />
       ))}
-      {words ? <p class="small" style={{ gridColumn: '1 / -1' }}>{`Cells ${words}.`}</p> : null}
+      {legend ? <p class="small" style={{ gridColumn: '1 / -1' }}>{`Cells ${legend}.`}</p> : null}
       {rest > 0 ? <p class="small" style={{ gridColumn: '1 / -1' }}>{`${rest} more maps are not shown; the table of cases has their numbers.`}</p> : null}
     </>
   );

@@ -13,8 +13,8 @@ export const Tornado: DrawFigure = ({ data }) => {
   const { title, unit, bars, notes } = data as TornadoData;
   const max = 1.02 * Math.max(...bars.flatMap(({ low, high }) => [Math.abs(low), Math.abs(high)]));
   const middle = (row: number) => bars.length - row - 0.5;
-  const bar = (row: number, effect: number, colour: string, words: string): Bar => (
-    { x: [Math.min(effect, 0), Math.max(effect, 0)], y: [middle(row) - 0.33, middle(row) + 0.33], colour, title: words });
+  const bar = (row: number, effect: number, colour: string, title: string): Bar => (
+    { x: [Math.min(effect, 0), Math.max(effect, 0)], y: [middle(row) - 0.33, middle(row) + 0.33], colour, title });
   return (
     <>
       <Chart

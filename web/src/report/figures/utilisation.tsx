@@ -14,7 +14,7 @@ const checkLooks = [
   { key: 'laying', name: 'laying strain', colour: colours.port, dash: '3 3' },
 ] as const;
 
-/** Place of a list at or after a distance. */
+/** Index of the first list entry at or after an arc length. */
 const placeAfter = (list: readonly number[], s: number) => Math.min(lowerBound(list, s), list.length - 1);
 
 export const Checks: DrawFigure = ({ part, data }) => {
@@ -60,7 +60,7 @@ export const Fatigue: DrawFigure = ({ part, data }) => {
   const indices = upTo(s, partEnd(pipe, part));
   const spots = fatigue.spots.map((spot, i) => ({ ...spot, ...spotLooks[i % spotLooks.length]! }));
   const max = Math.max(0, ...spots.flatMap(({ rate }) => indices.map((i) => rate[i]!)));
-  // The power of ten stands once, at the axis.
+  // The power of ten is shown once, at the axis.
   const power = max > 0 ? Math.floor(Math.log10(max)) : 0;
   const factor = 10 ** -power;
   return (

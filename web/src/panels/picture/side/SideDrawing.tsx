@@ -1,4 +1,4 @@
-// The picture from the side as an engineer draws it: true to scale or with exaggerated heights. Boxes are dragged in it.
+// The elevation: true to scale or with exaggerated heights. Boxes can be dragged in it.
 import { useEffect, useRef } from 'preact/hooks';
 import { linearScale } from '../../../components/chart/scale';
 import { LabelRoom } from '../../../components/chart/labels';
@@ -7,7 +7,7 @@ import type { Frame } from '../../../components/chart/types';
 import { Rollers, Sea, Structure, TruePipe } from '../../../components/SideView';
 import { hullCorner, structures } from '../../../components/lay';
 import { elevation, type Elevation } from '../../../logic/elevation';
-import { exaggeration, fitWindow, plotEdges, plotSize, scaleWords, type Size, type Window } from '../../../logic/sideFrame';
+import { exaggeration, fitWindow, plotEdges, plotSize, scaleText, type Size, type Window } from '../../../logic/sideFrame';
 import { shown as moment } from '../../../state/animation';
 import { boxDrag, movableBox } from '../../../state/boxDrag';
 import { dragging } from '../../../state/live';
@@ -19,12 +19,12 @@ import { chooseBox, chosenBox } from '../../../state/chosenBox';
 import { shownFailure, shownLay } from '../../../state/shown';
 import { nearest } from '../../../logic/series';
 import { toShip } from '../../../logic/shipAxes';
-import { colourValues, coloursOf, inSi } from '../colouring';
+import { colourValues, pipeColours, inSi } from '../colouring';
 import { cards } from '../moment';
 import { useSize } from '../useSize';
 import { Axes, BoxHandle, ColouredPipe, SideLines, SideNames, Tensioner, type SideName } from './parts';
 import { usePointer } from './pointer';
-import { fit, fitsOf, own, seenOf, trueScale, type Fit } from './window';
+import { fit, availableFits, userWindow, fittedPart, trueScale, type Fit } from './window';
 
 function frameFor(size: Size, shown: Window): Frame {
   const { left, right, top, bottom } = plotEdges(size);
@@ -45,7 +45,7 @@ function Background({ frame, side }: { frame: Frame; side: Elevation }) {
   return <Sea frame={frame} bed={bed} hull={corners.map((p) => [p[0], p[2]] as const)} />;
 }
 
-function namesOf(side: Elevation): SideName[] {
+function sideNames(side: Elevation): SideName[] {
   const { lay, hull } = side, laid = lay.stations.s.length > 0;
   const deck = hull ? hullCorner(lay, 0.4, 0, 1, hull.lower, hull.upper) : null;
   return [
@@ -76,7 +76,7 @@ function Marks({ frame, side }: { frame: Frame; side: Elevation }) {
 }
 
 function Pipe({ frame, side }: { frame: Frame; side: Elevation }) {
-  const lay = shownLay.value!, colours = coloursOf(lay, moment.value !== null);
+  const lay = shownLay.value!, colours = pipeColours(lay, moment.value !== null);
   return (
     <>
       <TruePipe frame={frame} lay={side.lay} />
@@ -85,7 +85,7 @@ function Pipe({ frame, side }: { frame: Frame; side: Elevation }) {
   );
 }
 
-/** The dragged box where the pointer has it: statics are a moment behind. */
+/** The dragged box at the pointer: statics follow with a delay. */
 function Dragged({ frame, side, from }: { frame: Frame; side: Elevation; from: readonly [number, number] | null }) {
   const drag = boxDrag.value;
   const box = drag && side.lay.supports.find((b) => b.name === drag.name);
@@ -102,12 +102,12 @@ function Dragged({ frame, side, from }: { frame: Frame; side: Elevation; from: r
 const fitNames: Record<Fit, string> = { whole: 'whole', boxes: 'boxes', touchdown: 'touchdown' };
 
 function Choices({ side, factor }: { side: Elevation; factor: number }) {
-  const show = (name: Fit): void => { fit.value = name; own.value = null; };
+  const show = (name: Fit): void => { fit.value = name; userWindow.value = null; };
   return (
     <div class="sidechoices" data-clear>
-      {fitsOf(side).map((name) => <button key={name} type="button" aria-pressed={own.value === null && fit.value === name} onClick={() => show(name)}>{fitNames[name]}</button>)}
-      <button type="button" aria-pressed={trueScale.value} title="The same scale for lengths and heights" onClick={() => { trueScale.value = !trueScale.value; own.value = null; }}>true scale</button>
-      {trueScale.value && own.value === null ? null : <span class="scalewords">{scaleWords(factor)}</span>}
+      {availableFits(side).map((name) => <button key={name} type="button" aria-pressed={userWindow.value === null && fit.value === name} onClick={() => show(name)}>{fitNames[name]}</button>)}
+      <button type="button" aria-pressed={trueScale.value} title="Same scale horizontally and vertically" onClick={() => { trueScale.value = !trueScale.value; userWindow.value = null; }}>true scale</button>
+      {trueScale.value && userWindow.value === null ? null : <span class="scalewords">{scaleText(factor)}</span>}
     </div>
   );
 }
@@ -119,9 +119,9 @@ export function SideDrawing() {
   const lay = shownLay.value, scene = drawnScene.value;
   const side = lay && scene ? elevation(lay, scene, mooredState.value, drawnMoment.value, byPath.value.get('pipe.steel.outside_diameter')?.si ?? null) : null;
   const plot = plotSize(size);
-  // while something is dragged the drawing stands still under the pointer
-  const still = last.current !== null && (boxDrag.value !== null || dragging.value);
-  const shown = side ? own.value ?? (still ? last.current! : fitWindow(seenOf(side, fit.value), plot, trueScale.value)) : null;
+  // during a drag the frame does not move under the pointer
+  const frozen = last.current !== null && (boxDrag.value !== null || dragging.value);
+  const shown = side ? userWindow.value ?? (frozen ? last.current! : fitWindow(fittedPart(side, fit.value), plot, trueScale.value)) : null;
   last.current = shown;
   const frame = shown && size.width > 0 ? frameFor(size, shown) : null;
   const pointer = usePointer(side, frame, shown);
@@ -146,7 +146,7 @@ export function SideDrawing() {
               ))}
             </g>
             <Axes frame={frame} />
-            <SideNames frame={frame} names={namesOf(side)} taken={cards.value} />
+            <SideNames frame={frame} names={sideNames(side)} taken={cards.value} />
             <Marks frame={frame} side={side} />
             <Dragged frame={frame} side={side} from={pointer.held} />
           </svg>
@@ -162,5 +162,5 @@ function DragReading() {
   const { name } = boxDrag.value!, box = movableBox(name);
   if (!box) return null;
   const { x, z } = boxDrag.value!;
-  return <p class="dragreading" role="status"><b>{name}</b> x {(box.x + x).toFixed(3)} m, z {(box.z + z).toFixed(3)} m <small>Esc puts it back</small></p>;
+  return <p class="dragreading" role="status"><b>{name}</b> x {(box.x + x).toFixed(3)} m, z {(box.z + z).toFixed(3)} m <small>Esc cancels</small></p>;
 }

@@ -1,4 +1,4 @@
-// Parts of the side view that the figures of the report do not have: colours along the pipe, lines, axes, names, handles of boxes.
+// Parts of the elevation that the report figures do not have: colours along the pipe, lines, axes, names, box handles.
 import type { Frame } from '../../../components/chart/types';
 import { linePath } from '../../../components/chart/marks';
 import { tickTexts, ticks } from '../../../components/chart/scale';
@@ -19,12 +19,12 @@ const shades = 32;
 export function ColouredPipe({ frame, lay, values, scale, grey }: { frame: Frame; lay: LayData; values: ArrayLike<number> | null; scale: ValueScale; grey: boolean }) {
   const { x, z } = lay.stations;
   const step = (scale.high - scale.low) / shades || 1;
-  const colourOf = (i: number): string => (grey || !values ? 'var(--soft)' : valueColour(scale, scale.low + step * Math.round(((values[i] ?? 0) - scale.low) / step)));
+  const stationColour = (i: number): string => (grey || !values ? 'var(--soft)' : valueColour(scale, scale.low + step * Math.round(((values[i] ?? 0) - scale.low) / step)));
   const runs: { colour: string; points: [number, number][] }[] = [];
   const [low, high] = frame.x.domain, room = 0.1 * (high - low);
   for (let i = 0; i < x.length; ++i) {
     if (x[i]! < low - room || x[i]! > high + room) continue;
-    const colour = colourOf(i), point: [number, number] = [frame.x(x[i]!), frame.y(z[i]!)], last = runs.at(-1);
+    const colour = stationColour(i), point: [number, number] = [frame.x(x[i]!), frame.y(z[i]!)], last = runs.at(-1);
     last?.points.push(point);
     if (last?.colour !== colour) runs.push({ colour, points: [point] });
   }
@@ -32,7 +32,7 @@ export function ColouredPipe({ frame, lay, values, scale, grey }: { frame: Frame
   return <g fill="none" stroke-linecap="round">{runs.map((run, i) => <path key={i} d={linePath(run.points)} stroke={run.colour} stroke-width={wide} />)}</g>;
 }
 
-/** Mooring lines, davits and lines by themselves, as far as they are seen from the side. */
+/** Mooring lines, davit cables and other lines that are visible in elevation. */
 export function SideLines({ frame, lines, moorings, chosen, choose }: { frame: Frame; lines: readonly SideLine[]; moorings: readonly MooringLine[]; chosen: string | null; choose: (name: string) => void }) {
   return (
     <g fill="none">
@@ -52,10 +52,10 @@ export function SideLines({ frame, lines, moorings, chosen, choose }: { frame: F
   );
 }
 
-/** Hulls besides the vessel. */
+/** Hulls other than the vessel. */
 export function OtherHull({ frame, lay, body }: { frame: Frame; lay: LayData; body: Vessel }) {
-  const own = { ...lay, vessel: { ...lay.vessel, length: body.length } };
-  const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([along, up]) => hullCorner(own, along!, 0, up!, -body.draught, body.height - body.draught));
+  const bodyLay = { ...lay, vessel: { ...lay.vessel, length: body.length } };
+  const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([along, up]) => hullCorner(bodyLay, along!, 0, up!, -body.draught, body.height - body.draught));
   return <polygon points={polygonIn(frame, corners.map((p) => [p[0], p[2]] as const))} fill="var(--hull)" fill-opacity="0.55" stroke="var(--soft)"><title>{body.name}</title></polygon>;
 }
 
@@ -71,7 +71,7 @@ export function Tensioner({ frame, lay }: { frame: Frame; lay: LayData }) {
   );
 }
 
-/** Numbers at the left and lower edge, in the unit shown. */
+/** Numbers at the left and lower edge, in the shown unit. */
 export function Axes({ frame }: { frame: Frame }) {
   const { unit, factor } = shownUnit('m');
   const marks = (domain: readonly [number, number], count: number) => {
@@ -95,7 +95,7 @@ export function Axes({ frame }: { frame: Frame }) {
 
 export interface SideName { text: string; x: number; z: number; weight: number; chosen?: boolean; act?: () => void }
 
-/** Names with upright leaders; those of less weight are left out where there is no room. */
+/** Names with upright leaders; names of lower weight are left out if there is no room. */
 export function SideNames({ frame, names, taken }: { frame: Frame; names: readonly SideName[]; taken: readonly Rect[] }) {
   const seen = names.filter((n) => n.x >= frame.x.domain[0] && n.x <= frame.x.domain[1] && n.z >= frame.y.domain[0] && n.z <= frame.y.domain[1]);
   const wanted = seen.map((n) => ({ x: frame.x(n.x), y: frame.y(n.z), width: textWidth(n.text, 12) + 12, weight: n.weight }));
@@ -118,7 +118,7 @@ export function SideNames({ frame, names, taken }: { frame: Frame; names: readon
 
 interface HandleProps { frame: Frame; box: SupportData; chosen: boolean; movable: boolean; begin: (e: PointerEvent) => void; choose: () => void }
 
-/** Where a box is taken hold of; outlined where it is selected. */
+/** Handle of a box; outlined if selected. */
 export function BoxHandle({ frame, box, chosen, movable, begin, choose }: HandleProps) {
   const [m, n] = [Math.abs(frame.x(1) - frame.x(0)), Math.abs(frame.y(1) - frame.y(0))];
   const half = Math.max(7, 0.5 * box.length * m), high = Math.max(9, 0.9 * n);
@@ -140,7 +140,7 @@ export function BoxHandle({ frame, box, chosen, movable, begin, choose }: Handle
       onPointerDown={begin}
       onKeyDown={(e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); choose(); } }}
     >
-      <title>{box.name}{movable ? ': drag to move it, Esc puts it back' : ''}</title>
+      <title>{box.name}{movable ? ': drag to move, Esc cancels' : ''}</title>
     </rect>
   );
 }

@@ -1,4 +1,4 @@
-// What part of the side view is shown: a fit of all, of the boxes or of the touchdown, or what the user has turned to himself.
+// Visible part of the elevation: fitted to all, to the boxes or to touchdown, or set by the user.
 import { computed, signal } from '@preact/signals';
 import type { Elevation } from '../../../logic/elevation';
 import { wholeEnd, hullCorner } from '../../../components/lay';
@@ -7,9 +7,9 @@ import { around, type Window } from '../../../logic/sideFrame';
 export type Fit = 'whole' | 'boxes' | 'touchdown';
 export const fit = signal<Fit>('whole');
 export const trueScale = signal(true);
-/** Zoomed or moved by hand; null: as fitted. */
-export const own = signal<Window | null>(null);
-export const fitted = computed(() => own.value === null);
+/** Zoomed or panned by the user; null: fitted. */
+export const userWindow = signal<Window | null>(null);
+export const fitted = computed(() => userWindow.value === null);
 
 type Place = [number, number];
 
@@ -25,13 +25,13 @@ function pipePlaces({ lay: { stations } }: Elevation, from: number, to: number):
 const boxPlaces = ({ lay: { supports } }: Elevation): Place[] =>
   supports.flatMap(({ p, length }): Place[] => [[p[0] - 0.7 * length, p[2] - 2.5], [p[0] + 0.7 * length, p[2] + 2.5]]);
 
-/** Fits that a model has. */
-export function fitsOf(side: Elevation): Fit[] {
+/** Fits available for a model. */
+export function availableFits(side: Elevation): Fit[] {
   const laid = side.lay.stations.s.length > 0;
   return ['whole', ...(side.lay.supports.length ? ['boxes' as const] : []), ...(laid ? ['touchdown' as const] : [])];
 }
 
-export function seenOf(side: Elevation, name: Fit): Window {
+export function fittedPart(side: Elevation, name: Fit): Window {
   const { lay } = side, laid = lay.stations.s.length > 0, touch = lay.touchdown.s;
   if (name === 'boxes' && lay.supports.length) return around([...boxPlaces(side), ...(lay.supports.length ? [[lay.tensioner[0], lay.tensioner[2]] as Place] : [])]);
   if (name === 'touchdown' && laid) return around(pipePlaces(side, touch - 60, touch + 30));
