@@ -17,7 +17,7 @@ constexpr int kOursColumn = 3, kDifferenceColumn = 5,
               kAllowedColumn = 6;  ///< Columns of a table line split at its bars.
 
 std::string table_line(const Row& row) {
-  return fmt::format("| {} | {}{} | {:.6g} | {:.6g} | {:.1g} | {:.2g} | {} | {} |\n", row.subject, row.quantity,
+  return fmt::format("| {} | {}{} | {:.6g} | {:.6g} | {:.2g} | {:.2g} | {} | {} |\n", row.subject, row.quantity,
                      row.unit.empty() ? "" : " [" + row.unit + "]", row.ours, row.reference, row.ours - row.reference,
                      row.allowed, row.holds() ? "yes" : "**no**", row.basis);
 }
@@ -88,7 +88,7 @@ std::string overview_line(const Group& group, const Table& table, const std::str
   const Row& row = governing_row(table.rows);
   const std::string& source = table.reference.empty() ? group.reference : table.reference;
   const std::string where = row.subject == table.heading ? "" : row.subject + ": ";
-  return fmt::format("| [{}: {}](#{}) | {} | {}{}{} | {:.6g} | {:.6g} | {:.1g} | {} | {:.0f} % |\n", group.heading,
+  return fmt::format("| [{}: {}](#{}) | {} | {}{}{} | {:.6g} | {:.6g} | {:.2g} | {} | {:.0f} % |\n", group.heading,
                      table.heading, anchor, source, where, row.quantity, row.unit.empty() ? "" : " [" + row.unit + "]",
                      row.ours, row.reference, row.ours - row.reference, table.rows.size(), 100.0 * tolerance_use(row));
 }
