@@ -53,8 +53,6 @@ ALLOWED = {
     "src/overbend/base/assumption.h": {"other"},
     "src/overbend/statics/solver/statics.h": {"other"},
     "src/overbend/seafiles/netcdf_arrays.h": {"other"},
-    "python/overbend/comparison.py": {"told"},  # method of the compiled module
-    "python/overbend/studies.py": {"told"},
     "python/overbend/plots/study_plots.py": {"at"},  # parameter of StudyPlots.curve() and map()
     "tests/python/test_plots.py": {"at"},
 }

@@ -47,7 +47,7 @@ class FolderComparison:
     def __init__(self, core: "_core.FolderComparison"):
         """Not for users: see compare_folders()."""
         self._core = core
-        content: dict[str, Any] = core.told()
+        content: dict[str, Any] = core.content()
         self.folders = Records([Record(folder) for folder in content["folders"]])
         self.keys = Records([Record({"name": key["key"], **key}) for key in content["keys"]])
         self.results = Records([_result(result) for result in content["results"]])

@@ -115,7 +115,7 @@ class StudyResults:
         self._folder, self._core, self._holder = folder, core, holder
         tables = _core.StudyTables(str(folder))
         self._source = tables.tree()
-        self._content: dict[str, Any] = tables.told()
+        self._content: dict[str, Any] = tables.content()
         self.title: str = self._content["title"]
         self.analysis: str = self._content["analysis"]
         self.findings = make_findings(self._content["findings"])

@@ -74,7 +74,7 @@ void add_comparisons(py::module_& module) {
   py::class_<FolderComparison, std::shared_ptr<FolderComparison>>(module, "FolderComparison",
                                                                   "Comparison of folders of results.")
       .def(py::init(&compared), py::arg("folders"))
-      .def("told", [](const Given<FolderComparison>& comparison) { return to_python(comparison_json(*comparison)); })
+      .def("content", [](const Given<FolderComparison>& comparison) { return to_python(comparison_json(*comparison)); })
       .def("save", &save_comparison, py::arg("folder"));
 }
 

@@ -136,7 +136,7 @@ void add_studies(py::module_& module) {
   py::class_<StudyResults, std::shared_ptr<StudyResults>>(module, "StudyTables", "Results of a study.")
       .def(py::init(&read_so_far), py::arg("folder"))
       .def("tree", &make_study_tree)
-      .def("told", [](const Given<StudyResults>& results) { return to_python(study_tables_json(*results)); });
+      .def("content", [](const Given<StudyResults>& results) { return to_python(study_tables_json(*results)); });
 }
 
 }  // namespace overbend
