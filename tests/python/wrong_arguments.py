@@ -88,7 +88,7 @@ def core_subjects():
     calls = {
         "Controller.__init__": ([lambda time, seen: None, 0.1], {"save": None, "restore": None}),
         "Controller.compiled": ([function, 0.1, [1.0]], {}), "Controller.by_calls": ([], {}),
-        "FolderComparison.__init__": ([["static", "static"]], {}), "FolderComparison.told": ([], {}),
+        "FolderComparison.__init__": ([["static", "static"]], {}), "FolderComparison.content": ([], {}),
         "FolderComparison.save": (["comparison"], {}),
         "LayTable.__init__": ([model, "tension", "290 kN..310 kN/1", "", [], False, None], {}), "LayTable.summary": ([], {}),
         "LayTable.tree": ([], {}), "LayTable.save": (["table"], {}),
@@ -117,7 +117,7 @@ def core_subjects():
         "Study.read": (["study/study.yaml"], {}), "Study.of": ([model, study, "study"], {}),
         "Study.run": (["study"], {"threads": 1, "retry_failed": False, "checkpoint": 60.0, "progress": None}),
         "Study.run_case": (["study", 0], {}),
-        "StudyTables.__init__": (["study"], {}), "StudyTables.tree": ([], {}), "StudyTables.told": ([], {}),
+        "StudyTables.__init__": (["study"], {}), "StudyTables.tree": ([], {}), "StudyTables.content": ([], {}),
         "flow_scalar": (["text"], {}), "has_operation": (["static/results.h5"], {}),
         "named_values": ([summary, "static.lay_back"], {}), "object_descriptions": ([], {}), "object_units": ([], {}),
         "lift_units": ([], {}), "lift_descriptions": ([], {}),
