@@ -103,10 +103,11 @@ test('the study file is shown, and solved as edited', async () => {
 test('a study is cancelled and resumed', async () => {
   await key(1, { list: '200 kN..400 kN/2000' });
   await solve(/^Solve 6000 cases/);
-  await page.locator('.studyprogress >> text=Cancel').click({ timeout: 60_000 });
-  await page.locator('.studyprogress >> text=Resume').click({ timeout: 60_000 });
-  await page.locator('.studyprogress >> text=Cancel').click({ timeout: 60_000 });
-  await page.locator('.studyprogress >> text=Resume').waitFor({ timeout: 60_000 });
+  const button = (name: string) => page.locator('.studyprogress').getByRole('button', { name, exact: true }); // the message says "cancelled" too
+  await button('Cancel').click({ timeout: 60_000 });
+  await button('Resume').click({ timeout: 60_000 });
+  await button('Cancel').click({ timeout: 60_000 });
+  await button('Resume').waitFor({ timeout: 60_000 });
 });
 
 test('a faulty study is rejected with the key and what is expected', async () => {

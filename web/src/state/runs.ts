@@ -70,8 +70,9 @@ function forget(id: string): void {
   newRuns.value = newRuns.value.filter((known) => known !== id);
 }
 
+/** The new state comes as an event; that of the answer could be older than a later event. */
 export async function resumeRun(id: string): Promise<void> {
-  try { runEvent(await post<Run>(`runs/${id}/resume`)); } catch (error) { sayError(error); }
+  try { await post(`runs/${id}/resume`); } catch (error) { sayError(error); }
 }
 
 export async function cancelRun(id: string): Promise<void> {

@@ -102,8 +102,8 @@ RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std:
     waiting_.push_back({run, model, false});
   }
   changed_.notify_all();
-  events_.send("run", run_json(run), run.id);
-  for (const RunInfo& case_run : cases) events_.send("run", run_json(case_run), case_run.id);
+  send_state(run.id);
+  for (const RunInfo& case_run : cases) send_state(case_run.id);
   return run;
 }
 
@@ -235,23 +235,32 @@ RunInfo& RunQueue::at(const std::string& id) {
 }
 
 void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>& change, bool persistent) {
-  RunInfo snapshot;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    RunInfo& run = at(id);
-    change(run);
-    snapshot = run;
+    change(at(id));
   }
   if (persistent) {
     try {
       const std::lock_guard hold(files_);
-      snapshot = find(id);  // the state may have changed while waiting for the lock
-      keep_record(snapshot, folder(snapshot));
+      const RunInfo latest = find(id);  // the state may have changed while waiting for the lock
+      keep_record(latest, folder(latest));
     } catch (const std::exception&) {
       // The disk is full or the folder was deleted; the run stays in the list of this session.
     }
   }
-  events_.send("run", run_json(snapshot), id);
+  send_state(id);
+}
+
+void RunQueue::send_state(const std::string& id) {
+  const std::lock_guard<std::mutex> sending(sending_);
+  RunInfo run;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    const auto found = std::ranges::find(runs_, id, &RunInfo::id);
+    if (found == runs_.end()) return;  // deleted meanwhile
+    run = *found;
+  }
+  events_.send("run", run_json(run), id);
 }
 
 void RunQueue::end(const std::string& id, RunState state, const std::string& message) {

@@ -71,6 +71,8 @@ class RunQueue {
   void run_campaign(const Job& job);
   void end_interrupted(const Job& job);
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool persistent);
+  /// Sends the state of a run to the page; an older state is never sent after a newer one.
+  void send_state(const std::string& id);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);
   /// Returns the keys in which the model differs from that of the last run with this title; empty if there is none.
@@ -84,6 +86,7 @@ class RunQueue {
   LiveHistory live_;
   FileLock& files_ = hdf5_lock();
 
+  std::mutex sending_;        ///< Keeps the order of the states sent; locked before `mutex_`.
   mutable std::mutex mutex_;  ///< Guards the members below.
   std::condition_variable changed_;
   std::vector<RunInfo> runs_;
