@@ -13,8 +13,10 @@ inline double seven_digits(double value) {
   if (value == 0.0 || !std::isfinite(value)) {
     return 0.0;
   }
-  const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
-  const double rounded = std::round(value * scale) / scale;
+  // Powers of ten with negative exponents are inexact and would add digits to large numbers.
+  const double digits = 6.0 - std::floor(std::log10(std::abs(value)));
+  const double scale = std::pow(10.0, std::abs(digits));
+  const double rounded = digits > 0.0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
   return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number close to zero overflows
 }
 
