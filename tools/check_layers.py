@@ -3,7 +3,7 @@
 
     tools/check_layers.py [ROOT]     ROOT is the repository (default: the one this file lies in)
 
-The plan is the three tables below; ARCHITECTURE.md explains it. Exit code 0: clean; 1: offences; 2: nothing to check.
+The plan is the tables below; ARCHITECTURE.md explains it. Exit code 0: clean; 1: offences; 2: nothing to check.
 """
 
 import pathlib
@@ -12,14 +12,15 @@ import sys
 
 EVERYTHING = {
     "base", "model", "results", "numerics", "mechanics", "hull", "moorings", "system", "statics", "dynamics", "recording", "checks",
-    "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python",
+    "modelfile", "platform", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python",
 }
 
 # Layer -> the layers that it may include in addition to itself.
 PLAIN = {"results", "model", "base"}
 ENGINE = {"mechanics", "hull", "moorings", "numerics"} | PLAIN
 MAY_INCLUDE = {
-    "base": set(),
+    "platform": set(),
+    "base": {"platform"},
     "model": {"base"},
     "results": {"model", "base"},
     "numerics": {"base"},
@@ -33,8 +34,8 @@ MAY_INCLUDE = {
     "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
     "seafiles": {"model", "base"},
     "modelfile": {"seafiles", "checks", "resultfiles", "model", "base"},
-    "runstore": PLAIN,
-    "resultfiles": {"runstore"} | PLAIN,
+    "runstore": {"platform"} | PLAIN,
+    "resultfiles": {"runstore", "platform"} | PLAIN,
     "study": EVERYTHING - {"app", "serve", "python"},
     "report": EVERYTHING - {"app", "serve", "python", "study"},
     "serve": EVERYTHING - {"app", "python"},
@@ -45,6 +46,7 @@ MAY_INCLUDE = {
 # Layers in sub-rooms, lowest first: a file may include the sub-rooms listed before its own. "" is the room itself, which
 # is above all of its sub-rooms.
 SUB_ROOMS = {
+    "platform": ["", "posix", "windows", "wasm"],
     "model": ["waves", "description", "pipe", "site", "vessel", ""],
     "results": ["", "fields", "tables"],
     "statics": ["initial_shape", "equations", "solver", "stinger", "recovery", "moored"],
@@ -73,9 +75,20 @@ LIBRARIES = [
     ("CLI/", {"app"}),
 ]
 
-# Headers of the operating system, for files, terminals, signals and sockets.
-SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|spawn|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
-SYSTEM_LAYERS = {"base", "runstore", "resultfiles", "study", "serve", "app"}
+# Headers of operating systems -> the sub-rooms of `platform` whose sources may include them. Nothing else may.
+SYSTEM_HEADERS = [
+    (re.compile(r"(sys|netinet|arpa|net|linux)/.+|(unistd|fcntl|poll|spawn|signal|termios|dlfcn|pthread|sched|pwd|grp|netdb|"
+                r"dirent|ifaddrs|semaphore|langinfo|glob|wait)\.h|csignal"), {"posix", "wasm"}),
+    (re.compile(r"(windows|winsock2?|ws2tcpip|iphlpapi|shellapi|shlobj|io|direct|process)\.h", re.IGNORECASE), {"windows"}),
+    (re.compile(r"fcntl\.h"), {"windows"}),
+]  # fmt: skip
+
+# Functions of one operating system, or of the system's resources, that headers of the standard library declare. Only
+# `platform` may use them, and the path /proc.
+SYSTEM_NAME = re.compile(
+    r"(?<![\w.])(mkdtemp|mkstemp|localtime_[rs]|gmtime_[rs]|popen|fileno|setenv|renameat2|hardware_concurrency|"
+    r'temp_directory_path|tmpnam|tmpfile)\b|"/proc\b'
+)
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<header>[^"]+)"|<(?P<angle>[^>]+)>)')
 
@@ -121,10 +134,24 @@ def check_own_header(relative, header):
     return check_sub_room(relative, header) if target == layer else None
 
 
+def check_system_header(relative, header):
+    """Reason why a file given from src/overbend may not include a header of an operating system, or None."""
+    allowed = [rooms for pattern, rooms in SYSTEM_HEADERS if pattern.fullmatch(header)]
+    if not allowed or relative.startswith("platform/") and any(sub_room(relative) in rooms for rooms in allowed):
+        return None
+    return f"<{header}> is a header of an operating system (only platform/{', platform/'.join(sorted(set.union(*allowed)))})"
+
+
+def check_system_name(layer, line):
+    """Reason why a line of a file of `layer` may not stand there, or None."""
+    match = SYSTEM_NAME.search(line.split("//")[0])
+    if layer == "platform" or not match:
+        return None
+    return f"{match[0].strip(chr(34))} depends on the operating system (only platform)"
+
+
 def check_library(layer, header):
     """Reason why a file of `layer` may not include <header>, or None."""
-    if SYSTEM_HEADER.match(header):
-        return None if layer in SYSTEM_LAYERS else f"{layer} may not include the system header <{header}>"
     if not re.search(r"[./]", header):
         return None  # the standard library
     for prefix, layers in LIBRARIES:
@@ -150,9 +177,13 @@ def offences(root):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             match = INCLUDE.match(line)
             if not match:
-                continue
-            header, angle = match["header"], match["angle"]
-            reason = check_own_header(relative, header) if header else check_library(layer, angle)
+                reason = check_system_name(layer, line)
+            elif match["header"]:
+                reason = check_own_header(relative, match["header"])
+            elif any(pattern.fullmatch(match["angle"]) for pattern, _ in SYSTEM_HEADERS):
+                reason = check_system_header(relative, match["angle"])
+            else:
+                reason = check_library(layer, match["angle"])
             if reason:
                 found.append((path, number, reason))
     return found, read

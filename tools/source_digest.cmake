@@ -1,6 +1,6 @@
 # Writes OUTPUT, which gives the program a digest of the sources below ROOT that take part in computing.
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/*.cpp ${ROOT}/*.h)
-list(FILTER sources EXCLUDE REGEX "^(app|report|study|serve)/")
+list(FILTER sources EXCLUDE REGEX "^(app|platform|report|study|serve)/")
 list(SORT sources)
 set(digests "")
 foreach(source IN LISTS sources)

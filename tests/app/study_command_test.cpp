@@ -88,6 +88,13 @@ TEST(study_command, a_dry_run_lists_the_cases_and_writes_nothing) {
   EXPECT_FALSE(fs::exists(scratch.file("out")));
 }
 
+TEST(study_command, a_dry_run_needs_no_folder_for_temporary_files) {
+  const Scratch scratch;
+  const auto dry = run_program("study " + study_in(scratch, kTwo) + " --dry-run", "TMPDIR=/no/such/folder ");
+  EXPECT_EQ(dry.code, 0) << dry.err;
+  EXPECT_TRUE(has(dry.out, "for all on")) << dry.out;
+}
+
 TEST(study_command, the_command_printed_for_a_failed_case_runs_it_alone) {
   const Scratch scratch;
   const std::string study = study_in(scratch, kTwo);

@@ -2,9 +2,9 @@
 #include <atomic>
 #include <memory>
 
+#include "platform/socket.h"
 #include "serve/http/connection.h"
 #include "serve/http/connection_limiter.h"
-#include "serve/http/peer_uid.h"
 #include "serve/raw_client.h"
 #include "serve/serving.h"
 
@@ -209,18 +209,17 @@ TEST(serve_door, an_opening_address_opens_once_and_leads_to_the_token) {
 TEST(serve_door, an_opening_address_opens_for_its_own_user_alone) {
   OneTimeCode code;
   const std::string made = code.make();
-  EXPECT_FALSE(code.take(made, std::nullopt));
-  EXPECT_FALSE(code.take(made, ::geteuid() + 1));
-  EXPECT_TRUE(code.take(made, ::geteuid()));
-  EXPECT_FALSE(code.take(made, ::geteuid()));
-  EXPECT_FALSE(OneTimeCode().take("", ::geteuid()));
+  EXPECT_FALSE(code.take(made, false));
+  EXPECT_TRUE(code.take(made, true));
+  EXPECT_FALSE(code.take(made, true));
+  EXPECT_FALSE(OneTimeCode().take("", true));
 }
 
 TEST(serve_door, the_system_reports_whose_a_connection_is) {
   const Serving serving;
   const RawClient client(serving.server->port());
-  EXPECT_EQ(owner_of_connection(client.port(), serving.server->port()), ::geteuid());
-  EXPECT_EQ(owner_of_connection(1, serving.server->port()), std::nullopt);
+  EXPECT_TRUE(is_own_connection(client.port(), serving.server->port()));
+  EXPECT_FALSE(is_own_connection(1, serving.server->port()));
 }
 
 }  // namespace

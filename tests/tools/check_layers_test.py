@@ -14,6 +14,8 @@ CLEAN = {
     "mechanics/rod.cpp": ['#include "model/model.h"', '#include "mechanics/rod.h"'],
     "modelfile/reading/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include \"seafiles/rao.h\""],
     "resultfiles/hdf5/writer.cpp": ["#include <hdf5.h>", "#include <xlsxwriter.h>", "#include \"results/fields.h\""],
+    "platform/posix/file.cpp": ['#include "platform/file.h"', "#include <unistd.h>", "#include <sys/stat.h>"],
+    "platform/windows/file.cpp": ['#include "platform/windows/system.h"', "#include <windows.h>"],
     "app/main.cpp": ['#include "statics/solver/statics.h"', "#include <CLI/CLI.hpp>"],
 }
 
@@ -76,6 +78,22 @@ class CheckLayers(unittest.TestCase):
 
     def test_an_unplanned_library_is_caught(self):
         self.assert_caught("system/bad.cpp", "#include <boost/any.hpp>")
+
+    def test_a_header_of_an_operating_system_outside_its_sources_is_caught(self):
+        for header in ("unistd.h", "sys/stat.h", "fcntl.h", "poll.h", "netinet/in.h", "csignal", "signal.h", "dlfcn.h", "windows.h"):
+            self.assert_caught("runstore/bad.cpp", f"#include <{header}>")
+        self.assert_caught("platform/bad.h", "#include <unistd.h>")
+        self.assert_caught("platform/posix/bad.cpp", "#include <winsock2.h>")
+        self.assert_caught("platform/windows/bad.cpp", "#include <unistd.h>")
+
+    def test_a_function_of_an_operating_system_outside_platform_is_caught(self):
+        for line in ("std::thread::hardware_concurrency();", "localtime_r(&time, &local);", "mkdtemp(name.data());",
+                     "fs::temp_directory_path();", 'std::ifstream lines("/proc/net/tcp");'):
+            self.assert_caught("serve/http/bad.cpp", line)
+
+    def test_platform_includes_no_other_room(self):
+        self.assert_caught("platform/bad.cpp", '#include "base/require.h"')
+        self.assert_caught("model/bad.cpp", '#include "platform/file.h"')
 
     def test_a_relative_include_is_caught(self):
         self.assert_caught("model/bad.cpp", '#include "section.h"')

@@ -7,6 +7,7 @@
 #include "app/print_stages.h"
 #include "resultfiles/stages/operation_reader.h"
 #include "results/findings.h"
+#include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/run/recheck.h"
 #include "study/stages/lay_operation.h"

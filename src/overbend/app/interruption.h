@@ -1,11 +1,11 @@
-/// Handling of Ctrl-C (SIGINT, SIGTERM) with a flag that long computations poll.
+/// Handling of Ctrl-C and SIGTERM with a flag that long computations poll.
 #pragma once
 
 #include "base/interruption.h"
 
 namespace overbend {
 
-/// During its lifetime, the first SIGINT or SIGTERM sets the flag; the second ends the program.
+/// During its lifetime, the first Ctrl-C or SIGTERM sets the flag; the second ends the program.
 class Interruption {
  public:
   /// Computations of this thread end by the exception Interrupted; other threads must poll wanted().

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/new_questions.h"
+#include "platform/process.h"
 #include "runstore/replace_file.h"
 #include "study/run/new_lay.h"
 
@@ -32,7 +31,7 @@ int write_file(const std::string& path, const std::string& text) {
 
 int run_new(const NewOptions& requested) {
   NewOptions options = requested;
-  const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+  const bool terminal = is_terminal(StandardStream::input) && is_terminal(StandardStream::error);
   if (terminal && (options.pipe.empty() || options.depth.empty())) ask_new_options(options, std::cin, std::cerr);
   std::error_code error;
   if (!options.output.empty() && !options.force && std::filesystem::exists(options.output, error)) {

@@ -1,10 +1,11 @@
 #include "app/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <iostream>
+
+#include "platform/process.h"
 
 namespace overbend {
 namespace {
@@ -28,7 +29,7 @@ Progress::Progress(double from, double to)
     : from_(from),
       to_(to),
       first_position_(from),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      terminal_(is_terminal(StandardStream::error)),
       start_(Clock::now()),
       last_(start_) {}
 

@@ -1,11 +1,11 @@
 #include "app/resume_option.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <string>
 
+#include "platform/process.h"
 #include "runstore/run_store.h"
 
 namespace overbend {
@@ -58,7 +58,7 @@ std::optional<bool> resume_requested(const std::vector<fs::path>& folders, const
     std::cerr << "overbend: " << unfinished_run_text(*found) << "; wait for it, or choose another folder with -o\n";
     return std::nullopt;
   }
-  if (isatty(STDIN_FILENO) == 1 && isatty(STDERR_FILENO) == 1) return ask(*found);
+  if (is_terminal(StandardStream::input) && is_terminal(StandardStream::error)) return ask(*found);
   std::cerr << "overbend: " << unfinished_run_text(*found) << "; "
             << (found->run.error.empty() ? "continue with --resume, or discard it and start again with --restart"
                                          : "discard it and start again with --restart")

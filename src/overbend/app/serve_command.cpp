@@ -1,8 +1,4 @@
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -10,23 +6,13 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
+#include "platform/process.h"
 #include "serve/server.h"
 
 namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Opens the page in the user's browser if there is a display; errors are ignored.
-void open_browser(const std::string& url) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
-  const pid_t child = fork();
-  if (child > 0) waitpid(child, nullptr, 0);
-  if (child != 0) return;
-  // A grandchild process, so that the browser is not waited for.
-  if (fork() == 0) execlp("xdg-open", "xdg-open", url.c_str(), static_cast<char*>(nullptr));
-  _exit(0);
-}
 
 ServeOptions make_serve_options(const ServeArguments& arguments) {
   ServeOptions options;

@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/interruption.h"
 #include "base/text.h"
+#include "platform/process.h"
 #include "study/campaign/study_folder.h"
 #include "study/campaign/study_units.h"
 
@@ -20,9 +21,8 @@ namespace fs = std::filesystem;
 
 /// Returns the path of this program, for the tasks of the array.
 fs::path this_program() {
-  std::error_code error;
-  fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) throw SlurmError("the path of this program cannot be found");
+  fs::path program = executable_path();
+  if (program.empty()) throw SlurmError("the path of this program cannot be found");
   return program;
 }
 

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <thread>
 
 #include "app/exit_code.h"
 #include "app/interruption.h"
@@ -18,6 +17,8 @@
 #include "app/print_study.h"
 #include "app/slurm_study.h"
 #include "modelfile/study_file/study_reader.h"
+#include "platform/machine.h"
+#include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/campaign/study_execution.h"
 #include "study/campaign/study_findings.h"
@@ -112,8 +113,7 @@ int dry_run(const CaseBase& base, const StudyCases& cases, int threads) {
   const bool searches = base.study().operability.has_value();
   std::cout << (searches ? search_line(OperabilityPlan(base.study())) : case_list(cases, base)) << std::flush;
   const StudyProbe probe = probe_study(base, cases, [] { return Interruption::wanted(); });
-  const std::size_t cores =
-      threads > 0 ? static_cast<std::size_t>(threads) : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  const std::size_t cores = threads > 0 ? static_cast<std::size_t>(threads) : hardware_threads();
   std::cout << (searches ? search_probe_lines(probe, OperabilityPlan(base.study()), cores)
                          : probe_lines(probe, cases.count(), std::min(cores, cases.count())));
   return kDone;

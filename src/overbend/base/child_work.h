@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "platform/process_copy.h"
+
 namespace overbend {
 
 /// Limits of a child process. The wall time bounds a process that waits forever, also on a machine under load.
@@ -27,10 +29,6 @@ class ChildError : public std::runtime_error {
 class ChildWork {
  public:
   ChildWork(const std::function<std::string()>& work, const ChildLimits& limits);
-  /// Ends the process if it still runs.
-  ~ChildWork();
-  ChildWork(const ChildWork&) = delete;
-  ChildWork& operator=(const ChildWork&) = delete;
 
   /// Waits for the result of `work`. Throws std::runtime_error with its message if it threw, ChildError if it did not
   /// finish, and what check_interruption() throws.
@@ -38,10 +36,10 @@ class ChildWork {
 
  private:
   [[noreturn]] void throw_end_reason();
-  int end();
 
   std::chrono::steady_clock::time_point until_;
-  int pid_ = -1, pipe_ = -1;
+  std::error_code error_;
+  ProcessCopy process_;
   std::string received_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/interruption.h"
+#include "platform/machine.h"
 
 namespace overbend {
 
@@ -38,8 +39,8 @@ void work_in_threads(std::size_t count, const std::function<void()>& work) {
 }
 
 std::size_t useful_threads(int asked, std::size_t pieces) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return std::min(asked > 0 ? static_cast<std::size_t>(asked) : cores, std::max<std::size_t>(pieces, 1));
+  const std::size_t wanted = asked > 0 ? static_cast<std::size_t>(asked) : hardware_threads();
+  return std::min(wanted, std::max<std::size_t>(pieces, 1));
 }
 
 }  // namespace overbend

@@ -10,7 +10,7 @@ namespace overbend {
 /// fewer threads if the system has no more. Rethrows the first exception after all have ended.
 void work_in_threads(std::size_t count, const std::function<void()>& work);
 
-/// Returns the number of threads for so many pieces of work: `asked`, or the number of cores if `asked` is 0.
+/// Returns the number of threads for so many pieces of work: `asked`, or that of the machine if `asked` is 0.
 std::size_t useful_threads(int asked, std::size_t pieces);
 
 }  // namespace overbend

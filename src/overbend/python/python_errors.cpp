@@ -6,6 +6,7 @@
 #include "modelfile/yaml/yaml_edit.h"
 #include "python/bindings.h"
 #include "python/model_handle.h"
+#include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/goal_seek/seek_model.h"
 

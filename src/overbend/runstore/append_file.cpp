@@ -1,14 +1,11 @@
 #include "runstore/append_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <system_error>
+#include <utility>
 
 #include "base/interruption.h"
 #include "base/require.h"
@@ -19,32 +16,28 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the files of a run are little-endian");
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+constexpr unsigned kNewContent = File::kWrite | File::kCreate | File::kTruncate;
 
-FileDescriptor open_file(const std::filesystem::path& file, int flags) {
-  FileDescriptor descriptor(::open(file.c_str(), flags | O_CLOEXEC, 0644));
-  if (descriptor.id() < 0) throw_file_error(file, "opened");
-  return descriptor;
+/// Throws FileError if there is a reason.
+void require_success(std::error_code reason, const std::filesystem::path& file, const char* tried) {
+  if (reason) throw_file_error(file, tried, reason);
+}
+
+File open_file(const std::filesystem::path& path, unsigned flags) {
+  std::error_code error;
+  File file(path, flags, error);
+  require_success(error, path, "opened");
+  return file;
 }
 
 }  // namespace
 
-void throw_file_error(const std::filesystem::path& file, const char* tried) {
-  const std::string reason = std::generic_category().message(errno);
-  throw FileError("the file '" + file.string() + "' cannot be " + tried + ": " + reason);
+void throw_file_error(const std::filesystem::path& file, const char* tried, std::error_code reason) {
+  throw FileError("the file '" + file.string() + "' cannot be " + tried + ": " + reason.message());
 }
 
-void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::pwrite(id, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_file_error(file, "written");
-    offset += static_cast<std::uint64_t>(count);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-}
-
-FileDescriptor::~FileDescriptor() {
-  if (id_ >= 0) ::close(id_);
+std::error_code library_error() {
+  return {errno, std::generic_category()};
 }
 
 void BlockSums::add(std::span<const double> values) {
@@ -72,15 +65,19 @@ std::uint64_t BlockSums::sum(std::span<const double> values, std::uint64_t onto)
 }
 
 AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep, const std::vector<std::uint64_t>& sums)
-    : file_(std::move(file)), descriptor_(open_file(file_, O_RDWR | O_CREAT)), buffer_(kBufferBytes), written_(keep) {
-  const off_t length = ::lseek(descriptor_.id(), 0, SEEK_END);
-  if (length < 0) throw_file_error(file_, "read");
-  if (static_cast<std::uint64_t>(length) < keep) {
-    throw std::runtime_error("the file '" + file_.string() + "' is damaged: " + std::to_string(keep) +
+    : path_(std::move(file)),
+      file_(open_file(path_, File::kRead | File::kWrite | File::kCreate)),
+      buffer_(kBufferBytes),
+      written_(keep) {
+  std::error_code error;
+  const std::uint64_t length = file_.size(error);
+  require_success(error, path_, "read");
+  if (length < keep) {
+    throw std::runtime_error("the file '" + path_.string() + "' is damaged: " + std::to_string(keep) +
                              " bytes were stored, " + std::to_string(length) + " are left");
   }
   verify(sums);
-  if (::ftruncate(descriptor_.id(), static_cast<off_t>(keep)) != 0) throw_file_error(file_, "cut");
+  require_success(file_.resize(keep), path_, "cut");
 }
 
 /// Reads the whole file and accumulates its checksums.
@@ -98,7 +95,7 @@ void AppendFile::verify(const std::vector<std::uint64_t>& sums) {
 }
 
 void AppendFile::throw_damaged(std::uint64_t offset) const {
-  throw std::runtime_error("the file '" + file_.string() + "' is damaged: the content after byte " +
+  throw std::runtime_error("the file '" + path_.string() + "' is damaged: the content after byte " +
                            std::to_string(offset) + " is not what was written");
 }
 
@@ -115,13 +112,13 @@ void AppendFile::append(std::span<const double> values) {
 }
 
 void AppendFile::flush() {
-  write_at(written_, std::span(buffer_).first(filled_), descriptor_.id(), file_);
+  require_success(file_.write(written_, std::span(buffer_).first(filled_)), path_, "written");
   written_ += std::exchange(filled_, 0);
 }
 
 void AppendFile::sync() {
   flush();
-  if (::fsync(descriptor_.id()) != 0) throw_file_error(file_, "written");
+  require_success(file_.sync(), path_, "written");
 }
 
 void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
@@ -130,7 +127,7 @@ void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
   std::vector<double> block;
   while (!values.empty()) {
     const std::uint64_t start = offset / kBytes * kBytes, end = std::min(start + kBytes, written_);
-    if (end <= offset) throw std::runtime_error("the file '" + file_.string() + "' ends too early");
+    if (end <= offset) throw std::runtime_error("the file '" + path_.string() + "' ends too early");
     block.resize((end - start) / sizeof(double));
     read_raw(start, block);
     if (BlockSums::sum(block) != sums_.block_sum(start / kBytes)) throw_damaged(start);
@@ -143,19 +140,14 @@ void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
 }
 
 void AppendFile::read_raw(std::uint64_t offset, std::span<double> values) const {
-  std::span<std::byte> bytes = std::as_writable_bytes(values);
-  while (!bytes.empty()) {
-    const ssize_t count = ::pread(descriptor_.id(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_file_error(file_, "read");
-    if (count == 0) throw std::runtime_error("the file '" + file_.string() + "' ends too early");
-    offset += static_cast<std::uint64_t>(count);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
+  std::error_code error;
+  const std::size_t count = file_.read(offset, std::as_writable_bytes(values), error);
+  require_success(error, path_, "read");
+  if (count < values.size_bytes()) throw std::runtime_error("the file '" + path_.string() + "' ends too early");
 }
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-  write_at(0, bytes, open_file(file, O_WRONLY | O_CREAT | O_TRUNC).id(), file);
+  require_success(open_file(file, kNewContent).write(0, bytes), file, "written");
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
@@ -163,14 +155,13 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 }
 
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-  const FileDescriptor descriptor = open_file(file, O_WRONLY | O_CREAT | O_TRUNC);
-  write_at(0, bytes, descriptor.id(), file);
-  if (::fsync(descriptor.id()) != 0) throw_file_error(file, "written");
+  const File opened = open_file(file, kNewContent);
+  require_success(opened.write(0, bytes), file, "written");
+  require_success(opened.sync(), file, "written");
 }
 
 void sync_folder(const std::filesystem::path& folder) {
-  const FileDescriptor descriptor = open_file(folder, O_RDONLY | O_DIRECTORY);
-  if (::fsync(descriptor.id()) != 0) throw_file_error(folder, "written");
+  require_success(open_file(folder, File::kRead | File::kFolder).sync(), folder, "written");
 }
 
 }  // namespace overbend

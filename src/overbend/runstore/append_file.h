@@ -7,32 +7,13 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <system_error>
 #include <vector>
 
+#include "platform/file.h"
 #include "runstore/checksum.h"
 
 namespace overbend {
-
-/// Owner of a file descriptor of the operating system.
-class FileDescriptor {
- public:
-  FileDescriptor() = default;
-  explicit FileDescriptor(int id) : id_(id) {}
-  ~FileDescriptor();
-  FileDescriptor(FileDescriptor&& source) noexcept : id_(std::exchange(source.id_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& source) noexcept {
-    std::swap(id_, source.id_);
-    return *this;
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-
-  int id() const { return id_; }
-
- private:
-  int id_ = -1;
-};
 
 /// Error of the operating system when reading or writing a file, with its reason.
 class FileError : public std::runtime_error {
@@ -40,8 +21,11 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws FileError with the file, the action that failed ("written", "read") and the reason from errno.
-[[noreturn]] void throw_file_error(const std::filesystem::path& file, const char* tried);
+/// Throws FileError with the file, the action that failed ("written", "read") and the reason.
+[[noreturn]] void throw_file_error(const std::filesystem::path& file, const char* tried, std::error_code reason);
+
+/// Returns the reason, from errno, why a function of the standard library failed.
+std::error_code library_error();
 
 /// Checksums of a growing sequence of numbers: one for each block of 64 KiB and one for the incomplete block. A changed
 /// bit changes the checksum of its block.
@@ -92,17 +76,13 @@ class AppendFile {
   void verify(const std::vector<std::uint64_t>& sums);
   [[noreturn]] void throw_damaged(std::uint64_t offset) const;
 
-  std::filesystem::path file_;
-  FileDescriptor descriptor_;
+  std::filesystem::path path_;
+  File file_;
   std::vector<std::byte> buffer_;
   std::size_t filled_ = 0;     ///< Bytes in the buffer.
   std::uint64_t written_ = 0;  ///< Bytes in the file.
   BlockSums sums_;
 };
-
-/// Writes all bytes at `offset`, so that a retry after an error does not write them twice. Throws std::runtime_error
-/// that names `file`.
-void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file);
 
 /// Writes a whole file. Throws std::runtime_error.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);

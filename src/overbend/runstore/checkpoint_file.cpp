@@ -165,7 +165,7 @@ void write_checkpoint(const RunCheckpoint& checkpoint, const std::filesystem::pa
   out.number(checksum(out.bytes()));
   const std::filesystem::path temporary = file.string() + ".new";
   write_synced(temporary, std::as_bytes(std::span(out.bytes())));
-  std::filesystem::rename(temporary, file);
+  if (const std::error_code error = rename_file(temporary, file)) throw_file_error(file, "written", error);
   sync_folder(file.parent_path());
 }
 

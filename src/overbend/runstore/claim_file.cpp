@@ -1,17 +1,13 @@
 #include "runstore/claim_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
-#include <sstream>
 
+#include "platform/file.h"
+#include "platform/process.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -22,37 +18,6 @@ namespace fs = std::filesystem;
 constexpr auto kTouchInterval = std::chrono::seconds(15);
 constexpr auto kWorkerTimeout = std::chrono::seconds(120);  ///< Time without a touch after which a process counts as
                                                             ///< dead; caches of network folders lag by a minute.
-
-/// Machine, its boot and its process namespace: process numbers are comparable only within one of these.
-std::string process_namespace() {
-  std::array<char, 256> host{};
-  gethostname(host.data(), host.size() - 1);
-  std::ifstream boot("/proc/sys/kernel/random/boot_id");
-  std::string id;
-  std::getline(boot, id);
-  std::array<char, 64> view{};
-  const ssize_t length = readlink("/proc/self/ns/pid", view.data(), view.size() - 1);
-  std::string text = std::string(host.data()) + "_" + id.substr(0, 8) + "_" +
-                     (length > 0 ? std::string(view.data(), static_cast<std::size_t>(length)) : "");
-  for (char& c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
-  }
-  return text;
-}
-
-/// Start time of a process in system ticks, which distinguishes processes with the same number. Empty if there is none.
-std::string process_start_ticks(long process) {
-  std::ifstream stream(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  if (!std::getline(stream, line)) return {};
-  const std::size_t name_end = line.rfind(')');
-  if (name_end == std::string::npos) return {};
-  std::istringstream rest(line.substr(name_end + 1));
-  std::string word;
-  constexpr int kStart = 20;  // field 22 of the line, proc(5)
-  for (int i = 0; i < kStart; ++i) rest >> word;
-  return word;
-}
 
 std::string read_first_line(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -65,15 +30,15 @@ std::string read_first_line(const fs::path& file) {
 /// complete claim or none. Returns false if the file exists. On a file system without links it is created empty and
 /// then written.
 bool create_exclusively(const fs::path& file, const std::string& text, const fs::path& source) {
-  if (link(source.c_str(), file.c_str()) == 0) return true;
-  if (errno == EEXIST) return false;
-  const FileDescriptor made(open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
-  if (made.id() < 0) {
-    if (errno == EEXIST) return false;
-    throw_file_error(file, "written");
-  }
+  std::error_code error;
+  fs::create_hard_link(source, file, error);
+  if (!error) return true;
+  if (error == std::errc::file_exists) return false;
+  const File made(file, File::kCreate | File::kExclusive | File::kWrite, error, fs::perms(0666));
+  if (error == std::errc::file_exists) return false;
   const std::string line = text + "\n";
-  write_at(0, std::as_bytes(std::span(line)), made.id(), file);
+  if (!error) error = made.write(0, std::as_bytes(std::span(line)));
+  if (error) throw_file_error(file, "written", error);
   return true;
 }
 
@@ -84,12 +49,15 @@ fs::path claim_path(const fs::path& stem, int generation) {
 }  // namespace
 
 WorkerFile::WorkerFile(const fs::path& folder) : folder_(folder) {
-  name_ = fmt::format("{}.{}.{}", process_namespace(), getpid(), process_start_ticks(getpid()));
+  name_ = fmt::format("{}.{}.{}", process_namespace(), process_number(), process_start(process_number()));
   file_ = folder_ / name_;
   std::error_code error;
   fs::create_directories(folder_, error);
   write_text(file_, name_ + "\n");
-  touch_thread_ = std::thread([this] { touch_periodically(); });
+  try {
+    touch_thread_ = std::thread([this] { touch_periodically(); });
+  } catch (const std::system_error&) {  // no more threads, or none at all: other machines see it as dead in time
+  }
 }
 
 WorkerFile::~WorkerFile() {
@@ -98,7 +66,7 @@ WorkerFile::~WorkerFile() {
     ended_ = true;
   }
   ending_.notify_all();
-  touch_thread_.join();
+  if (touch_thread_.joinable()) touch_thread_.join();
   std::error_code ignored;
   fs::remove(file_, ignored);
 }
@@ -106,12 +74,12 @@ WorkerFile::~WorkerFile() {
 void WorkerFile::touch_periodically() {
   std::unique_lock<std::mutex> hold(mutex_);
   while (!ending_.wait_for(hold, kTouchInterval, [this] { return ended_; })) {
-    utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);
+    touch_file(file_);
   }
 }
 
 bool WorkerFile::touched_recently(const fs::path& file) const {
-  utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);
+  touch_file(file_);
   std::error_code error;
   const auto reference_time = fs::last_write_time(file_, error);
   if (error) return true;
@@ -126,8 +94,8 @@ bool WorkerFile::is_alive(const std::string& worker) const {
   const std::size_t point = worker.find('.', prefix.size());
   if (point == std::string::npos) return false;
   const long process = std::strtol(worker.c_str() + prefix.size(), nullptr, 10);
-  const std::string ticks = process_start_ticks(process);
-  return !ticks.empty() && ticks == worker.substr(point + 1);
+  const std::string start = process_start(process);
+  return !start.empty() && start == worker.substr(point + 1);
 }
 
 bool WorkerFile::claim(const fs::path& stem) const {

@@ -1,7 +1,5 @@
 #include "runstore/file_seal.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -47,21 +45,6 @@ std::uint64_t checksum(std::istream& stream, std::uint64_t length) {
   return sum;
 }
 
-/// Identifies a file and its version.
-struct Identity {
-  dev_t device;
-  ino_t number;
-  off_t length;
-  std::int64_t seconds, nanoseconds;  ///< Time of the last change.
-  bool operator==(const Identity&) const = default;
-};
-
-std::optional<Identity> identity(const fs::path& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
-  return Identity{status.st_dev, status.st_ino, status.st_size, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
-}
-
 void verify(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) throw_seal_error(file, "is a folder");
@@ -93,24 +76,25 @@ void seal_file(const fs::path& file) {
   std::ofstream end(file, std::ios::binary | std::ios::app);
   end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
   end.close();
-  if (!stream || !end) throw_file_error(file, "written");
+  if (!stream || !end) throw_file_error(file, "written", library_error());
 }
 
 void unseal_file(const fs::path& file) {
   std::error_code error;
   fs::resize_file(file, fs::file_size(file) - sizeof(Seal), error);
-  if (error) throw_file_error(file, "written");
+  if (error) throw_file_error(file, "written", error);
 }
 
 void require_sealed(const fs::path& file) {
   static std::mutex mutex;  // the page requests one file repeatedly, and it may have gigabytes
-  static std::optional<Identity> verified;
+  static std::optional<FileIdentity> verified;
   const std::lock_guard<std::mutex> hold(mutex);
-  const std::optional<Identity> current = identity(file);
+  const std::optional<FileIdentity> current = file_identity(file);
   if (current && verified == current) return;
   verify(file);
   // A file changed within the last tick of its clock could change again without a new time stamp.
-  if (current && current->seconds + 2 < std::time(nullptr)) verified = current;
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  if (current && current->change_time / kNanoseconds + 2 < std::time(nullptr)) verified = current;
 }
 
 }  // namespace overbend

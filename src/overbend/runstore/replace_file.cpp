@@ -1,11 +1,7 @@
 #include "runstore/replace_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <optional>
 #include <random>
 #include <span>
@@ -13,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "platform/file.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -32,17 +29,17 @@ fs::path end_of_links(const fs::path& file) {
   return target;
 }
 
-/// Status of the existing file; nullopt if there is none.
-std::optional<struct stat> existing_file_status(const fs::path& file) {
-  struct stat found {};
-  if (::lstat(file.c_str(), &found) != 0) {
-    if (errno == ENOENT) return std::nullopt;
-    throw_file_error(file, "written");
-  }
-  if (!S_ISREG(found.st_mode)) throw_write_error(file, "it is not a regular file");
+/// Permissions of the existing file; nullopt if there is none.
+std::optional<fs::perms> existing_file_permissions(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status found = fs::symlink_status(file, error);
+  if (found.type() == fs::file_type::not_found) return std::nullopt;
+  if (error) throw_file_error(file, "written", error);
+  if (!fs::is_regular_file(found)) throw_write_error(file, "it is not a regular file");
   // A rename needs permission on the folder only; a file protected by its owner is left unchanged.
-  if (::access(file.c_str(), W_OK) != 0) throw_file_error(file, "written");
-  return found;
+  error = check_writable(file);
+  if (error) throw_file_error(file, "written", error);
+  return found.permissions();
 }
 
 /// Name in the file's folder that no process can predict.
@@ -54,51 +51,57 @@ fs::path unpredictable_name(const fs::path& file) {
 /// New file in the folder of another, deleted with this object unless it has replaced the other.
 class TemporaryFile {
  public:
-  TemporaryFile(const fs::path& file, const std::optional<struct stat>& before) : file_(file) {
+  TemporaryFile(const fs::path& file, const std::optional<fs::perms>& before) : target_(file) {
     const fs::path name = unpredictable_name(file);
     // Mode by the user's umask, or private until it gets the mode of the replaced file.
-    const mode_t mode = before ? 0600 : 0666;
-    descriptor_ = FileDescriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-    if (descriptor_.id() < 0) throw_file_error(file, "written");
+    const unsigned mode = before ? 0600 : 0666;
+    std::error_code error;
+    file_ = File(name, File::kWrite | File::kCreate | File::kExclusive, error, fs::perms(mode));
+    require_success(error);
     name_ = name;
     if (before) copy_ownership_and_mode(*before);
   }
   ~TemporaryFile() {
-    if (!name_.empty()) ::unlink(name_.c_str());
+    std::error_code ignored;
+    if (!name_.empty()) fs::remove(name_, ignored);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void write(std::string_view text) {
-    write_at(0, std::as_bytes(std::span(text)), descriptor_.id(), file_);
-    if (::fsync(descriptor_.id()) != 0) throw_file_error(file_, "written");
+    require_success(file_.write(0, std::as_bytes(std::span(text))));
+    require_success(file_.sync());
   }
 
   void put_in_place() {
-    if (::rename(name_.c_str(), file_.c_str()) != 0) throw_file_error(file_, "written");
+    require_success(file_.close());
+    require_success(rename_file(name_, target_));
     name_.clear();
   }
 
  private:
-  void copy_ownership_and_mode(const struct stat& before) {
-    struct stat status {};
-    if (::fstat(descriptor_.id(), &status) != 0) throw_file_error(file_, "written");
-    const bool foreign = before.st_uid != status.st_uid || before.st_gid != status.st_gid;
-    if (foreign && ::fchown(descriptor_.id(), before.st_uid, before.st_gid) != 0) {
-      throw_write_error(file_, "it belongs to another user or group, and the ownership could not be preserved");
-    }
-    if (::fchmod(descriptor_.id(), before.st_mode & 07777) != 0) throw_file_error(file_, "written");
+  void require_success(std::error_code reason) const {
+    if (reason) throw_file_error(target_, "written", reason);
   }
 
-  fs::path file_, name_;
-  FileDescriptor descriptor_;
+  void copy_ownership_and_mode(fs::perms before) {
+    if (copy_ownership(target_, name_)) {
+      throw_write_error(target_, "it belongs to another user or group, and the ownership could not be preserved");
+    }
+    std::error_code error;
+    fs::permissions(name_, before, error);
+    require_success(error);
+  }
+
+  fs::path target_, name_;
+  File file_;
 };
 
 }  // namespace
 
 void replace_file(const fs::path& file, std::string_view text, const std::function<void()>& last_look) {
   const fs::path target = fs::absolute(end_of_links(file));
-  const std::optional<struct stat> before = existing_file_status(target);
+  const std::optional<fs::perms> before = existing_file_permissions(target);
   TemporaryFile temporary(target, before);
   temporary.write(text);
   if (last_look) last_look();

@@ -1,7 +1,6 @@
 #include "runstore/run_record.h"
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <cstdint>
 
@@ -18,12 +17,6 @@ std::string text_hash(const std::string& text) {
     hash *= 0x100000001b3ULL;
   }
   return fmt::format("fnv1a64:{:016x}", hash);
-}
-
-std::string machine_name() {
-  utsname name{};
-  if (uname(&name) != 0) return "unknown";
-  return fmt::format("{} {} {}", name.sysname, name.release, name.machine);
 }
 
 std::string compiler_name() {

@@ -8,9 +8,6 @@ namespace overbend {
 /// FNV-1a, 64 bit, as "fnv1a64:" and 16 hexadecimal digits. Distinguishes texts; no protection against intent.
 std::string text_hash(const std::string& text);
 
-/// Operating system, its release and the processor's architecture.
-std::string machine_name();
-
 /// Compiler and its version.
 std::string compiler_name();
 

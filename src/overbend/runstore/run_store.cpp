@@ -1,16 +1,13 @@
 #include "runstore/run_store.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <stdexcept>
 #include <system_error>
 
 #include "base/interruption.h"
 #include "base/require.h"
+#include "platform/lock.h"
 #include "runstore/append_file.h"
 #include "runstore/checkpoint_file.h"
 #include "runstore/run_record.h"
@@ -26,20 +23,23 @@ constexpr std::size_t kPoseNumbers = 12;
 constexpr std::size_t kStationNumbers = 5;
 constexpr std::size_t kPointNumbers = 4;  ///< Per point of a mooring line.
 
-/// Locks the run until the descriptor closes, also when the process is killed.
-FileDescriptor lock(const fs::path& folder) {
-  const fs::path file = folder / "lock";
-  FileDescriptor descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-  if (descriptor.id() < 0) throw_file_error(file, "written");
-  if (::flock(descriptor.id(), LOCK_EX | LOCK_NB) == 0) return descriptor;
-  if (errno != EWOULDBLOCK) throw_file_error(file, "locked");
+/// Locks the run until the file closes, also when the process is killed.
+File lock(const fs::path& folder) {
+  const fs::path path = folder / "lock";
+  std::error_code error;
+  File file(path, File::kRead | File::kWrite | File::kCreate, error);
+  if (error) throw_file_error(path, "written", error);
+  error = lock_file(file, LockKind::exclusive);
+  if (!error) return file;
+  if (error != std::errc::resource_unavailable_try_again) throw_file_error(path, "locked", error);
   throw std::runtime_error("another run is active in the folder '" + folder.parent_path().string() + "'");
 }
 
 /// True if a process holds the lock. Does not throw.
 bool is_locked(const fs::path& folder) {
-  const FileDescriptor descriptor(::open((folder / "lock").c_str(), O_RDONLY | O_CLOEXEC));
-  return descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  std::error_code error;
+  const File file(folder / "lock", File::kRead, error);
+  return file.is_open() && lock_file(file, LockKind::shared) == std::errc::resource_unavailable_try_again;
 }
 
 bool same_columns(const std::vector<HistoryColumn>& a, const std::vector<HistoryColumn>& b) {
@@ -81,7 +81,7 @@ void require_same_input(const RunCheckpoint& stored, const std::string& hash, st
 struct RunStore::Files {
   fs::path folder;       ///< Absolute.
   bool made = false;     ///< True if this run created the folder of results.
-  FileDescriptor guard;  ///< Lock of the folder.
+  File guard;            ///< Lock of the folder.
   RunCheckpoint record;  ///< Its state is empty: the solver holds it.
   bool begun = false;
   AppendFile rows, snapshots, impacts;

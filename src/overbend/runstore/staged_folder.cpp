@@ -1,15 +1,11 @@
 #include "runstore/staged_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <system_error>
 
+#include "platform/lock.h"
+#include "platform/temporary.h"
+#include "runstore/append_file.h"
 #include "runstore/written_files.h"
 
 namespace overbend {
@@ -35,9 +31,8 @@ fs::path topmost_missing(const fs::path& folder) {
 }
 
 bool on_one_file_system(const fs::path& a, const fs::path& b) {
-  struct stat of_a {
-  }, of_b{};
-  return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 && of_a.st_dev == of_b.st_dev;
+  const auto identity_a = file_identity(a), identity_b = file_identity(b);
+  return identity_a && identity_b && identity_a->volume == identity_b->volume;
 }
 
 /// True if the current folder is `folder` or inside it.
@@ -46,13 +41,6 @@ bool contains_current_folder(const fs::path& folder) {
   const fs::path current = fs::current_path(error);
   const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), current.begin(), current.end());
   return error || end == folder.end();
-}
-
-/// Locks the folder while its descriptor is open; returns no descriptor if another process holds the lock.
-FileDescriptor lock_folder(const fs::path& folder) {
-  FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-  if (descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_EX | LOCK_NB) != 0) return {};
-  return descriptor;
 }
 
 bool is_staging_name(const std::string& name) {
@@ -66,7 +54,7 @@ void clear_leftovers(const fs::path& parent) noexcept {
   for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code ignored;
     if (!is_staging_name(entry->path().filename().string()) || !entry->is_directory(ignored)) continue;
-    if (const FileDescriptor guard = lock_folder(entry->path()); guard.id() >= 0) clear_marked(entry->path());
+    if (const File guard = lock_folder(entry->path()); guard.is_open()) clear_marked(entry->path());
   }
 }
 
@@ -96,20 +84,18 @@ void StagedFolder::make_staging() {
   const fs::path parent = folder_.parent_path();
   clear_leftovers(parent);
   clear_leftovers(folder_);
-  if (::access(folder_.c_str(), W_OK | X_OK) != 0) {
-    throw_unusable_folder(folder_, std::generic_category().message(errno));
-  }
+  std::error_code error = check_writable(folder_);
+  if (error) throw_unusable_folder(folder_, error.message());
   for (const bool next_to_target : {true, false}) {
     if (next_to_target && (contains_current_folder(folder_) || !on_one_file_system(folder_, parent))) continue;
-    std::string pattern = ((next_to_target ? parent : folder_) / (std::string(kStem) + "XXXXXX")).string();
-    if (mkdtemp(pattern.data()) == nullptr) continue;
-    staging_ = pattern;
+    staging_ = make_unique_folder(next_to_target ? parent : folder_, kStem, error);
+    if (error) continue;
     next_to_target_ = next_to_target;
     lock_ = lock_folder(staging_);
-    if (!mark_staged(staging_)) throw_unusable_folder(folder_, std::generic_category().message(errno));
+    if (!mark_staged(staging_)) throw_unusable_folder(folder_, library_error().message());
     return;
   }
-  throw_unusable_folder(folder_, std::generic_category().message(errno));
+  throw_unusable_folder(folder_, error.message());
 }
 
 void StagedFolder::commit(const std::string& last, const std::vector<std::string>& folders) {
@@ -147,12 +133,13 @@ bool StagedFolder::exchange(const std::vector<std::string>& mine) {
     return false;
   };
   if (!link_user_files(folder_, staging_, mine, shared)) return undo();
-  struct stat old {};
-  if (::stat(folder_.c_str(), &old) != 0) return undo();
-  if (::chown(staging_.c_str(), old.st_uid, old.st_gid) != 0 && old.st_uid != ::geteuid()) return undo();
-  if (::chmod(staging_.c_str(), old.st_mode & 07777) != 0) return undo();
+  if (copy_ownership(folder_, staging_) && !is_own_file(folder_)) return undo();
+  std::error_code error;
+  const fs::file_status old = fs::status(folder_, error);
+  if (!error) fs::permissions(staging_, old.permissions(), error);
+  if (error) return undo();
   if (!mark_old(folder_, folder_) || !unmark_staged(staging_)) return undo();
-  if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) return undo();
+  if (exchange_folders(staging_, folder_)) return undo();
   clear_marked(staging_);
   return true;
 }

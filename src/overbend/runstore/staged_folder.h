@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runstore/append_file.h"
+#include "platform/file.h"
 
 namespace overbend {
 
@@ -51,7 +51,7 @@ class StagedFolder {
   std::filesystem::path folder_, staging_;
   std::filesystem::path made_;   ///< Topmost folder that was created; empty if none.
   bool next_to_target_ = false;  ///< True if staging_ is not inside folder_.
-  FileDescriptor lock_;          ///< Lock on staging_: it is in use.
+  File lock_;                    ///< Lock on staging_: it is in use.
 };
 
 /// Removes temporary folders in `parent` left by killed programs: those with our names and marks that are not locked.

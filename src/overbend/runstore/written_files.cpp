@@ -1,8 +1,5 @@
 #include "runstore/written_files.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <system_error>
@@ -98,7 +95,8 @@ bool mark_staged(const fs::path& folder) {
 }
 
 bool unmark_staged(const fs::path& folder) {
-  return ::unlink((folder / kStaged).c_str()) == 0;
+  std::error_code ignored;
+  return fs::remove(folder / kStaged, ignored);
 }
 
 bool is_marked_staged(const fs::path& folder) {
@@ -111,7 +109,8 @@ bool mark_old(const fs::path& folder, const fs::path& place) {
 }
 
 void unmark_old(const fs::path& folder) {
-  ::unlink((folder / kOld).c_str());
+  std::error_code ignored;
+  fs::remove(folder / kOld, ignored);
 }
 
 bool is_mark(const std::string& name) {
@@ -122,7 +121,9 @@ bool link_user_files(const fs::path& from, const fs::path& to, const std::vector
                      std::vector<std::string>& shared) {
   for (const std::string& name : names_in(from)) {
     if (is_mark(name) || holds(mine, name) || is_folder(from / name)) continue;
-    if (::linkat(AT_FDCWD, (from / name).c_str(), AT_FDCWD, (to / name).c_str(), 0) != 0) return false;
+    std::error_code error;
+    fs::create_hard_link(from / name, to / name, error);
+    if (error) return false;
     shared.push_back(name);
   }
   return true;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "app/program.h"
-#include "study/cluster/run_program.h"
+#include "platform/process.h"
 
 namespace overbend {
 namespace {
@@ -125,20 +125,6 @@ TEST(slurm, queue_reports_the_states_of_tasks_that_are_there) {
   EXPECT_EQ(*queue, (std::map<std::size_t, std::string>{{0, "RUNNING"}, {5, "PENDING"}}));
   slurm.program("squeue", "echo 'cannot reach the controller' >&2; exit 1");
   EXPECT_FALSE(slurm_queue({{"1", 8, {0}}}));
-}
-
-TEST(run_program, reports_code_output_and_complaints_of_a_program_and_that_there_is_none) {
-  const auto prescribed = overbend::run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
-  ASSERT_TRUE(prescribed);
-  EXPECT_EQ(prescribed->code, 7);
-  EXPECT_EQ(prescribed->out, "out\n");
-  EXPECT_EQ(prescribed->err, "err\n");
-  EXPECT_EQ(overbend::run_program({"sh", "-c", "kill -9 $$"})->code, 128 + 9);
-  EXPECT_FALSE(overbend::run_program({"no-such-program-of-ours"}));
-  // More than a pipe holds on both.
-  const auto much = overbend::run_program({"sh", "-c", "head -c 300000 /dev/zero >&2; head -c 300000 /dev/zero"});
-  EXPECT_EQ(much->out.size(), 300000U);
-  EXPECT_EQ(much->err.size(), 300000U);
 }
 
 }  // namespace overbend

@@ -35,9 +35,10 @@ void require(herr_t code, const std::string& what) {
   if (code < 0) throw std::runtime_error(what);
 }
 
-/// The library prints its own error stack by default.
-void silence_library() {
+/// Without this the library prints its error stack and loads plugins that a file names.
+void set_up_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  H5PLset_loading_state(0);
 }
 
 /// Buffer for type conversion, no larger than needed. HDF5 otherwise clears a megabyte for each dataset of text, a
@@ -98,20 +99,20 @@ bool Hdf5Handle::reset() noexcept {
 }
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : path_(file) {
-  silence_library();
+  set_up_library();
   const std::string what = "the file " + file.filename().string() + " cannot be created";
   const Hdf5Handle access(make_tolerant_access(error_.get()), H5Pclose, what);
-  file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, what);
+  file_ = Hdf5Handle(H5Fcreate(file.string().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, what);
 }
 
 Hdf5Writer Hdf5Writer::reopen(const std::filesystem::path& file) {
-  silence_library();
+  set_up_library();
   unseal_file(file);
   const std::string what = "the file " + file.filename().string() + " cannot be changed";
   Hdf5Writer writer;
   writer.path_ = file;
   const Hdf5Handle access(make_tolerant_access(writer.error_.get()), H5Pclose, what);
-  writer.file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access), H5Fclose, what);
+  writer.file_ = Hdf5Handle(H5Fopen(file.string().c_str(), H5F_ACC_RDWR, access), H5Fclose, what);
   return writer;
 }
 
@@ -133,8 +134,7 @@ void Hdf5Writer::overwrite(const std::string& path, const std::vector<double>& v
 }
 
 void Hdf5Writer::require_disk() const {
-  if (*error_ == 0) return;
-  throw FileError("the file results.h5 cannot be written: " + std::generic_category().message(*error_));
+  if (*error_) throw FileError("the file results.h5 cannot be written: " + error_->message());
 }
 
 Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
@@ -277,9 +277,9 @@ void Hdf5Writer::close() {
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {
-  silence_library();
+  set_up_library();
   require_sealed(file);  // the library itself crashes on damaged metadata
-  file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+  file_ = Hdf5Handle(H5Fopen(file.string().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                      "the file '" + name_ + "' cannot be read as HDF5");
 }
 

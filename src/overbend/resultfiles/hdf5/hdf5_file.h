@@ -90,7 +90,7 @@ class Hdf5Writer final : public DatasetSink {
   void describe(const std::string& path, const ResultField& field);
   void require_disk() const;
 
-  std::unique_ptr<int> error_ = std::make_unique<int>(0);  ///< See make_tolerant_access().
+  std::unique_ptr<std::error_code> error_ = std::make_unique<std::error_code>();  ///< See make_tolerant_access().
   std::filesystem::path path_;
   Hdf5Handle file_;
 };

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/require.h"
+#include "platform/temporary.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -100,7 +101,7 @@ std::string sheet_name(std::string name) {
 
 void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
   lxw_worksheet* sheet = workbook_add_worksheet(formats.book, sheet_name(table.title).c_str());
-  if (sheet == nullptr) throw_file_error(file, "written");
+  if (sheet == nullptr) throw_file_error(file, "written", library_error());
   worksheet_freeze_panes(sheet, 1, 1);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const auto column = static_cast<lxw_col_t>(i);
@@ -121,8 +122,10 @@ void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
 
 void write_xlsx(const std::vector<Table>& tables, const fs::path& file) {
   const fs::path partial_file = file.string() + ".part";
-  lxw_workbook* book = workbook_new(partial_file.c_str());
-  if (book == nullptr) throw_file_error(file, "written");
+  std::string temporary = temporary_folder().string();
+  lxw_workbook_options options{LXW_FALSE, temporary.data(), LXW_FALSE};
+  lxw_workbook* book = workbook_new_opt(partial_file.string().c_str(), &options);
+  if (book == nullptr) throw_file_error(file, "written", library_error());
   lxw_doc_properties properties = {};
   properties.created = kCreationTime;
   workbook_set_properties(book, &properties);

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <mutex>
-#include <optional>
 #include <string>
 
 namespace overbend {
@@ -26,8 +25,8 @@ class OneTimeCode {
  public:
   /// Returns a new code and invalidates earlier ones. May be called from any thread, like take().
   std::string make();
-  /// True if `candidate` is the code and the connection belongs to this user (`owner`). Uses up the code.
-  bool take(const std::string& candidate, std::optional<unsigned> owner);
+  /// True if `candidate` is the code and the connection belongs to this user. Uses up the code.
+  bool take(const std::string& candidate, bool own_connection);
 
  private:
   std::mutex mutex_;

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "platform/socket.h"
+
 namespace overbend {
 
 /// Limits of a request.
@@ -23,7 +25,7 @@ struct RequestBounds {
 class Connection : public httplib::Stream {
  public:
   /// Does not own the socket.
-  Connection(int socket, const RequestBounds& bounds);
+  Connection(Socket socket, const RequestBounds& bounds);
 
   /// Waits for the first byte of a request, after which the head may be read. Returns false if none arrives.
   bool wait_for_request();
@@ -40,14 +42,12 @@ class Connection : public httplib::Stream {
   ssize_t write(const char* from, std::size_t size) override;
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;
-  int socket() const override { return socket_; }
+  socket_t socket() const override { return static_cast<socket_t>(socket_); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool wait(short event, Clock::time_point until) const;
-
-  int socket_;
+  Socket socket_;
   RequestBounds bounds_;
   std::array<char, 4096> buffer_{};
   std::size_t next_ = 0, filled_ = 0;  ///< Range of the buffer that has not been read.

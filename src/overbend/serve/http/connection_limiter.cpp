@@ -1,28 +1,18 @@
 #include "serve/http/connection_limiter.h"
 
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <utility>
 
 namespace overbend {
-namespace {
 
-/// Shuts the connection down; the thread that waits for it wakes up and closes the socket.
-void shut_down_socket(int socket) {
-  ::shutdown(socket, SHUT_RDWR);
-}
-
-}  // namespace
-
-ConnectionLimiter::Registration::Registration(ConnectionLimiter& keeper, int socket, std::uint64_t arrival)
+ConnectionLimiter::Registration::Registration(ConnectionLimiter& keeper, Socket socket, std::uint64_t arrival)
     : limiter_(keeper) {
   const std::lock_guard<std::mutex> hold(limiter_.mutex_);
   std::list<Entry>& all = limiter_.connections_;
   const auto before = std::find_if(all.rbegin(), all.rend(), [&](const Entry& v) { return v.arrival < arrival; });
   place_ = all.insert(before.base(), {socket, arrival, true});
   if (limiter_.closed_) {
-    shut_down_socket(socket);
+    shut_down(socket);
   } else {
     limiter_.close_oldest();
   }
@@ -41,20 +31,20 @@ void ConnectionLimiter::Registration::set_authenticated() {
 /// To be called with the mutex held. Connections that are being closed do not count.
 void ConnectionLimiter::close_oldest() {
   const auto waiting = [](const Registration::Entry& visitor) {
-    return visitor.unauthenticated && visitor.socket >= 0;
+    return visitor.unauthenticated && visitor.socket != kNoSocket;
   };
   const auto unauthenticated =
       static_cast<std::size_t>(std::count_if(connections_.begin(), connections_.end(), waiting));
   if (unauthenticated <= kMaxUnauthenticated && connections_.size() <= kMaxConnections) return;
   const auto first = std::find_if(connections_.begin(), connections_.end(), waiting);
-  if (first != connections_.end()) shut_down_socket(std::exchange(first->socket, -1));
+  if (first != connections_.end()) shut_down(std::exchange(first->socket, kNoSocket));
 }
 
 void ConnectionLimiter::close() {
   const std::lock_guard<std::mutex> hold(mutex_);
   closed_ = true;
   for (const Registration::Entry& visitor : connections_) {
-    if (visitor.socket >= 0) shut_down_socket(visitor.socket);
+    if (visitor.socket != kNoSocket) shut_down(visitor.socket);
   }
 }
 

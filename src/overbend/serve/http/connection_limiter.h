@@ -6,6 +6,8 @@
 #include <list>
 #include <mutex>
 
+#include "platform/socket.h"
+
 namespace overbend {
 
 /// A connection is unauthenticated until a request with the token has arrived on it. If there are too many, the oldest
@@ -20,7 +22,7 @@ class ConnectionLimiter {
   class Registration {
    public:
     /// `arrival` is the order of acceptance, because threads may start in any order.
-    Registration(ConnectionLimiter& keeper, int socket, std::uint64_t arrival);
+    Registration(ConnectionLimiter& keeper, Socket socket, std::uint64_t arrival);
     ~Registration();
     Registration(const Registration&) = delete;
     Registration& operator=(const Registration&) = delete;
@@ -30,7 +32,7 @@ class ConnectionLimiter {
 
    private:
     struct Entry {
-      int socket = -1;
+      Socket socket = kNoSocket;
       std::uint64_t arrival = 0;
       bool unauthenticated = true;
     };

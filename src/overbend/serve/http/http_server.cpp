@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "base/interruption.h"
+#include "platform/socket.h"
 #include "serve/http/listener.h"
 #include "serve/http/page_files.h"
-#include "serve/http/peer_uid.h"
 
 namespace overbend {
 namespace {
@@ -99,10 +99,7 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
   LimitedServer& server = library_->server;
   server.set_payload_max_length(kMaxBody);
   // Omits the library's SO_REUSEPORT, with which two programs could share a port.
-  server.set_socket_options([](socket_t socket) {
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  });
+  server.set_socket_options([](socket_t socket) { set_exclusive_port(static_cast<Socket>(socket)); });
   server.set_tcp_nodelay(true);
   server.set_keep_alive_max_count(1U << 20U);  // announced to the client; a slider makes thousands of requests
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
@@ -139,7 +136,7 @@ std::string HttpServer::one_time_url() {
 void HttpServer::serve_opening() {
   library_->server.Get("/open/.*", [this](const httplib::Request& request, httplib::Response& response) {
     const std::string code = request.path.substr(std::string("/open/").size());
-    if (request.method == "GET" && code_.take(code, owner_of_connection(request.remote_port, port_))) {
+    if (request.method == "GET" && code_.take(code, is_own_connection(request.remote_port, port_))) {
       response.set_redirect("/?token=" + token_);
     } else {
       fill(response, error_answer(403, "this address has already been used, or belongs to another user",

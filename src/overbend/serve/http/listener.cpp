@@ -1,7 +1,5 @@
 #include "serve/http/listener.h"
 
-#include <unistd.h>
-
 #include <condition_variable>
 #include <mutex>
 #include <system_error>
@@ -81,7 +79,7 @@ bool LimitedServer::serve_request(ConnectionLimiter::Registration& registration,
 }
 
 void LimitedServer::set_backlog() {
-  ::listen(svr_sock_, SOMAXCONN);
+  set_max_backlog(static_cast<Socket>(svr_sock_));
 }
 
 void LimitedServer::serve(ConnectionLimiter::Registration& registration, Connection& connection) {
@@ -92,14 +90,15 @@ void LimitedServer::serve(ConnectionLimiter::Registration& registration, Connect
   }
 }
 
-bool LimitedServer::process_and_close_socket(int socket) {
+bool LimitedServer::process_and_close_socket(socket_t accepted) {
+  const auto socket = static_cast<Socket>(accepted);
   {
     ConnectionLimiter::Registration registration(limiter_, socket, arrival_number);
     Connection connection(socket, bounds_);
     serve(registration, connection);
-    ::shutdown(socket, SHUT_RDWR);
+    shut_down(socket);
   }
-  ::close(socket);
+  close_socket(socket);
   return true;
 }
 

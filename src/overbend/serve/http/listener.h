@@ -29,7 +29,7 @@ class LimitedServer : public httplib::Server {
   void close() { limiter_.close(); }
 
  private:
-  bool process_and_close_socket(int socket) override;
+  bool process_and_close_socket(socket_t socket) override;
   void serve(ConnectionLimiter::Registration& registration, Connection& connection);
   bool serve_request(ConnectionLimiter::Registration& registration, Connection& connection);
 

@@ -1,12 +1,12 @@
 #include "serve/model/lay_table_routes.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "base/interruption.h"
 #include "modelfile/reading/yaml_reader.h"
+#include "platform/temporary.h"
 #include "report/studies/lay_table_data.h"
 #include "resultfiles/studies/lay_table_writer.h"
 #include "resultfiles/tables/data_table.h"
@@ -20,8 +20,6 @@
 
 namespace overbend {
 namespace {
-
-namespace fs = std::filesystem;
 
 LayTableVary read_vary(const Json& request) {
   LayTableVary vary = LayTableVary::tension;
@@ -75,26 +73,6 @@ Json table_json(const LayTable& table) {
           {"wall_time", table.wall_time}};
 }
 
-/// A temporary file that is removed with its folder.
-class ScratchFile {
- public:
-  ScratchFile() {
-    std::string pattern = (fs::temp_directory_path() / "overbend-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw FileError("a temporary folder cannot be created");
-    folder_ = pattern;
-  }
-  ~ScratchFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  fs::path path() const { return folder_ / "lay-table.xlsx"; }
-
- private:
-  fs::path folder_;
-};
-
 }  // namespace
 
 Json LayTables::make(const ModelText& model, const Json& request) {
@@ -132,9 +110,12 @@ HttpAnswer LayTables::csv() const {
 }
 
 HttpAnswer LayTables::xlsx() const {
-  const ScratchFile scratch;
-  write_xlsx({lay_table_data(*last())}, scratch.path());
-  std::ifstream file(scratch.path(), std::ios::binary);
+  std::error_code error;
+  const ScratchFolder scratch(error);
+  if (error) throw FileError("a temporary folder cannot be created: " + error.message());
+  const std::filesystem::path path = scratch.path() / "lay-table.xlsx";
+  write_xlsx({lay_table_data(*last())}, path);
+  std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return {200, "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet", bytes, "lay-table.xlsx"};
 }

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
-#include <thread>
 
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/study_file/study_reader.h"
+#include "platform/machine.h"
 #include "serve/runs/run_queue.h"
 #include "study/campaign/study_execution.h"
 
@@ -85,7 +85,7 @@ void RunQueue::run_campaign(const Job& job) {
   CampaignObserver watch(*this, id);
   StudyRunOptions options;
   // One core is left for the statics of the page.
-  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  options.threads = std::max(1, static_cast<int>(hardware_threads()) - 1);
   const StudyExecution outcome = execute_study(base, folder(job.run) / kStudyFolder, options, watch);
   if (outcome.ending == RunStatus::interrupted) {
     return end(id, RunState::cancelled, "cancelled; cases computed so far are kept");

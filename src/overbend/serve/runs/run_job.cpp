@@ -7,6 +7,7 @@
 #include "base/interruption.h"
 #include "dynamics/setup/unsupported_in_dynamics.h"
 #include "modelfile/reading/yaml_reader.h"
+#include "platform/machine.h"
 #include "serve/runs/run_queue.h"
 #include "study/run/case.h"
 #include "study/run/static_analysis.h"
@@ -66,7 +67,7 @@ std::string resume_command(const ModelText& model, const RunInfo& run, const std
 
 /// Leaves one core for the page, whose statics are solved while a study runs.
 int study_threads() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  return std::max(1, static_cast<int>(hardware_threads()) - 1);
 }
 
 RunState run_state(RunStatus ending) {

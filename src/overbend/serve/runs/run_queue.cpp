@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "modelfile/yaml/model_differences.h"
+#include "platform/machine.h"
 #include "resultfiles/static/results_writer.h"
 #include "runstore/append_file.h"
 
@@ -16,9 +17,7 @@ namespace {
 
 /// Returns a name such as "20261121-134500-dynamic".
 std::string make_run_name(const std::string& kind, int attempt) {
-  const std::time_t time = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&time, &local);
+  const std::tm local = local_time(std::time(nullptr));
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S-", &local);
   return text.data() + kind + (attempt > 1 ? "-" + std::to_string(attempt) : "");

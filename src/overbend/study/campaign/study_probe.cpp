@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 
+#include "platform/temporary.h"
 #include "runstore/staged_folder.h"
 
 namespace overbend {
 namespace {
 
-namespace fs = std::filesystem;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr double kMaxProbeTime = 5.0;  ///< Maximum wall time of a dynamic analysis in the probe [s].
@@ -22,31 +20,13 @@ double seconds_since(SteadyClock::time_point then) {
   return std::chrono::duration<double>(SteadyClock::now() - then).count();
 }
 
-/// A temporary folder, removed by the destructor.
-class ProbeFolder {
- public:
-  ProbeFolder() {
-    std::string pattern = (fs::temp_directory_path() / "overbend-probe-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw UnusableFolder("cannot create a temporary folder: " + pattern);
-    path_ = pattern;
-  }
-  ~ProbeFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ProbeFolder(const ProbeFolder&) = delete;
-  ProbeFolder& operator=(const ProbeFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 }  // namespace
 
 StudyProbe probe_study(const CaseBase& base, const StudyCases& cases, const std::function<bool()>& stop) {
   StudyProbe probe;
-  const ProbeFolder folder;
+  std::error_code error;
+  const ScratchFolder folder(error);
+  if (error) throw UnusableFolder("a temporary folder cannot be created: " + error.message());
   CaseWarmStart neighbour;
   SteadyClock::time_point begun = SteadyClock::now();
   if (base.study().analysis == StudyAnalysis::statics) neighbour.start = base_start(base);

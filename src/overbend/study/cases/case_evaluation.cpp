@@ -13,6 +13,7 @@
 #include "resultfiles/studies/seek_writer.h"
 #include "results/findings.h"
 #include "results/governing_stage.h"
+#include "runstore/append_file.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
 #include "study/goal_seek/seek_run.h"

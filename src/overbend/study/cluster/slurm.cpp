@@ -7,8 +7,8 @@
 
 #include "base/json.h"
 #include "base/text.h"
+#include "platform/process.h"
 #include "runstore/replace_file.h"
-#include "study/cluster/run_program.h"
 
 namespace overbend {
 namespace {
