@@ -109,10 +109,10 @@ TEST_F(PlatformFile, its_identity_changes_with_its_content_and_not_with_its_name
   EXPECT_LT(abs(age), minutes(1));
 }
 
-TEST_F(PlatformFile, is_replaced_by_a_rename_even_while_it_is_open) {
+TEST_F(PlatformFile, replaces_another_by_a_rename_even_while_it_is_open) {
   write("old", "old");
   write("new", "new");
-  const File open_old(*this / "old", File::kRead, error_), open_new(*this / "new", File::kRead, error_);
+  const File opened(*this / "new", File::kRead | File::kWrite, error_);
   EXPECT_FALSE(rename_file(*this / "new", *this / "old"));
   EXPECT_EQ(text("old"), "new");
   EXPECT_FALSE(fs::exists(*this / "new"));

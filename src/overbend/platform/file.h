@@ -72,7 +72,8 @@ class File {
 /// Returns the identity of a file or folder at the end of links; nullopt if there is none.
 std::optional<FileIdentity> file_identity(const std::filesystem::path& file);
 
-/// Renames a file; an existing one at `to` is replaced in one step.
+/// Renames a file; an existing one at `to` is replaced in one step. On Windows it waits for up to half a second for
+/// programs that have the existing one open.
 std::error_code rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Exchanges the names of two folders in one step. Many systems and file systems do not support it.

@@ -14,7 +14,7 @@ constexpr const char* kStaged = ".overbend-staged";
 constexpr const char* kOld = ".overbend-old";
 
 bool is_name(const std::string& text) {
-  return !text.empty() && text != "." && text != ".." && text.find('/') == std::string::npos;
+  return !text.empty() && text != "." && text != ".." && fs::path(text).filename() == text;
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {

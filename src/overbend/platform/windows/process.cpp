@@ -52,6 +52,10 @@ std::wstring read_variable(const wchar_t* name) {
 /// Appends a word to a command line so that CommandLineToArgvW() returns it unchanged.
 void append_word(std::wstring& line, const std::wstring& word) {
   if (!line.empty()) line += L' ';
+  if (!word.empty() && word.find_first_of(L" \t\"") == std::wstring::npos) {
+    line += word;
+    return;
+  }
   line += L'"';
   std::size_t backslashes = 0;
   for (const wchar_t c : word) {
