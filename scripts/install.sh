@@ -9,13 +9,13 @@ set -euo pipefail
 
 build_packages=(
   ca-certificates g++ cmake ninja-build
-  libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libudunits2-dev
+  libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libudunits2-data
   libcpp-httplib-dev libxlsxwriter-dev pkgconf
   pybind11-dev python3-dev python3-numpy
 )
 docs_packages=(python3-sphinx python3-myst-parser furo libjs-mathjax)
 test_packages=(
-  libgtest-dev libbenchmark-dev
+  libgtest-dev libbenchmark-dev libudunits2-dev
   python3 python3-h5py python3-jsonschema python3-yaml
   python3-xarray python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy
   python3-pip python3-setuptools python3-venv dpkg-dev file

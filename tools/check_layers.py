@@ -71,7 +71,6 @@ LIBRARIES = [
     ("pybind11/", {"python"}),
     ("httplib.h", {"serve"}),
     ("xlsxwriter.h", {"resultfiles"}),
-    ("udunits2.h", {"base"}),
     ("CLI/", {"app"}),
 ]
 

@@ -19,6 +19,29 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+std::size_t number_length(std::string_view text) {
+  std::size_t i = 0;
+  const auto digits = [&] {
+    const std::size_t start = i;
+    while (i < text.size() && text[i] >= '0' && text[i] <= '9') ++i;
+    return i > start;
+  };
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  bool any = digits();
+  if (i < text.size() && text[i] == '.') {
+    ++i;
+    any = digits() || any;
+  }
+  if (!any) return 0;
+  const std::size_t mantissa_end = i;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    ++i;
+    if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+    if (!digits()) i = mantissa_end;
+  }
+  return i;
+}
+
 std::string join_items(const std::vector<std::string>& items, const std::string& last) {
   std::string text;
   for (std::size_t i = 0; i < items.size(); ++i) {

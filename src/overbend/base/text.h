@@ -13,6 +13,9 @@ std::string_view trim(std::string_view text);
 /// Returns the text in ASCII lower case.
 std::string lower_case(std::string_view text);
 
+/// Length of the decimal number at the start of the text: "-1.5e3"; 0 if there is none.
+std::size_t number_length(std::string_view text);
+
 /// Returns "a, b or c" with `last` = "or".
 std::string join_items(const std::vector<std::string>& items, const std::string& last);
 

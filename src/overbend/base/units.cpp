@@ -1,28 +1,21 @@
 #include "base/units.h"
 
-#include <udunits2.h>
-
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "base/require.h"
 #include "base/text.h"
+#include "base/unit_parser.h"
 #include "base/unit_spelling.h"
 
 namespace overbend {
 namespace {
-
-struct UnitDeleter {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 
 struct DimensionNames {
   const char* si_unit;
@@ -56,68 +49,17 @@ const std::vector<DimensionNames>& dimensions() {
   return kDimensions;
 }
 
-/// The library's unit system with industry spellings; one per program, used under its mutex (UDUNITS keeps global
-/// state).
-class UnitSystem {
- public:
-  static UnitSystem& instance() {
-    static UnitSystem system;
-    return system;
-  }
+/// Reads a unit with industry spellings; empty if it is unknown or not a pure scale (degC, lg(re 1 mW)).
+std::optional<ParsedUnit> parse_scale(std::string_view text) {
+  const std::optional<ParsedUnit> unit = parse_unit(udunits_spelling(text));
+  return unit && unit->is_scale() ? unit : std::nullopt;
+}
 
-  /// Returns the base units of a unit, "m-2.kg.s-2"; empty if it is unknown or not a pure scale (degC, lg(re 1 mW)).
-  std::string signature(const std::string& unit) {
-    const std::lock_guard lock(mutex_);
-    return signature_text(parse(unit).get());
-  }
-
-  std::optional<double> factor(const std::string& unit, const std::string& si_unit) {
-    const std::lock_guard lock(mutex_);
-    const auto key = std::make_pair(unit, si_unit);
-    if (const auto known = factors_.find(key); known != factors_.end()) return known->second;
-    const std::optional<double> result = convert(parse(unit).get(), parse(si_unit).get());
-    if (factors_.size() < kMaxCached) factors_.emplace(key, result);
-    return result;
-  }
-
- private:
-  static constexpr std::size_t kMaxCached = 1000;
-
-  UnitSystem() {
-    ut_set_error_message_handler(ut_ignore);
-    system_.reset(ut_read_xml(nullptr));
-    if (!system_) throw std::runtime_error("the unit database of UDUNITS-2 cannot be read (package libudunits2-data)");
-  }
-
-  Unit parse(const std::string& unit) { return Unit(ut_parse(system_.get(), udunits_spelling(unit).c_str(), UT_UTF8)); }
-
-  static std::string signature_text(const ut_unit* unit) {
-    if (unit == nullptr) return {};
-    std::array<char, 256> buffer{};
-    const int length = ut_format(unit, buffer.data(), buffer.size() - 1, UT_DEFINITION | UT_ASCII);
-    if (length <= 0 || length >= static_cast<int>(buffer.size()) - 1) return {};
-    const std::string text(buffer.data(), static_cast<std::size_t>(length));
-    if (text.find_first_of("@(") != std::string::npos) return {};
-    const std::size_t space = text.find(' ');  // "1000 m-2.kg.s-2": a scale precedes the base units
-    if (space != std::string::npos) return text.substr(space + 1);
-    return parse_number(text) ? "1" : text;
-  }
-
-  static std::optional<double> convert(ut_unit* from, ut_unit* to) {
-    const std::string signature = signature_text(from);
-    if (signature.empty() || signature != signature_text(to)) return std::nullopt;
-    const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, to), cv_free);
-    if (!converter) return std::nullopt;
-    return cv_convert_double(converter.get(), 1.0);
-  }
-
-  struct SystemDeleter {
-    void operator()(ut_system* system) const { ut_free_system(system); }
-  };
-  std::mutex mutex_;
-  std::unique_ptr<ut_system, SystemDeleter> system_;
-  std::map<std::pair<std::string, std::string>, std::optional<double>> factors_;
-};
+std::optional<double> compute_factor(std::string_view unit, std::string_view si_unit) {
+  const std::optional<ParsedUnit> from = parse_scale(unit), to = parse_scale(si_unit);
+  if (!from || !to || from->powers != to->powers) return std::nullopt;
+  return from->scale * (1.0 / to->scale);
+}
 
 const DimensionNames* find_dimension(const std::string& si_unit) {
   for (const DimensionNames& d : dimensions()) {
@@ -128,35 +70,10 @@ const DimensionNames* find_dimension(const std::string& si_unit) {
 
 /// Returns the dimension of a known unit: "a force". Units beyond our table are "of another dimension".
 std::string measured_dimension(const std::string& unit) {
-  const std::string signature = UnitSystem::instance().signature(unit);
   for (const DimensionNames& d : dimensions()) {
-    if (signature == UnitSystem::instance().signature(d.si_unit)) return d.phrase;
+    if (compute_factor(unit, d.si_unit)) return d.phrase;
   }
   return "another dimension";
-}
-
-/// Length of the number at the start of the text.
-std::size_t number_length(std::string_view text) {
-  std::size_t i = 0;
-  const auto digits = [&] {
-    const std::size_t start = i;
-    while (i < text.size() && text[i] >= '0' && text[i] <= '9') ++i;
-    return i > start;
-  };
-  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
-  bool any = digits();
-  if (i < text.size() && text[i] == '.') {
-    ++i;
-    any = digits() || any;
-  }
-  if (!any) return 0;
-  const std::size_t mantissa_end = i;
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    ++i;
-    if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
-    if (!digits()) i = mantissa_end;
-  }
-  return i;
 }
 
 /// True for names, powers, products and quotients, such as "1/m". UDUNITS also reads scales, shifts and logarithms,
@@ -229,10 +146,11 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
   if (unit_text.empty()) return {std::nullopt, quoted + " without a unit", expected_units(si_unit)};
   if (unit_text.front() == ',') return {std::nullopt, quoted, "the decimal sign is a point"};
   const std::string unit(unit_text);
-  if (!looks_like_a_unit(unit_text) || UnitSystem::instance().signature(unit).empty()) {
+  const bool acceptable = looks_like_a_unit(unit_text);
+  const std::optional<double> factor = acceptable ? unit_factor(unit, si_unit) : std::nullopt;
+  if (!factor && (!acceptable || !parse_scale(unit))) {
     return {std::nullopt, quoted + " (unknown unit '" + unit + "')", other_unit_hint(unit_text, si_unit)};
   }
-  const std::optional<double> factor = unit_factor(unit, si_unit);
   if (!factor) {
     return {std::nullopt, quoted + " (" + measured_dimension(unit) + ")", wrong_dimension_hint(*number, unit, si_unit)};
   }
@@ -241,7 +159,15 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
 }
 
 std::optional<double> unit_factor(const std::string& unit, const std::string& si_unit) {
-  return UnitSystem::instance().factor(unit, si_unit);
+  constexpr std::size_t kMaxCached = 1000;
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, std::string>, std::optional<double>> factors;
+  const std::lock_guard lock(mutex);
+  const auto key = std::make_pair(unit, si_unit);
+  if (const auto known = factors.find(key); known != factors.end()) return known->second;
+  const std::optional<double> result = compute_factor(unit, si_unit);
+  if (factors.size() < kMaxCached) factors.emplace(key, result);
+  return result;
 }
 
 std::string dimension_phrase(const std::string& si_unit) {

@@ -1,8 +1,8 @@
-/// Quantities with units: text such as "406.4 mm" to SI and back, by UDUNITS-2.
+/// Quantities with units: text such as "406.4 mm" to SI and back. Units are those of UDUNITS-2 (base/unit_parser.h).
 ///
 /// A dimension is identified by its SI unit: "m", "N", "N/m", "N/m^2", "N/m^3", "s", "rad", "m/s", ... Angles are a
-/// separate dimension here (UDUNITS alone would accept "3 deg" for a plain ratio). Industry spellings are added to the
-/// library's own (base/unit_spelling.h). All functions are thread-safe.
+/// separate dimension here (UDUNITS alone would accept "3 deg" for a plain ratio). Industry spellings are added
+/// (base/unit_spelling.h). All functions are thread-safe.
 #pragma once
 
 #include <optional>
