@@ -72,6 +72,8 @@ const BadUnit kRefusals[] = {
     {"3 m", "rad", "a length"},
     {"3", "rad", "without a unit"},
     {"50 %", "rad", "a plain number"},
+    {"3 rad", "1", "an angle"},
+    {"3 s^2/m", "1", "another dimension"},
     {"1025 kg/m^3", "N/m^3", "a mass density"},
     {"25 te", "N", "a mass"},
     {"5 furlongz", "m", "unknown unit"},

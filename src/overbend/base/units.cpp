@@ -105,6 +105,7 @@ std::string other_unit_hint(std::string_view unit, const std::string& si_unit) {
 
 /// Returns a hint on common mix-ups, mass for weight and turns for radians per second, with the corrected number.
 std::string wrong_dimension_hint(double number, const std::string& unit, const std::string& si_unit) {
+  if (usual_units(si_unit).empty()) return other_unit_hint(unit, si_unit);
   constexpr double kStandardGravity = 9.80665;
   const auto would_be = [&](double si) { return format_quantity(si, si_unit, usual_units(si_unit).front(), 5); };
   if (const auto mass = unit_factor(unit + " m/s^2", si_unit)) {
