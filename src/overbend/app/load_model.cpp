@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/commands.h"
+#include "base/ranges.h"
 #include "base/units.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "runstore/written_files.h"
@@ -29,7 +30,7 @@ std::optional<RunResult> find_output_conflict(const std::string& model_file, con
   const std::filesystem::path model(model_file);
   const std::vector<std::string> written = read_written(folder).files;
   std::error_code error;
-  if (std::ranges::find(written, model.filename().string()) == written.end()) return std::nullopt;
+  if (ranges::find(written, model.filename().string()) == written.end()) return std::nullopt;
   if (!std::filesystem::equivalent(model, folder / model.filename(), error)) return std::nullopt;
   return RunResult{RunStatus::wrong_input, "the model file '" + model_file + "' is among the results in '" +
                                                folder.string() +

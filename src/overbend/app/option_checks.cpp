@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 
@@ -20,7 +21,7 @@ std::string found(const std::string& text, const std::string& expected) {
 
 CLI::Validator one_of_choices(const std::vector<std::string>& choices) {
   const auto check = [choices](const std::string& text) -> std::string {
-    if (std::ranges::find(choices, text) != choices.end()) return "";
+    if (ranges::find(choices, text) != choices.end()) return "";
     const std::string near = nearest_word(text, choices);
     return found(text, join_items(choices, "or")) + (near.empty() ? "" : "; did you mean '" + near + "'?");
   };

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/ranges.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -53,7 +54,7 @@ std::string unknown_option(const std::string& word, const CLI::App& command) {
 /// Reports arguments that no option has taken: a misspelt option first, since it may have displaced another argument.
 std::optional<std::string> find_extra_argument(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining(true);
-  const auto option = std::ranges::find_if(extras, is_option);
+  const auto option = ranges::find_if(extras, is_option);
   if (option != extras.end()) return unknown_option(*option, command);
   if (extras.empty()) return std::nullopt;
   return fmt::format("found '{}', expected {}", for_display(extras.front()), expected_positionals(command));
@@ -121,7 +122,7 @@ std::string option_error_message(const CLI::App& program, std::span<const char* 
   const std::string commands = "the commands are " + join_items(command_names(program), "and");
   const std::vector<CLI::App*> subcommands = program.get_subcommands();
   const std::vector<std::string> before = program.remaining(false);
-  const auto stray = std::ranges::find_if(before, is_option);
+  const auto stray = ranges::find_if(before, is_option);
   if (stray != before.end() && !subcommands.empty()) {
     return fmt::format("overbend: found '{}' before the command '{}', expected options after it", for_display(*stray),
                        subcommands.front()->get_name());

@@ -12,6 +12,7 @@
 #include "app/interruption.h"
 #include "app/print_findings.h"
 #include "app/print_operability.h"
+#include "base/ranges.h"
 #include "model/description/study_enum_names.h"
 #include "resultfiles/studies/study_writer.h"
 #include "results/result_enum_names.h"
@@ -79,7 +80,7 @@ std::string duration_text(double seconds) {
 std::string verdict_counts(const StudyResults& results) {
   std::string text;
   for (const auto& [kind, name] : ResultEnumNames<VerdictKind>::list) {
-    const auto number = std::ranges::count_if(results.cases, [kind = kind](const StudyCase& study_case) {
+    const auto number = ranges::count_if(results.cases, [kind = kind](const StudyCase& study_case) {
       return study_case.state == StudyCaseState::done && study_case.verdict == kind;
     });
     if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);

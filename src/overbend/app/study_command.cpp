@@ -16,6 +16,7 @@
 #include "app/print_operability.h"
 #include "app/print_study.h"
 #include "app/slurm_study.h"
+#include "base/ranges.h"
 #include "modelfile/study_file/study_reader.h"
 #include "platform/machine.h"
 #include "runstore/append_file.h"
@@ -72,7 +73,7 @@ int report_study(const StudyResults& results, const fs::path& folder, const Stud
     return study_exit_code(results, arguments.strict);
   }
   std::cout << operability_lines(*results.operability) << "Results are in " << folder.string() << "\n";
-  if (std::ranges::any_of(results.operability->cells, &OperabilityCell::decided)) return kDone;
+  if (ranges::any_of(results.operability->cells, &OperabilityCell::decided)) return kDone;
   std::cerr << "overbend: no limit was found\n";
   return kNoSolution;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "base/units.h"
 
@@ -18,18 +19,18 @@ FindingSeverity Finding::severity() const {
 
 Findings merge(Findings all, const Findings& more) {
   for (const Finding& finding : more) {
-    if (std::ranges::find(all, finding) == all.end()) all.push_back(finding);
+    if (ranges::find(all, finding) == all.end()) all.push_back(finding);
   }
   return all;
 }
 
 void append(Findings& all, Findings more) {
-  std::ranges::move(more, std::back_inserter(all));
+  ranges::move(more, std::back_inserter(all));
 }
 
 void accept(Findings& findings, const std::vector<std::string>& codes) {
   for (Finding& finding : findings) {
-    finding.accepted = std::ranges::find(codes, kind(finding.code).name) != codes.end();
+    finding.accepted = ranges::find(codes, kind(finding.code).name) != codes.end();
   }
 }
 
@@ -40,24 +41,24 @@ Findings sorted_by_severity(const Findings& findings) {
     const bool again = finding.severity() == FindingSeverity::serious && !codes.insert(finding.code).second;
     (again ? repeated : sorted).push_back(finding);
   }
-  std::ranges::move(repeated, std::back_inserter(sorted));
-  std::ranges::stable_sort(sorted, {}, &Finding::severity);
+  ranges::move(repeated, std::back_inserter(sorted));
+  ranges::stable_sort(sorted, {}, &Finding::severity);
   return sorted;
 }
 
 Findings serious_findings(const Findings& findings) {
   Findings serious;
-  std::ranges::copy_if(findings, std::back_inserter(serious),
-                       [](const Finding& finding) { return finding.severity() == FindingSeverity::serious; });
+  ranges::copy_if(findings, std::back_inserter(serious),
+                  [](const Finding& finding) { return finding.severity() == FindingSeverity::serious; });
   return serious;
 }
 
 std::size_t count(const Findings& findings, FindingSeverity severity) {
-  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
+  return static_cast<std::size_t>(ranges::count(findings, severity, &Finding::severity));
 }
 
 bool has_code(const Findings& findings, FindingCode code) {
-  return std::ranges::find(findings, code, &Finding::code) != findings.end();
+  return ranges::find(findings, code, &Finding::code) != findings.end();
 }
 
 std::string severity_counts(const Findings& findings) {
@@ -120,7 +121,7 @@ double severity_measure(const Finding& finding) {
 }
 
 std::string spaced(std::string name) {
-  std::ranges::replace(name, '_', ' ');
+  ranges::replace(name, '_', ' ');
   return name;
 }
 
@@ -160,7 +161,7 @@ std::vector<SharedFinding> shared_findings(const std::vector<Findings>& runs) {
         return shared.worst.code == finding.code && shared.worst.object == finding.object &&
                (!is_plain || shared.worst.message == finding.message);
       };
-      auto known = std::ranges::find_if(all, same);
+      auto known = ranges::find_if(all, same);
       if (known == all.end()) {
         SharedFinding shared{finding};
         for (const FindingNumber& number : finding.numbers) shared.low.push_back(number.value);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -362,7 +364,7 @@ const FindingKind& kind(FindingCode code) {
 }
 
 std::optional<FindingCode> find_finding_code(std::string_view name) {
-  const auto found = std::ranges::find(kKinds, name, &FindingKind::name);
+  const auto found = ranges::find(kKinds, name, &FindingKind::name);
   return found == kKinds.end() ? std::nullopt : std::optional(found->code);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "mechanics/stress.h"
 
 namespace overbend {
@@ -35,11 +36,11 @@ struct LineRun {
 
   const LineDynamics* find(const std::string& name) const {
     if (lines == nullptr) return nullptr;
-    const auto found = std::ranges::find(*lines, name, &LineDynamics::name);
+    const auto found = ranges::find(*lines, name, &LineDynamics::name);
     return found == lines->end() ? nullptr : &*found;
   }
   const std::vector<LineNodeResult>& rest_nodes(const std::string& name) const {
-    return std::ranges::find(*rest, name, &LineResult::name)->nodes;
+    return ranges::find(*rest, name, &LineResult::name)->nodes;
   }
   /// Returns the tension of a node, on the side stored by the run [N].
   double rest_tension(const std::string& name, std::size_t node) const { return rest_nodes(name)[node].tension; }
@@ -47,7 +48,7 @@ struct LineRun {
   std::size_t node_at(const std::string& name, double s) const {
     const std::vector<LineNodeResult>& nodes = rest_nodes(name);
     const auto nearest =
-        std::ranges::min_element(nodes, {}, [s](const LineNodeResult& node) { return std::abs(node.s - s); });
+        ranges::min_element(nodes, {}, [s](const LineNodeResult& node) { return std::abs(node.s - s); });
     return static_cast<std::size_t>(nearest - nodes.begin());
   }
 };
@@ -112,7 +113,7 @@ void add_run(double moment, double tension, const Section& pipe, CheckStation& s
 CheckStations make_stations(const Model& model, const LiftResults& lift, const LiftedLine& line, const LineRun& run) {
   const Description& description = model.description;
   const LineDynamics* const moved = run.find(line.name);
-  const auto described = std::ranges::find(description.lines, line.name, &FreeLineDescription::name);
+  const auto described = ranges::find(description.lines, line.name, &FreeLineDescription::name);
   const LineSections sections = find_sections(description, *described);
   const std::vector<LoadFactors> combinations = line_combinations(description);
   CheckStations out;

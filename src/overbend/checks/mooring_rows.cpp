@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "checks/check_row.h"
 
@@ -61,11 +62,11 @@ class WorstRow {
 };
 
 bool is_damaged(const MooredState& state) {
-  return std::ranges::any_of(state.moorings, &MooringLineResult::parted);
+  return ranges::any_of(state.moorings, &MooringLineResult::parted);
 }
 
 bool is_damaged(const DynamicResults& dynamics) {
-  return std::ranges::any_of(dynamics.moorings, [](const auto& line) { return line.parted_at.has_value(); });
+  return ranges::any_of(dynamics.moorings, [](const auto& line) { return line.parted_at.has_value(); });
 }
 
 struct MooringWorst {
@@ -131,7 +132,7 @@ std::string wires_without_strength(const Description& description) {
   for (const FreeLineDescription& line : description.lines) {
     const bool on_another = line.first.kind == LineEndKind::line || line.second.kind == LineEndKind::line;
     const bool known =
-        std::ranges::any_of(line.segments, [](const auto& segment) { return segment.type.breaking_load.has_value(); });
+        ranges::any_of(line.segments, [](const auto& segment) { return segment.type.breaking_load.has_value(); });
     if (on_another && !known && !has_pipe_section(line)) names += (names.empty() ? "" : ", ") + line.name;
   }
   return names;

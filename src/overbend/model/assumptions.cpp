@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/description/operation_names.h"
 #include "model/dynamic_assumptions.h"
@@ -157,12 +158,12 @@ void assume_structures(Assumptions& list, const Model& model) {
 
 void assume_attachments(Assumptions& list, const Description& description) {
   const std::vector<PipeAttachment> attached = pipe_attachments(description);
-  if (std::ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.point != nullptr; })) {
+  if (ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.point != nullptr; })) {
     list.push_back({AssumptionRank::other,
                     "Clumps and buoys act at points of the pipe's axis; the out-of-water fraction of a buoy is that of "
                     "a sphere about the axis. They pass the rollers without contact."});
   }
-  if (std::ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.line != nullptr; })) {
+  if (ranges::any_of(attached, [](const PipeAttachment& attachment) { return attachment.line != nullptr; })) {
     list.push_back({AssumptionRank::other,
                     "Lines on the pipe are hinged to its axis and carry no compression: straight wires, or elastic "
                     "catenaries if they have weight; they have no drag and no contact with the seabed."});

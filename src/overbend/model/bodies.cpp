@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/require.h"
 
 namespace overbend {
 
 std::size_t body_index(const Description& description, const std::string& name) {
   if (name == kVesselName) return 0;
-  const auto found = std::ranges::find(description.bodies, name, &BodyDescription::name);
+  const auto found = ranges::find(description.bodies, name, &BodyDescription::name);
   require(found != description.bodies.end(), "a body that an end of a line names is one of the model's");
   return 1 + static_cast<std::size_t>(found - description.bodies.begin());
 }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -64,7 +66,7 @@ LayRoute::LayRoute(const Vec3& start_W, const Vec3& astern_W, double lead, const
   }
   pieces.push_back(moved(pieces.back(), length));
   pieces.back().curvature = 0.0;
-  const bool bends = std::ranges::any_of(pieces, [](const RoutePiece& piece) { return piece.curvature != 0.0; });
+  const bool bends = ranges::any_of(pieces, [](const RoutePiece& piece) { return piece.curvature != 0.0; });
   if (bends) pieces_ = std::make_shared<const std::vector<RoutePiece>>(std::move(pieces));
 }
 

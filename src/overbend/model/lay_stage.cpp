@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "model/description/description.h"
 
 namespace overbend {
@@ -79,7 +80,7 @@ void fill_tank(SupportsDescription& supports, const std::string& name, const Lay
 Description keep_stages_up_to(Description d, const std::string& name) {
   std::vector<LayStageDescription>& stages = d.operation.lay.stages;
   const std::vector<LayStageDescription> named = lay_stages(d);
-  const auto last = std::ranges::find(named, name, &LayStageDescription::name);
+  const auto last = ranges::find(named, name, &LayStageDescription::name);
   if (last != named.end()) stages.resize(static_cast<std::size_t>(last - named.begin()) + 1);
   return d;
 }

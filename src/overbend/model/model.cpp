@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/require.h"
 #include "model/lay_stage.h"
 #include "model/site/seabed_shape.h"
@@ -331,7 +332,7 @@ bool update_moment_curvature(Model& model, double tension) {
     const MaterialLaw law = section.steel.material.law;
     return law == MaterialLaw::ramberg_osgood || law == MaterialLaw::bilinear || law == MaterialLaw::stress_strain;
   };
-  if (tensioner.tension || std::ranges::none_of(model.described, by_wall)) return false;
+  if (tensioner.tension || ranges::none_of(model.described, by_wall)) return false;
   if (std::abs(tension - tensioner.found) <= kTensionTolerance * std::abs(tension)) return false;
   tensioner.found = tension;
   const Model again = build_model(model.description);

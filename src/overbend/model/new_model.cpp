@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "model/pipe/section.h"
@@ -115,7 +116,7 @@ bool is_wall_sufficient(NewModel model, double wall) {
 /// the list.
 std::string choose_wall(NewModel& model, int more) {
   const auto serves = [&](double millimetres) { return is_wall_sufficient(model, 1e-3 * millimetres); };
-  const auto thinnest = std::min(std::ranges::find_if(kWalls, serves), kWalls.end() - 1);
+  const auto thinnest = std::min(ranges::find_if(kWalls, serves), kWalls.end() - 1);
   if (kWalls.end() - thinnest <= more) {
     return fmt::format(
         "no wall of API 5L up to {:.4g} mm is sufficient for this pipe in {:.5g} m of water: choose a smaller pipe, a "
@@ -213,7 +214,7 @@ std::string text_or_value(const std::string& text, double value, const std::stri
   };
   const std::optional<double> said = parse_quantity(text, si_unit).value;
   const bool same = said && std::abs(*said - value) <= 1e-12 * std::abs(value);
-  return same && std::ranges::all_of(text, plain) ? text : format_quantity(value, si_unit, unit);
+  return same && ranges::all_of(text, plain) ? text : format_quantity(value, si_unit, unit);
 }
 
 std::span<const double> api_walls() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "model/lay_stage.h"
 
 namespace overbend {
@@ -25,7 +26,7 @@ std::vector<PipeAttachment> pipe_attachments(const Description& description) {
       if (is_on_pipe(description, *end)) add(end->arc_length, nullptr, &line);
     }
   }
-  std::ranges::stable_sort(all, {}, &PipeAttachment::from_top);
+  ranges::stable_sort(all, {}, &PipeAttachment::from_top);
   return all;
 }
 

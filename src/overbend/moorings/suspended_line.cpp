@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -43,7 +45,7 @@ SuspendedLineForces suspended_line_forces(const CatenaryLine& line, const Vec3& 
     return {forces.found, forces.on_upper, forces.on_lower, forces.stiffness};
   }
   CatenaryLine turned = line;
-  std::ranges::reverse(turned.pieces);
+  ranges::reverse(turned.pieces);
   const UpperEndForces forces = solve_from_upper_end(turned, second, first);
   return {forces.found, forces.on_lower, forces.on_upper, forces.stiffness};
 }

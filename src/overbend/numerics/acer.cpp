@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ranges.h"
 #include "numerics/acer_tail.h"
 
 namespace overbend {
@@ -95,7 +96,7 @@ std::vector<double> tail_levels(std::span<const PeakRecord> records) {
 bool agrees(const std::vector<AcerLevel>& rates, const std::vector<AcerLevel>& higher) {
   double difference = 0.0, width = 0.0;
   for (const AcerLevel& higher_level : higher) {
-    const auto rate = std::ranges::find(rates, higher_level.level, &AcerLevel::level);
+    const auto rate = ranges::find(rates, higher_level.level, &AcerLevel::level);
     if (rate == rates.end()) continue;
     difference += std::log(rate->rate / higher_level.rate);
     width += 0.5 * std::log(rate->high / rate->low);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "numerics/pareto_tail.h"
 #include "numerics/tail_check.h"
 
@@ -87,7 +88,7 @@ void fit_gumbel(ExtremeFit& fit, std::span<const double> peaks, double expected_
 double peak_at_rank(std::span<const double> peaks, double times) {
   std::vector<double> sorted(peaks.begin(), peaks.end());
   const auto rank = std::min(static_cast<std::size_t>(times), sorted.size() - 1);
-  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(rank), std::greater<>());
+  ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(rank), std::greater<>());
   return sorted[rank];
 }
 
@@ -139,8 +140,8 @@ bool are_alike(std::span<const double> peaks, double mean) {
       0.02;  // relative to their height; a crest sampled by 20 rows per period is up to 1.2 % higher than its row
   std::vector<double> sorted(peaks.begin(), peaks.end());
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
-  const double max_peak = std::ranges::max(peaks);
+  ranges::nth_element(sorted, middle);
+  const double max_peak = ranges::max(peaks);
   return max_peak - *middle <= kAlike * (max_peak - mean);
 }
 
@@ -170,11 +171,11 @@ void choose(ExtremeFit& fit, std::span<const double> peaks, double mean, double 
 double compute_fraction_at_minimum(std::span<const double> values, std::span<const std::size_t> crossings) {
   constexpr double kSame = 1e-6;  // relative to the range
   if (crossings.size() < 2) return 0.0;
-  const auto [min_value, max_value] = std::ranges::minmax(values);
+  const auto [min_value, max_value] = ranges::minmax(values);
   int down = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const auto cycle = values.subspan(crossings[i], crossings[i + 1] - crossings[i]);
-    down += std::ranges::min(cycle) <= min_value + kSame * (max_value - min_value);
+    down += ranges::min(cycle) <= min_value + kSame * (max_value - min_value);
   }
   return static_cast<double>(down) / static_cast<double>(crossings.size() - 1);
 }
@@ -193,7 +194,7 @@ RecordPeaks peaks_between_up_crossings(std::span<const double> values) {
   }
   if (crossings.empty()) return record;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    record.peaks.push_back(std::ranges::max(values.subspan(crossings[i], crossings[i + 1] - crossings[i])));
+    record.peaks.push_back(ranges::max(values.subspan(crossings[i], crossings[i + 1] - crossings[i])));
   }
   record.steps = static_cast<double>(crossings.back() - crossings.front());
   record.fraction_at_minimum = compute_fraction_at_minimum(values, crossings);

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "base/ranges.h"
 #include "numerics/random_draw.h"
 #include "numerics/tail_check.h"
 
@@ -66,7 +67,7 @@ std::vector<double> clusters_over(std::span<const double> peaks, double threshol
     }
     inside = y > 0.0;
   }
-  std::ranges::sort(over);
+  ranges::sort(over);
   return over;
 }
 
@@ -111,7 +112,7 @@ double ParetoTail::once_in(double expected_peaks) const {
 
 std::optional<ParetoTail> fit_pareto_tail(std::span<const double> peaks, std::size_t max_count) {
   std::vector<double> sorted(peaks.begin(), peaks.end());
-  std::ranges::sort(sorted, std::greater<>());
+  ranges::sort(sorted, std::greater<>());
   std::optional<ParetoTail> found;
   max_count = std::min(max_count, sorted.size() / 2);
   double over = static_cast<double>(max_count);
@@ -133,12 +134,12 @@ ConfidentEstimate confident(const ParetoTail& tail, double expected_peaks) {
   for (int i = 0; i < kSamples; ++i) {
     y.resize(static_cast<std::size_t>(std::max(2, drawn_count(static_cast<double>(tail.clusters), generator))));
     for (double& value : y) value = tail.scale * with_share(uniform_draw(generator), tail.shape);
-    std::ranges::sort(y);
+    ranges::sort(y);
     const ScaleShape fit = by_moments(y);
     const ParetoTail drawn{tail.threshold, fit.scale, fit.shape, y.size(), static_cast<double>(y.size()) / peaks, true};
     estimates.push_back(drawn.once_in(expected_peaks));
   }
-  std::ranges::sort(estimates);
+  ranges::sort(estimates);
   constexpr std::size_t kCut = kSamples / 40;  // 2.5 % at each end
   return {tail.once_in(expected_peaks), estimates[kCut], estimates[kSamples - 1 - kCut]};
 }

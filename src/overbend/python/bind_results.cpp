@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/utf8.h"
 #include "modelfile/yaml/yaml_edit.h"
 #include "python/bindings.h"
@@ -31,7 +32,7 @@ std::vector<std::string> names_in(const ResultTree& tree, std::string group) {
     const std::string below = path.substr(group.size());
     const std::size_t slash = below.find('/');
     const std::string name = slash == std::string::npos ? below : below.substr(0, slash + 1);
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

@@ -1,6 +1,7 @@
 // Studies of many cases written to folders.
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "python/background_work.h"
 #include "python/bindings.h"
 #include "python/given.h"
@@ -90,8 +91,7 @@ Json study_tables_json(const StudyResults& results) {
   for (const StudyOutput& output : results.outputs) {
     outputs.push_back({{"name", output.name}, {"unit", output.unit}, {"text", output.text}});
   }
-  const auto seeds =
-      std::ranges::count_if(results.cases, [](const StudyCase& study_case) { return study_case.group == 0; });
+  const auto seeds = ranges::count_if(results.cases, [](const StudyCase& study_case) { return study_case.group == 0; });
   return {{"title", results.title},
           {"version", results.version},
           {"analysis", results.analysis},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/text.h"
 #include "modelfile/fields/field_table.h"
@@ -94,7 +95,7 @@ std::shared_ptr<ModelHandle> ModelHandle::from_text(const std::string& text, con
 std::shared_ptr<ModelHandle> ModelHandle::changed(const std::vector<YamlChange>& changes) const {
   std::vector<YamlChange> list;
   for (const YamlChange& change : changes) select_changes(tree_, change, list);
-  const bool needs_full_reading = statics_description().vessel.coupled || std::ranges::any_of(list, names_files);
+  const bool needs_full_reading = statics_description().vessel.coupled || ranges::any_of(list, names_files);
   if (YamlNode tree = tree_; !needs_full_reading && edit_tree(tree, list)) {
     if (ModelReading reading = read_statics_inputs(tree, file_); reading.description) {
       std::shared_ptr<ModelHandle> model(new ModelHandle);

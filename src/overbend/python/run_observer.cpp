@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 
 void RunObserver::begin(const std::vector<CaseRun>& runs) {
@@ -32,7 +34,7 @@ void RunObserver::report_progress(const pybind11::object& progress) {
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     runs = progress_.size();
-    done = static_cast<std::size_t>(std::ranges::count(done_, 1));
+    done = static_cast<std::size_t>(ranges::count(done_, 1));
     bool found = false;
     for (std::size_t i = 0; i < runs; ++i) {
       if (progress_[i].end <= 0.0 || (done_[i] != 0 && done < runs)) continue;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/ranges.h"
 #include "model/bodies.h"
 #include "system/body_forces.h"
 
@@ -25,7 +26,7 @@ void BodyRecorder::add(const SystemState& state, const Assembly& assembly) {
     const auto shift = shift_between(nominal_[i], assembly.surroundings().bodies[first_ + i].pose);
     const Vec3 force = force_on_body(assembly, state, static_cast<int>(first_ + i)).force;
     std::array<double, kQuantities> sample{};
-    std::ranges::copy(shift, sample.begin());
+    ranges::copy(shift, sample.begin());
     sample.back() = force.head<2>().norm();
     statistics_[i].add(sample, state.last_step);
   }

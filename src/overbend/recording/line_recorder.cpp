@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/pipe/line_types.h"
 
@@ -15,11 +16,11 @@ constexpr double kSlack = 0.01;   ///< Fraction of the maximum static tension be
 constexpr double kPushed = 0.01;  ///< Compression relative to the maximum tension that is reported [-].
 
 const FreeLineDescription& described(const Model& model, const std::string& name) {
-  return *std::ranges::find(model.description.lines, name, &FreeLineDescription::name);
+  return *ranges::find(model.description.lines, name, &FreeLineDescription::name);
 }
 
 bool bends(const FreeLineDescription& line) {
-  return has_pipe_section(line) || std::ranges::any_of(line.segments, [](const LineSegmentDescription& segment) {
+  return has_pipe_section(line) || ranges::any_of(line.segments, [](const LineSegmentDescription& segment) {
            return segment.type.bending_stiffness > 0.0;
          });
 }
@@ -132,7 +133,7 @@ Findings line_findings(const Model& model, const std::vector<LineResult>& rest,
     }
     const FreeLineDescription& description = described(model, line.name);
     const bool only_pulls =
-        std::ranges::none_of(description.segments, [](const auto& segment) { return bears_compression(segment.type); });
+        ranges::none_of(description.segments, [](const auto& segment) { return bears_compression(segment.type); });
     const bool wire = is_weightless(description) && !has_pipe_section(description);
     if (only_pulls && wire && line.min_tension <= 0.0) {
       findings.push_back(Finding{FindingCode::line_snaps,

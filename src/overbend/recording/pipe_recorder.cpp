@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ranges.h"
 #include "mechanics/contact_damage.h"
 #include "mechanics/rod_element.h"
 #include "recording/pipe_recorder_layout.h"
@@ -243,7 +244,7 @@ void PipeRecorder::find_region_peaks(const Regions& regions, double time) {
     }
   }
   // On an edge of an uneven seabed the maximum bending of the sagbend is at its end, between two nodes.
-  const auto after = std::ranges::upper_bound(places(), regions.touchdown);
+  const auto after = ranges::upper_bound(places(), regions.touchdown);
   if (after == places().begin() || after == places().end()) return;
   const std::size_t upper = static_cast<std::size_t>(after - places().begin()), lower = upper - 1;
   if (built_in(upper) || built_in(lower)) return;

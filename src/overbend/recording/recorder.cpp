@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "dynamics/integrator/dynamic_checkpoint.h"
 #include "dynamics/machines/mooring_tension.h"
 #include "recording/control_columns.h"
@@ -18,7 +19,7 @@ bool afloat(const Simulation& simulation, const StaticResults& statics) {
 
 RecordedObjects make_recorded_objects(const Model& model, const Simulation& simulation, bool floating) {
   const bool pipe = find_laid_pipe(simulation.system()).has_value();
-  const bool held = std::ranges::any_of(simulation.system().attachments, [&](const Attachment& attachment) {
+  const bool held = ranges::any_of(simulation.system().attachments, [&](const Attachment& attachment) {
     return attachment.body != kGround && attachment.body < static_cast<int>(simulation.first_body());
   });
   return {pipe ? &model.supports : nullptr,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 
 CheckRow::CheckRow() = default;
@@ -19,7 +21,7 @@ Findings find_invalid_checks(const CheckTable& table) {
     Finding finding = Finding{FindingCode::check_not_judged,
                               "not judged: " + row.name + where + ", " + row.code + " (" + row.remark + ")"}
                           .on(row.name + where);
-    if (std::ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
+    if (ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
   }
   return all;
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -61,7 +63,7 @@ CheckTable operation_checks(const OperationResults& results) {
 
 Verdict operation_verdict(const OperationResults& results) {
   Verdict verdict = make_verdict(operation_checks(results), operation_findings(results));
-  const auto failed = std::ranges::count_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
+  const auto failed = ranges::count_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
   if (failed == 0) return verdict;
   const std::string text = fmt::format("{} OF {} STAGES WITHOUT EQUILIBRIUM", failed, results.stages.size());
   verdict.headline = verdict.kind == VerdictKind::exceeded ? text + ", " + verdict.headline : text;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/assumption.h"
+#include "base/ranges.h"
 
 namespace overbend {
 
@@ -78,7 +79,7 @@ struct SensitivityResults {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       if (max_effect(result, i) > 0.0) order.push_back(i);
     }
-    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return max_effect(result, i); });
+    ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return max_effect(result, i); });
     if (order.size() > count) order.resize(count);
     return order;
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "results/result_enum_names.h"
 
@@ -72,7 +73,7 @@ Json verdict_json(const Verdict& verdict) {
 std::string serious_codes(const Findings& findings) {
   std::vector<std::string_view> codes;
   for (const Finding& finding : serious_findings(findings)) {
-    if (std::ranges::find(codes, kind(finding.code).name) == codes.end()) codes.push_back(kind(finding.code).name);
+    if (ranges::find(codes, kind(finding.code).name) == codes.end()) codes.push_back(kind(finding.code).name);
   }
   return fmt::format("{}", fmt::join(codes, ", "));
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/text_table.h"
@@ -36,7 +37,7 @@ class DiagnosticSink {
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
@@ -54,7 +55,7 @@ bool is_head(const TextRow& row) {
 void check_depth(double depth, int line, DiagnosticSink& complaints) {
   constexpr double kHighest = 9000.0;
   constexpr double kNoValues[] = {-999.0, -999.9, -999.25, -9999.0, -32767.0, -32768.0};
-  const bool none = std::ranges::any_of(kNoValues, [&](double value) { return depth == value || depth == -value; });
+  const bool none = ranges::any_of(kNoValues, [&](double value) { return depth == value || depth == -value; });
   if (!none && depth <= kMaxWaterDepth && depth >= -kHighest) return;
   complaints.add(line, "depth", format_number(depth), "a depth of at most " + format_number(kMaxWaterDepth) + " m",
                  kNoDataHint);
@@ -83,7 +84,7 @@ void take(const TextRow& row, Bathymetry& depths, DiagnosticSink& complaints) {
 
 /// Returns the sorted distinct coordinates.
 std::vector<double> distinct_coordinates(std::vector<double> values) {
-  std::ranges::sort(values);
+  ranges::sort(values);
   std::vector<double> once;
   for (const double value : values) {
     if (once.empty() || value > once.back() + kSamePlace) once.push_back(value);
@@ -92,7 +93,7 @@ std::vector<double> distinct_coordinates(std::vector<double> values) {
 }
 
 std::size_t index_of_coordinate(const std::vector<double>& once, double value) {
-  const auto after = std::ranges::lower_bound(once, value - kSamePlace);
+  const auto after = ranges::lower_bound(once, value - kSamePlace);
   return static_cast<std::size_t>(after - once.begin());
 }
 
@@ -122,8 +123,8 @@ void order_grid(Bathymetry& depths) {
 /// Detects coordinates in degrees instead of metres by the size of the area and of its cells.
 void check_size(const Bathymetry& depths, DiagnosticSink& complaints) {
   constexpr double kMinExtent = 10.0, kMinCell = 0.05;  // [m]
-  const auto [west, east] = std::ranges::minmax(depths.east);
-  const auto [south, north] = std::ranges::minmax(depths.north);
+  const auto [west, east] = ranges::minmax(depths.east);
+  const auto [south, north] = ranges::minmax(depths.north);
   const double cell = depths.columns > 0 ? (east - west) / (depths.columns - 1) : kMinExtent;
   if (std::max(east - west, north - south) >= kMinExtent && cell >= kMinCell) return;
   const bool degrees = std::abs(west) <= 360.0 && std::abs(south) <= 90.0;
@@ -137,7 +138,7 @@ void check_size(const Bathymetry& depths, DiagnosticSink& complaints) {
 /// Checks that scattered points span an area and that some depth is positive.
 void check_area(const Bathymetry& depths, DiagnosticSink& complaints) {
   if (!complaints.good) return;
-  if (std::ranges::none_of(depths.depth, [](double depth) { return depth > 0.0; })) {
+  if (ranges::none_of(depths.depth, [](double depth) { return depth > 0.0; })) {
     complaints.add(0, "", "no depth above 0", "depths below the mean water level, positive downwards",
                    "only an ESRI ASCII grid may contain heights");
     return;
@@ -264,8 +265,8 @@ std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::st
   if (!head) return std::nullopt;
   const std::vector<double> values = grid_values(table, *head, complaints);
   if (!complaints.good) return std::nullopt;
-  const auto below = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value < 0.0; });
-  const auto above = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value > 0.0; });
+  const auto below = ranges::count_if(values, [&](double value) { return !head->empty(value) && value < 0.0; });
+  const auto above = ranges::count_if(values, [&](double value) { return !head->empty(value) && value > 0.0; });
   Bathymetry depths = make_bathymetry(*head, values, below > above ? -1.0 : 1.0);
   for (const double depth : depths.depth) {
     if (complaints.good) check_depth(depth, 0, complaints);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "seafiles/record_statistics.h"
 #include "seafiles/sentinels.h"
 
@@ -209,7 +210,7 @@ class RecordChecker {
     auto expected = static_cast<double>(rows.size());
     for (std::size_t k = 0; k < kBounds.size(); ++k) expected *= chance_of_zero(column(record_.history, k));
     if (expected > kRare) return;
-    const auto blank = [](const auto& row) { return std::ranges::all_of(row, [](double x) { return x == 0.0; }); };
+    const auto blank = [](const auto& row) { return ranges::all_of(row, [](double x) { return x == 0.0; }); };
     const auto first = std::find_if(rows.begin() + 1, rows.end(), blank);
     if (first == rows.end() || blank(rows.front())) return;  // a record that begins at rest
     const auto row = static_cast<std::size_t>(first - rows.begin());

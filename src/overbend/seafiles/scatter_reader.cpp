@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/text_table.h"
@@ -158,7 +159,7 @@ class ScatterReader {
 
   std::optional<std::size_t> parse_month(const TextRow& row) {
     const std::string word = lower_case(row.cells.front()).substr(0, 3);
-    const auto name = std::ranges::find(kMonthNames, word);
+    const auto name = ranges::find(kMonthNames, word);
     if (name != kMonthNames.end()) return static_cast<std::size_t>(name - kMonthNames.begin());
     const std::optional<double> number = cell_number(row.cells.front());
     if (number && *number >= 1.0 && *number <= 12.0 && *number == std::floor(*number)) {

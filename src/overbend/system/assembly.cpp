@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
@@ -112,7 +113,7 @@ bool Assembly::is_governed(const Tensioner& tensioner) const {
 }
 
 bool Assembly::governed(std::size_t attachment) const {
-  return std::ranges::any_of(tensioners_, [&](const Tensioner& tensioner) {
+  return ranges::any_of(tensioners_, [&](const Tensioner& tensioner) {
     return tensioner.attachment == attachment && is_governed(tensioner);
   });
 }

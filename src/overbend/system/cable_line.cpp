@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "mechanics/element_constants.h"
 #include "model/pipe/section.h"
 
@@ -105,7 +106,7 @@ double CableParts::length() const {
 }
 
 bool CableParts::has_pipe() const {
-  return std::ranges::any_of(segments, [](const auto& segment) { return segment.section.has_value(); });
+  return ranges::any_of(segments, [](const auto& segment) { return segment.section.has_value(); });
 }
 
 int node_at(const LineMesh& mesh, double s) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "model/bodies.h"
 #include "model/pipe_attachments.h"
 #include "moorings/catenary_line.h"
@@ -23,7 +24,7 @@ LineWire line_wire(const Model& model, const FreeLineDescription& line, int node
   wire.wire.axial_stiffness = axial_stiffness(line);
   if (is_weightless(line)) return wire;
   wire.catenary = catenary_line(line.segments, {}, 0.0, kGravity);
-  if (wire.reversed) std::ranges::reverse(wire.catenary->pieces);
+  if (wire.reversed) ranges::reverse(wire.catenary->pieces);
   return wire;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ranges.h"
 #include "base/simd.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
@@ -122,7 +123,7 @@ void LineAssembly::keep_forces() {
 }
 
 const std::array<double, 6>& LineAssembly::held_force(int node) const {
-  return std::ranges::find(kept_, node, &HeldForce::node)->force;
+  return ranges::find(kept_, node, &HeldForce::node)->force;
 }
 
 std::vector<RollerPush> LineAssembly::roller_pushes(const LineState& state) const {
@@ -138,7 +139,7 @@ std::vector<RollerPush> LineAssembly::roller_pushes(const LineState& state) cons
     pushes.push_back({contact.closest.element, contact.closest.xi, contact.force(),
                       load + tension * curvature_vector(centre_point), elements().EI[e]});
   }
-  std::ranges::sort(pushes, [](const RollerPush& a, const RollerPush& b) {
+  ranges::sort(pushes, [](const RollerPush& a, const RollerPush& b) {
     return a.element != b.element ? a.element > b.element : a.xi > b.xi;
   });
   return pushes;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ranges.h"
 #include "model/pipe_attachments.h"
 #include "system/graded_mesh.h"
 
@@ -59,7 +60,7 @@ void refine_attachments(MeshPlan& plan, const Model& model, const MeshZones& zon
     const double place = attachment.from_top;
     if (place >= zones.total - kMinElement) continue;
     plan.fine.push_back({place, place, sizes.touchdown});
-    const auto above = std::ranges::lower_bound(plan.fixed, place - kSame);
+    const auto above = ranges::lower_bound(plan.fixed, place - kSame);
     if (above == plan.fixed.end() || *above > place + kSame) plan.fixed.insert(above, place);
   }
 }

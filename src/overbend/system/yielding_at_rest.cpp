@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/ranges.h"
 #include "system/yielding_element.h"
 
 namespace overbend {
@@ -16,7 +17,7 @@ void set_out(const YieldingElements& elements, std::vector<PassingPipe>& passing
   for (std::size_t e = 0; e < elements.law.size(); ++e) {
     const BendingLaw* law = elements.law[e];
     const auto same = [&](const PassingPipe& pipe) { return pipe.law == law; };
-    if (law != nullptr && std::ranges::none_of(passing, same)) passing.push_back({law, e});
+    if (law != nullptr && ranges::none_of(passing, same)) passing.push_back({law, e});
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::size_t kNumbers = 4;  ///< Numbers per monitored tension in a che
 /// Ends that pay out, render or drag absorb jerks themselves and converge in steps of usual length only. Tension
 /// changes by impacts on the pipe at a tensioner are not resolved further either.
 bool follows_snaps(const System& system) {
-  return std::ranges::none_of(system.attachments, [](const Attachment& held) {
+  return ranges::none_of(system.attachments, [](const Attachment& held) {
     return held.tensioner || held.winch || held.holding < std::numeric_limits<double>::infinity();
   });
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_checkpoint.h"
 #include "dynamics/machines/end_payout.h"
@@ -66,7 +67,7 @@ void ready_winch(const Model& model, const std::string& name, System& system, st
 
 /// Attachment of the fairlead of a mooring line.
 std::size_t find_fairlead(const std::string& name, const std::vector<std::string>& moorings, const System& system) {
-  if (std::ranges::find(moorings, name) == moorings.end()) {
+  if (ranges::find(moorings, name) == moorings.end()) {
     std::vector<std::string> machines;
     if (find_laid_pipe(system)) machines.push_back(kTensionerMachine);
     machines.insert(machines.end(), moorings.begin(), moorings.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "dynamics/machines/mooring_winch.h"
 #include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
@@ -205,7 +206,7 @@ CoupledSolveReport solve_moorings_on_fixed_bodies(const System& system, const st
   lines_state.time = state.time;
   for (const std::size_t line : lines) lines_state.lines.push_back(state.lines[line]);
   for (std::size_t i = 0; i < system.attachments.size(); ++i) {
-    const auto found = std::ranges::find(lines, static_cast<std::size_t>(system.attachments[i].line));
+    const auto found = ranges::find(lines, static_cast<std::size_t>(system.attachments[i].line));
     if (found == lines.end()) continue;
     alone.attachments.push_back(system.attachments[i]);
     alone.attachments.back().line = static_cast<int>(found - lines.begin());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/setup/initial_jump.h"
@@ -132,12 +133,12 @@ std::optional<StaticFailure> unsupported_dragging(const Description& d) {
 
 /// A straight wire has no attachment of its own with prescribed motion; a wire with weight on the pipe has no mass yet.
 std::optional<StaticFailure> unsupported_wires(const Description& d) {
-  const auto heavy = std::ranges::find_if(d.lines, [](const auto& line) { return !is_weightless(line); });
+  const auto heavy = ranges::find_if(d.lines, [](const auto& line) { return !is_weightless(line); });
   if (d.has_pipe && heavy != d.lines.end()) {
     return make_input_error("lines", "a line with weight on the pipe is not supported in dynamic analysis yet",
                             "line '" + heavy->name + "': give it a type without weight");
   }
-  const auto on_hull = std::ranges::find_if(d.lines, [](const FreeLineDescription& line) {
+  const auto on_hull = ranges::find_if(d.lines, [](const FreeLineDescription& line) {
     return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
   });
   if (d.has_pipe && d.vessel.motion == VesselMotion::coupled && on_hull != d.lines.end()) {
@@ -145,7 +146,7 @@ std::optional<StaticFailure> unsupported_wires(const Description& d) {
                             "a line between the pipe and a floating hull is not supported in dynamic analysis yet",
                             "line '" + on_hull->name + "': use another vessel.motion, or a fixed end");
   }
-  const auto on_other = std::ranges::find_if(d.lines, [](const FreeLineDescription& line) {
+  const auto on_other = ranges::find_if(d.lines, [](const FreeLineDescription& line) {
     const auto is_on_other_body = [](const LineEndDescription& end) {
       return end.kind == LineEndKind::body && !is_on_vessel(end);
     };

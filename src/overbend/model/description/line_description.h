@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/ranges.h"
 #include "base/vec.h"
 #include "model/description/section_description.h"
 
@@ -96,7 +97,7 @@ inline bool is_on_vessel(const LineEndDescription& end) {
 
 /// Returns true if a segment of the line is pipe.
 inline bool has_pipe_section(const FreeLineDescription& line) {
-  return std::ranges::any_of(line.segments, [](const auto& segment) { return segment.section.has_value(); });
+  return ranges::any_of(line.segments, [](const auto& segment) { return segment.section.has_value(); });
 }
 
 /// Returns true if an end of the line is free or attached to another line.
@@ -125,7 +126,7 @@ inline double axial_stiffness(const FreeLineDescription& line) {
 
 /// Returns true if the line is a straight wire: one type, without weight and bending stiffness.
 inline bool is_weightless(const FreeLineDescription& line) {
-  return line.points.empty() && std::ranges::all_of(line.segments, [](const auto& segment) {
+  return line.points.empty() && ranges::all_of(line.segments, [](const auto& segment) {
            return segment.type.weight_in_air == 0.0 && segment.type.weight_submerged == 0.0 &&
                   segment.type.bending_stiffness == 0.0;
          });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 
 bool has_mooring_lines(const Description& description) {
@@ -21,7 +23,7 @@ bool has_vessel(const Description& description) {
     return is_on_vessel(line.first) || is_on_vessel(line.second);
   };
   return description.has_pipe || description.moorings || description.lines.empty() ||
-         std::ranges::any_of(description.lines, held);
+         ranges::any_of(description.lines, held);
 }
 
 const MooringsDescription& find_moorings(const Description& description) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "base/yaml_document.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/fields/field_table.h"
@@ -29,12 +30,12 @@ bool is_of_the_rest(const std::string& path) {
   if (!path.starts_with(stinger)) return false;
   std::string below = path.substr(stinger.size());
   if (below.starts_with("sections[")) below.erase(0, std::min(below.find("]."), below.size() - 2) + 2);
-  return std::ranges::any_of(kStingerKeys, [&](const char* key) { return is_or_below(below, key); });
+  return ranges::any_of(kStingerKeys, [&](const char* key) { return is_or_below(below, key); });
 }
 
 bool left_out(const std::string& path) {
   return is_of_the_rest(path) ||
-         std::ranges::any_of(kExcludedKeys, [&](const std::string& key) { return is_or_below(path, key); });
+         ranges::any_of(kExcludedKeys, [&](const std::string& key) { return is_or_below(path, key); });
 }
 
 /// Returns the label of a list item: its name, the default name of a box, or its index.
@@ -101,7 +102,7 @@ ModelValues::ModelValues(const Description& description)
       bathymetry_(description.environment.seabed.bathymetry) {}
 
 std::optional<std::size_t> ModelValues::find(const std::string& key_or_name) const {
-  const auto found = std::ranges::find_if(
+  const auto found = ranges::find_if(
       inputs_, [&](const ModelInput& input) { return input.key == key_or_name || input.name == key_or_name; });
   if (found == inputs_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - inputs_.begin());

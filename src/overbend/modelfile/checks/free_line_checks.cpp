@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "modelfile/checks/line_checks.h"
@@ -17,7 +18,7 @@ const std::vector<std::string>& end_kinds() {
 const FieldValue* find_line(const FieldValue& root, const std::string& name) {
   const std::vector<FieldValue>& lines = Checker::items(root, "lines");
   const std::vector<std::string> names = line_names(lines);
-  const auto found = std::ranges::find(names, name);
+  const auto found = ranges::find(names, name);
   return found == names.end() ? nullptr : &lines[static_cast<std::size_t>(found - names.begin())];
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
@@ -15,8 +16,8 @@ const FieldValue* find_end(const FieldValue& line, std::size_t which) {
 }
 
 bool is_pipe(const FieldValue& line) {
-  return std::ranges::any_of(Checker::items(line, "segments"),
-                             [](const FieldValue& segment) { return segment.mentions("steel"); });
+  return ranges::any_of(Checker::items(line, "segments"),
+                        [](const FieldValue& segment) { return segment.mentions("steel"); });
 }
 
 /// Checks that lines whose length or tension a stage gives exist and are not pipe.
@@ -26,7 +27,7 @@ void check_values(Checker& check, const FieldValue& stage, const char* key) {
   const std::vector<FieldValue>& lines = Checker::items(check.root(), "lines");
   const std::vector<std::string> names = line_names(lines);
   for (const FieldValue& value : values->children) {
-    const auto found = std::ranges::find(names, value.key);
+    const auto found = ranges::find(names, value.key);
     if (found == names.end()) {
       const std::string near = nearest_word(value.key, names);
       check.error(value, "the unknown line '" + for_display(value.key) + "'", one_of(names),
@@ -49,7 +50,7 @@ void check_moves(Checker& check, const FieldValue& stage) {
   if (bodies == nullptr) return;
   const std::vector<std::string> names = body_names(check.root());
   for (const FieldValue& body : bodies->children) {
-    if (std::ranges::find(names, body.key) != names.end()) continue;
+    if (ranges::find(names, body.key) != names.end()) continue;
     const std::string near = nearest_word(body.key, names);
     check.error(body, "the unknown body '" + for_display(body.key) + "'",
                 names.empty() ? "a name under bodies" : one_of(names),
@@ -119,7 +120,7 @@ void check_join(Checker& check, const FieldValue& stage, std::map<std::string, i
   if (names[0].text == names[1].text) check.error(names[1], "the same line again", "the name of another line");
   std::vector<const FieldValue*> welded;
   for (const FieldValue& name : names) {
-    const auto found = std::ranges::find(known, name.text);
+    const auto found = ranges::find(known, name.text);
     if (found == known.end()) {
       check_name(check, name, known, "lines");
       continue;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/units.h"
 #include "model/description/description_enum_names.h"
 #include "model/pipe/moment_curve.h"
@@ -75,7 +76,7 @@ bool gives_law(const FieldValue& material) {
 bool describes(const FieldValue& material) {
   constexpr std::array kNumbers = {"moment_coefficient", "moment_exponent", "hardening_exponent", "yield_strain",
                                    "hardening_modulus",  "stress_strain",   "moment_curvature"};
-  return std::ranges::any_of(kNumbers, [&](const char* key) { return gives(material, key); });
+  return ranges::any_of(kNumbers, [&](const char* key) { return gives(material, key); });
 }
 
 void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {

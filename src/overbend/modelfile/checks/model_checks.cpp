@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "checks/steel_grades.h"
@@ -199,7 +200,7 @@ void check_accepted_findings(Checker& check) {
     if (kind.severity == FindingSeverity::serious) serious.emplace_back(kind.name);
   }
   for (const FieldValue& accepted : Checker::items(check.root(), "checks.accepted_findings")) {
-    if (std::ranges::find(serious, accepted.text) != serious.end()) continue;
+    if (ranges::find(serious, accepted.text) != serious.end()) continue;
     check.error(accepted, accepted.shown, "the name of a serious finding: " + join_items(serious, "or"));
   }
 }

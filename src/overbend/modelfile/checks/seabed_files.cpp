@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "base/units.h"
 #include "model/model.h"
@@ -35,8 +36,8 @@ struct Area {
 };
 
 Area extent(const Bathymetry& depths) {
-  const auto [west, east] = std::ranges::minmax(depths.east);
-  const auto [south, north] = std::ranges::minmax(depths.north);
+  const auto [west, east] = ranges::minmax(depths.east);
+  const auto [south, north] = ranges::minmax(depths.north);
   return {west, east, south, north};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "modelfile/fields/row_makers.h"
 
 namespace overbend::field_rows {
@@ -12,7 +13,7 @@ const std::string kVessel = "vessel", kBody = "bodies[]";
 /// Returns true for keys of the vessel that another body has too.
 bool is_shared(const std::string& path) {
   constexpr const char* kShared[] = {"length", "beam", "depth", "draught", "heading", "trim", "heel", "motion"};
-  return std::ranges::any_of(kShared, [&](const char* key) {
+  return ranges::any_of(kShared, [&](const char* key) {
     const std::string shared = kVessel + "." + key;
     return path == shared || path.starts_with(shared + ".");
   });

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/result_path.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -69,7 +70,7 @@ std::string range_value(double value, const std::string& unit, const Field& row)
 
 const YamlNode* member(const YamlNode* group, const std::string& key) {
   if (group == nullptr) return nullptr;
-  const auto found = std::ranges::find(group->entries, key, &YamlEntry::key);
+  const auto found = ranges::find(group->entries, key, &YamlEntry::key);
   return found == group->entries.end() ? nullptr : &found->value;
 }
 
@@ -167,7 +168,7 @@ class AxisReader {
 };
 
 const StudyAxis* find_axis(const std::vector<StudyAxis>& axes, const std::string& key) {
-  const auto found = std::ranges::find(axes, key, &StudyAxis::key);
+  const auto found = ranges::find(axes, key, &StudyAxis::key);
   return found == axes.end() ? nullptr : &*found;
 }
 

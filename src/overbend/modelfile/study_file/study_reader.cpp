@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "model/description/seek_operations.h"
@@ -66,7 +67,7 @@ class StudyBinder {
     }
     for (const FieldValue& seed : seeds->children) {
       const auto value = static_cast<std::uint64_t>(seed.integer);
-      if (std::ranges::find(study_.seeds, value) != study_.seeds.end()) {
+      if (ranges::find(study_.seeds, value) != study_.seeds.end()) {
         check_.error(seed, seed.shown + ", which is given twice", "each seed once");
       }
       study_.seeds.push_back(value);
@@ -81,7 +82,7 @@ class StudyBinder {
             name, name.shown,
             fmt::format("a number in summary.json of a {} analysis, or checks.governing", enum_name(study_.analysis)),
             gather_hint(name.text));
-      } else if (std::ranges::find(study_.gather, name.text) != study_.gather.end()) {
+      } else if (ranges::find(study_.gather, name.text) != study_.gather.end()) {
         check_.error(name, name.shown + ", which is given twice", "each result once");
       }
       study_.gather.push_back(name.text);
@@ -102,7 +103,7 @@ class StudyBinder {
     if (group == nullptr || !group->given) return;
     OperabilityDescription& wanted = study_.operability.emplace();
     if (const FieldValue* over = group->find("over")) wanted.over = over->text;
-    const auto axis = std::ranges::find(study_.axes, wanted.over, &StudyAxis::key);
+    const auto axis = ranges::find(study_.axes, wanted.over, &StudyAxis::key);
     const Field* row = varied_row(wanted.over);
     if (axis == study_.axes.end() || row == nullptr || !axis->with.empty()) {
       const FieldValue& value = group->find("over") != nullptr ? *group->find("over") : *group;
@@ -142,7 +143,7 @@ class StudyBinder {
           values.push_back(reading.value->number);
         }
       }
-      if (values.size() > 1) wanted.resolution = 0.01 * (std::ranges::max(values) - std::ranges::min(values));
+      if (values.size() > 1) wanted.resolution = 0.01 * (ranges::max(values) - ranges::min(values));
     }
   }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "base/ranges.h"
 #include "base/units.h"
 #include "base/yaml_document.h"
 
@@ -34,7 +35,7 @@ void flatten(const YamlNode& node, const std::string& path, Flat& flat) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     std::string item = find_item_name(node.items[i]);
     const auto same = [&](const YamlNode& sibling) { return find_item_name(sibling) == item; };
-    if (item.empty() || std::ranges::count_if(node.items, same) > 1) item = std::to_string(i);
+    if (item.empty() || ranges::count_if(node.items, same) > 1) item = std::to_string(i);
     flatten(node.items[i], fmt::format("{}[{}]", path, item), flat);
   }
 }
@@ -81,7 +82,7 @@ std::vector<DifferingKey> differing_keys(std::span<const std::string> texts) {
     }
   }
   std::erase_if(all, [](const DifferingKey& key) {
-    return std::ranges::all_of(key.values, [&](const std::string& value) {
+    return ranges::all_of(key.values, [&](const std::string& value) {
       return value.empty() == key.values.front().empty() && same_quantity(value, key.values.front());
     });
   });

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "base/text.h"
 #include "modelfile/yaml/yaml_extent.h"
 #include "modelfile/yaml/yaml_path.h"
@@ -234,7 +235,7 @@ YamlNode* node_at(YamlNode& root, const std::string& path) {
 bool exceeds_max_depth(const std::string& path) {
   constexpr std::size_t kMaxLength = 4000;
   constexpr std::ptrdiff_t kMaxDepth = 64;
-  const auto steps = std::ranges::count_if(path, [](char c) { return c == '.' || c == '['; });
+  const auto steps = ranges::count_if(path, [](char c) { return c == '.' || c == '['; });
   return path.size() > kMaxLength || steps > kMaxDepth;
 }
 

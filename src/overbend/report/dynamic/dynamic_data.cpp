@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/ranges.h"
 #include "report/dynamic/fatigue_section.h"
 #include "report/dynamic/history_data.h"
 #include "report/page/report_style.h"
@@ -22,7 +23,7 @@ constexpr std::array<Envelope DynamicResults::*, 4> kExtremes = {&DynamicResults
                                                                  &DynamicResults::von_mises, &DynamicResults::strain};
 
 bool is_extreme(const DynamicResults& results, std::size_t i) {
-  return std::ranges::any_of(kExtremes, [&](Envelope DynamicResults::*envelope) {
+  return ranges::any_of(kExtremes, [&](Envelope DynamicResults::*envelope) {
     const std::vector<double>& maxima = (results.*envelope).max;
     return maxima[i] >= maxima[i - 1] && maxima[i] > maxima[i + 1];
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "report/dynamic/dynamic_sections.h"
 #include "report/page/key_statistics.h"
 #include "report/page/quantity.h"
@@ -116,7 +117,7 @@ Blocks extreme_remarks(const DynamicResults& r, bool of_moorings) {
   for (const ExtremeEstimate& e : r.extremes) {
     if (is_of_moorings(e) != of_moorings || e.remark.empty()) continue;
     const std::string name = quantity(e.name, e.units).name + (e.is_minimum ? ", smallest" : "");
-    const auto known = std::ranges::find(reasons, e.remark, &std::pair<std::string, std::string>::first);
+    const auto known = ranges::find(reasons, e.remark, &std::pair<std::string, std::string>::first);
     if (known == reasons.end()) {
       reasons.emplace_back(e.remark, name);
     } else {

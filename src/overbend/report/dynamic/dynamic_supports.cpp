@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ranges.h"
 #include "report/dynamic/dynamic_contacts.h"
 #include "report/dynamic/dynamic_sections.h"
 #include "report/page/quantity.h"
@@ -27,7 +28,7 @@ Blocks left_boxes(const DynamicResults& results) {
     if (box.left_to_starboard) left.emplace_back(*box.left_to_starboard, box.name + ", to starboard");
   }
   if (left.empty()) return {};
-  std::ranges::stable_sort(left, {}, &std::pair<double, std::string>::first);
+  ranges::stable_sort(left, {}, &std::pair<double, std::string>::first);
   std::string text;
   for (const auto& [time, side] : left) {
     text += (text.empty() ? "" : ", ") + fmt::format("{} at t = {:.1f} s", side, time);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/ranges.h"
 #include "report/dynamic/mooring_histories.h"
 #include "report/page/figure_list.h"
 #include "results/tables/mooring_tables.h"
@@ -53,7 +54,7 @@ Blocks tiles(const DynamicResults& results) {
            shift_tile(std::string("Across the ") + course(results), v.across),
            shift_tile(std::string("Along the ") + course(results), v.along)};
   }
-  const auto hardest = std::ranges::max_element(
+  const auto hardest = ranges::max_element(
       results.moorings, {}, [](const MooringLineDynamics& line) { return line.fairlead_tension.whole.max; });
   if (hardest != results.moorings.end()) {
     const std::optional<double>& use = hardest->utilisation;

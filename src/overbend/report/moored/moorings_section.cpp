@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "report/page/figure_list.h"
 #include "results/tables/mooring_tables.h"
 
@@ -27,9 +28,9 @@ Blocks tiles(const MooredState& state) {
   }
   std::vector<Tile> all;
   if (!lines.empty()) {
-    const MooringLineResult& hardest = **std::ranges::max_element(lines, {}, &MooringLineResult::fairlead_tension);
-    const MooringLineResult& anchor = **std::ranges::max_element(lines, {}, &MooringLineResult::anchor_tension);
-    const MooringLineResult& min_on_bed = **std::ranges::min_element(lines, {}, &MooringLineResult::on_bed);
+    const MooringLineResult& hardest = **ranges::max_element(lines, {}, &MooringLineResult::fairlead_tension);
+    const MooringLineResult& anchor = **ranges::max_element(lines, {}, &MooringLineResult::anchor_tension);
+    const MooringLineResult& min_on_bed = **ranges::min_element(lines, {}, &MooringLineResult::on_bed);
     all = {tension_tile("Largest line tension", hardest.fairlead_tension, hardest.name, hardest.utilisation,
                         "breaking load"),
            tension_tile("Largest anchor load", anchor.anchor_tension, anchor.name, anchor.anchor_utilisation,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "report/page/calculation_sheet.h"
 #include "report/page/json_number.h"
@@ -27,7 +28,7 @@ Json control_box(const ReportDescription& control) {
                                                                      {"Checked", control.checked}}};
   Json box = Json::array();
   for (const auto& [name, value] : cells) box.push_back({name, value});
-  const bool filled = std::ranges::any_of(cells, [](const auto& cell) { return !cell.second.empty(); });
+  const bool filled = ranges::any_of(cells, [](const auto& cell) { return !cell.second.empty(); });
   return filled ? box : Json();
 }
 

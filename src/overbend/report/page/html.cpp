@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 
 namespace overbend::html {
@@ -107,7 +108,7 @@ std::string front(const Json& page) {
 bool is_key_section(const Json& section) {
   constexpr std::array kKey = {"results", "checks", "stages",     "procedure", "stage-checks", "seek",
                                "summary", "rows",   "quantities", "folders",   "operability",  "cases"};
-  return std::ranges::find(kKey, section.value("id", "")) != kKey.end();
+  return ranges::find(kKey, section.value("id", "")) != kKey.end();
 }
 
 }  // namespace

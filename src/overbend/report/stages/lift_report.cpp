@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/ranges.h"
 #include "report/page/curve_chart.h"
 #include "report/page/quantity.h"
 #include "report/stages/lift_shapes.h"
@@ -146,7 +147,7 @@ std::vector<std::string> line_names(const OperationResults& results) {
   std::vector<std::string> names;
   for_stages(results, [&](const std::string&, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
-      if (std::ranges::find(names, line.name) == names.end()) names.push_back(line.name);
+      if (ranges::find(names, line.name) == names.end()) names.push_back(line.name);
     }
   });
   return names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/model.h"
 #include "report/page/curve_chart.h"
@@ -46,7 +47,7 @@ class SideView {
       }
     }
     for (const LineResult& line : lay.lines) {
-      if (std::ranges::find(lay.lift->lines, line.name, &LiftedLine::name) != lay.lift->lines.end()) continue;
+      if (ranges::find(lay.lift->lines, line.name, &LiftedLine::name) != lay.lift->lines.end()) continue;
       ChartCurve& curve = add_curve(title + ", " + line.name, CurveLook::thin, colour);
       for (const LineNodeResult& node : line.nodes) curve.points.push_back(point(node.place));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_columns.h"
 #include "report/stages/stage_labels.h"
@@ -40,7 +41,7 @@ Verdict with_stage(Verdict verdict, const CheckTable& checks, const OperationRes
 
 Verdict verdict_with_stage(const OperationResults& results) {
   Verdict verdict = operation_verdict(results);
-  const bool all = std::ranges::all_of(results.stages, [](const StageResult& stage) { return stage.lay.has_value(); });
+  const bool all = ranges::all_of(results.stages, [](const StageResult& stage) { return stage.lay.has_value(); });
   if (!all) return verdict;
   verdict = with_stage(std::move(verdict), operation_checks(results), results);
   verdict.because = "All " + stage_count_text(results.stages.size()) + " have an equilibrium. " + verdict.because;

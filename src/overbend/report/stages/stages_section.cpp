@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "report/page/figure_list.h"
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
@@ -35,8 +36,8 @@ StageTable stage_rows(const OperationResults& results, const std::vector<std::si
 
 /// Empty cell in an operation without vessel motion.
 TableCell barge_ahead(const OperationResults& results, std::size_t stage) {
-  const bool moves = std::ranges::any_of(results.stages,
-                                         [](const StageResult& result) { return std::abs(result.barge_ahead) > 5e-3; });
+  const bool moves =
+      ranges::any_of(results.stages, [](const StageResult& result) { return std::abs(result.barge_ahead) > 5e-3; });
   return moves && results.stages[stage].lay ? results.stages[stage].barge_ahead : TableCell();
 }
 
@@ -115,8 +116,8 @@ Blocks figures(const OperationResults& results) {
   const auto moved = [](const StageResult& stage) { return std::abs(stage.barge_ahead) > 0.5; };
   const auto stands = [](const StageResult& stage) { return stage.lay.has_value(); };
   return figure_list(all_figures(), [&](const Figure&, const std::string& part) {
-    if (part == "supports") return std::ranges::any_of(results.stages, has_supports);
-    return part == "ground" ? std::ranges::any_of(results.stages, moved) : std::ranges::any_of(results.stages, stands);
+    if (part == "supports") return ranges::any_of(results.stages, has_supports);
+    return part == "ground" ? ranges::any_of(results.stages, moved) : ranges::any_of(results.stages, stands);
   });
 }
 
@@ -175,7 +176,7 @@ Blocks stages_section(const OperationResults& results) {
 
 Blocks stage_checks_section(const OperationResults& results) {
   const auto has_checks = [](const StageResult& stage) { return stage.lay && !stage.lay->checks.rows.empty(); };
-  if (std::ranges::none_of(results.stages, has_checks)) return {};
+  if (ranges::none_of(results.stages, has_checks)) return {};
   Blocks folded;
   for (const std::size_t i : all_stages(results)) {
     if (has_checks(results.stages[i])) folded += stage_checks(results, i);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -12,11 +14,11 @@ namespace {
 std::vector<CheckRow> distinct_checks(const CheckTable& checks) {
   std::vector<CheckRow> distinct;
   for (const CheckRow& row : checks.rows) {
-    const bool known = std::ranges::any_of(
+    const bool known = ranges::any_of(
         distinct, [&](const CheckRow& other_row) { return other_row.id == row.id && other_row.name == row.name; });
     if (!known) distinct.push_back(row);
   }
-  std::ranges::stable_sort(distinct, [](const CheckRow& a, const CheckRow& b) { return a.governing && !b.governing; });
+  ranges::stable_sort(distinct, [](const CheckRow& a, const CheckRow& b) { return a.governing && !b.governing; });
   return distinct;
 }
 

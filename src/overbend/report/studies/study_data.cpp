@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/units.h"
 #include "report/page/json_number.h"
 #include "report/page/quantity.h"
@@ -204,7 +205,7 @@ std::string make_heading(const std::string& name, const StudyUnit& unit) {
   for (const char* front : {"static.", "dynamic.", "environment."}) {
     if (text.starts_with(front)) text.erase(0, std::string(front).size());
   }
-  std::ranges::replace(text, '_', ' ');
+  ranges::replace(text, '_', ' ');
   std::size_t bracket = 0;
   for (char& c : text) {  // dots within brackets belong to a name
     if (c == '[') ++bracket;

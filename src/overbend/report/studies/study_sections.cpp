@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "report/studies/study_data.h"
 #include "results/result_enum_names.h"
 
@@ -94,7 +95,7 @@ std::string inputs_text(const StudyResults& results, const StudyCase& study_case
 }
 
 const StudyCase* find_first_case(const StudyResults& results, std::size_t group) {
-  const auto found = std::ranges::find(results.cases, group, &StudyCase::group);
+  const auto found = ranges::find(results.cases, group, &StudyCase::group);
   return found == results.cases.end() ? nullptr : &*found;
 }
 
@@ -260,8 +261,7 @@ Blocks study_cases_section(const StudyResults& results) {
   if (results.cases.empty()) return {};
   Table table{"", {{"Case", "", 0}}, "dense"};
   for (const StudyInput& input : results.inputs) table.column(column(input.key, {}, input.values.empty()));
-  const bool seeds =
-      std::ranges::any_of(results.cases, [](const StudyCase& solved) { return solved.seed.has_value(); });
+  const bool seeds = ranges::any_of(results.cases, [](const StudyCase& solved) { return solved.seed.has_value(); });
   if (seeds) table.column({"Seed", "", 0});
   for (const StudyOutput& output : results.outputs) {
     table.column(column(output.name, find_study_unit(output), output.text));

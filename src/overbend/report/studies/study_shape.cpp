@@ -1,4 +1,5 @@
 #include "report/studies/study_shape.h"
+#include "base/ranges.h"
 #include "results/verdict_order.h"
 
 #include <algorithm>
@@ -44,13 +45,13 @@ void add_case(GroupAccumulator& growing, const StudyCase& study_case) {
 int differing(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b,
               const std::vector<std::size_t>& axes) {
   return static_cast<int>(
-      std::ranges::count_if(axes, [&](std::size_t axis) { return axis < a.size() && a[axis] != b[axis]; }));
+      ranges::count_if(axes, [&](std::size_t axis) { return axis < a.size() && a[axis] != b[axis]; }));
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
+  ranges::sort(order, [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
   std::vector<double> out(values.size());
   for (std::size_t from = 0; from < order.size();) {
     std::size_t to = from;
@@ -106,7 +107,7 @@ std::optional<std::size_t> base_group(const StudyResults& results, const std::ve
   for (const std::size_t axis : axes) all *= results.inputs[axis].value_texts.size();
   if (groups.size() < 3 || groups.size() >= all) return std::nullopt;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const bool base = std::ranges::all_of(groups, [&](const StudyGroup& group) {
+    const bool base = ranges::all_of(groups, [&](const StudyGroup& group) {
       return differing(groups[i].first->value_indices, group.first->value_indices, axes) <= 1;
     });
     if (base) return i;
@@ -115,7 +116,7 @@ std::optional<std::size_t> base_group(const StudyResults& results, const std::ve
 }
 
 StudyShape study_shape(const StudyResults& results) {
-  const bool sampled = std::ranges::any_of(results.inputs, [](const StudyInput& input) { return input.sampled; });
+  const bool sampled = ranges::any_of(results.inputs, [](const StudyInput& input) { return input.sampled; });
   if (sampled) return StudyShape::sample;
   const std::size_t axes = free_axes(results).size();
   if (axes == 0) return StudyShape::single;

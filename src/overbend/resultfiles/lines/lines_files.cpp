@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
@@ -165,7 +166,7 @@ void add_lines_in_time(const DynamicResults& results, Json& summary) {
       visit_line_in_time(line, visitor);
       if (line.moment_at_nodes.empty()) return;
       visitor(ResultField{"largest_bending_moment", "N m", "Largest bending moment along the line over time"}.summary(),
-              *std::ranges::max_element(line.moment_at_nodes));
+              *ranges::max_element(line.moment_at_nodes));
     });
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "resultfiles/tables/csv_table.h"
 #include "runstore/append_file.h"
@@ -45,15 +46,15 @@ std::vector<PartialFinding> partial_findings(const FolderComparison& comparison)
   const std::size_t count = comparison.folders.size();
   for (std::size_t i = 0; i < count; ++i) {
     for (const Finding& finding : comparison.folders[i].findings) {
-      auto known = std::ranges::find_if(all, [&](const PartialFinding& candidate) {
+      auto known = ranges::find_if(all, [&](const PartialFinding& candidate) {
         return candidate.finding.code == finding.code && candidate.finding.object == finding.object;
       });
       if (known == all.end()) known = all.insert(known, {finding, std::vector<bool>(count)});
       known->has[i] = true;
     }
   }
-  std::erase_if(
-      all, [](const PartialFinding& partial) { return std::ranges::find(partial.has, false) == partial.has.end(); });
+  std::erase_if(all,
+                [](const PartialFinding& partial) { return ranges::find(partial.has, false) == partial.has.end(); });
   return all;
 }
 

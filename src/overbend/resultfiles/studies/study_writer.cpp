@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/units.h"
 #include "resultfiles/hdf5/hdf5_file.h"
@@ -30,7 +31,7 @@ const char* state_name(const StudyCase& study_case) {
 }
 
 bool has_seeds(const StudyResults& results) {
-  return std::ranges::any_of(results.cases, [](const StudyCase& study_case) { return study_case.seed.has_value(); });
+  return ranges::any_of(results.cases, [](const StudyCase& study_case) { return study_case.seed.has_value(); });
 }
 
 /// Returns the factor from the unit shown to SI.
@@ -98,7 +99,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns a path that is a single HDF5 link: '/' in the name would create groups.
 std::string link(const std::string& group, std::string name) {
-  std::ranges::replace(name, '/', '_');
+  ranges::replace(name, '/', '_');
   return group + "/" + name;
 }
 
@@ -225,14 +226,14 @@ void write_operability(const OperabilityResults& results, DatasetSink& file) {
 }
 
 std::string make_summary(const StudyResults& results) {
-  const auto count = [&](StudyCaseState state) { return std::ranges::count(results.cases, state, &StudyCase::state); };
+  const auto count = [&](StudyCaseState state) { return ranges::count(results.cases, state, &StudyCase::state); };
   Json failed = Json::array();
   for (const StudyCase& study_case : results.cases) {
     if (study_case.state == StudyCaseState::failed) {
       failed.push_back({{"case", study_case.number}, {"reason", study_case.reason}});
     }
   }
-  const auto passed = std::ranges::count_if(results.cases, [](const StudyCase& study_case) {
+  const auto passed = ranges::count_if(results.cases, [](const StudyCase& study_case) {
     return study_case.state == StudyCaseState::done && study_case.passed();
   });
   const auto open = count(StudyCaseState::open);
@@ -249,7 +250,7 @@ std::string make_summary(const StudyResults& results) {
                     {"wall_time", results.wall_time}}}};
   if (results.operability) {
     const auto decided = [](const OperabilityCell& cell) { return cell.decided; };
-    if (!std::ranges::all_of(results.operability->cells, decided)) summary["status"] = "unfinished";
+    if (!ranges::all_of(results.operability->cells, decided)) summary["status"] = "unfinished";
     summary["operability"] = operability_json(*results.operability);
   }
   return summary_text(summary);

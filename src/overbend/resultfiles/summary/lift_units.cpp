@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "resultfiles/summary/lift_json.h"
 
@@ -81,7 +82,7 @@ LiftResults make_complete_stage() {
 
 template <class Table>
 const LiftNumber& row_of_key(const Table& table, std::string_view key) {
-  const auto found = std::ranges::find(table, key, &LiftNumber::key);
+  const auto found = ranges::find(table, key, &LiftNumber::key);
   require(found != table.end(), "every number of a lift has a unit");
   return *found;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ranges.h"
 #include "base/result_path.h"
 
 namespace overbend {
@@ -119,8 +120,7 @@ bool holds(const ParsedRow& row, const Parts& path) {
   if (is_list_path(row, path)) return true;
   if (!begins_with(path, row.path)) return false;
   if (row.members.empty()) return true;
-  return path.size() > row.path.size() &&
-         std::ranges::find(row.members, path[row.path.size()].text) != row.members.end();
+  return path.size() > row.path.size() && ranges::find(row.members, path[row.path.size()].text) != row.members.end();
 }
 
 const ParsedRow* find_row(const Parts& path) {
@@ -165,8 +165,8 @@ std::optional<Parts> by_object(const Parts& path) {
 }
 
 bool is_root(const std::string& name) {
-  return std::ranges::any_of(
-      parsed_rows(), [&](const ParsedRow& row) { return !row.object.empty() && row.object.front().text == name; });
+  return ranges::any_of(parsed_rows(),
+                        [&](const ParsedRow& row) { return !row.object.empty() && row.object.front().text == name; });
 }
 
 std::vector<Parts> by_kind(const Parts& object);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ranges.h"
 #include "results/fields/mooring_fields.h"
 #include "results/tables/field_table.h"
 
@@ -125,7 +126,7 @@ Table moorings_over_time(const std::vector<MooringLineDynamics>& lines) {
        keyed("clearance", {"Clearance", "m", 1}), keyed("nearest_object", TableColumn("to"))},
       "dense summary"};
   table.groups({{"", 1}, {"Tension at the fairlead", 4}, {"Anchor", 3}});
-  const bool slips = std::ranges::any_of(
+  const bool slips = ranges::any_of(
       lines, [](const MooringLineDynamics& line) { return line.brake_rendered > 0.0 || line.anchor_slip > 0.0; });
   const auto slip = [&](double value) { return slips ? std::optional(value) : std::nullopt; };
   for (const MooringLineDynamics& l : lines) {
@@ -166,7 +167,7 @@ Table mooring_events(const std::vector<MooringLineDynamics>& lines) {
   for (const MooringLineDynamics& line : lines) {
     for (const MooringEvent& event : line.events) table.row({event.time, line.name, event.what});
   }
-  std::ranges::stable_sort(table.rows, {}, [](const TableRow& row) { return std::get<double>(row.cells[0]); });
+  ranges::stable_sort(table.rows, {}, [](const TableRow& row) { return std::get<double>(row.cells[0]); });
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "results/result_enum_names.h"
 
 namespace overbend {
@@ -109,7 +110,7 @@ Table& Table::groups(const std::vector<std::pair<std::string, int>>& spans) {
 Table Table::with_columns(const std::vector<std::string_view>& keys) const {
   Table chosen{title, {}, look, std::vector<TableRow>(rows.size())};
   for (const std::string_view key : keys) {
-    const auto found = std::ranges::find(columns, key, &TableColumn::key);
+    const auto found = ranges::find(columns, key, &TableColumn::key);
     if (found == columns.end()) continue;
     const auto place = static_cast<std::size_t>(found - columns.begin());
     chosen.columns.push_back(*found);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/ranges.h"
 #include "resultfiles/summary/summary_fields.h"
 #include "results/line_results.h"
 #include "serve/answers/page_moorings.h"
@@ -48,7 +49,7 @@ auto page_region(const Style& style, const StaticResults& r, const RegionResult&
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) { json(field, extreme.value); });
   const Extreme& peak = region.von_mises;
   const auto nearest =
-      std::ranges::min_element(r.stations, {}, [&](const Station& station) { return std::abs(station.s - peak.s); });
+      ranges::min_element(r.stations, {}, [&](const Station& station) { return std::abs(station.s - peak.s); });
   json["utilisation"] = style.number(nearest == r.stations.end() ? 0.0 : yield_utilisation(peak.value, *nearest));
   json["s"] = style.number(style.along(peak.s));
   return style.named("Region", json.take());

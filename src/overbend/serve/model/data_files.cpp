@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/ranges.h"
 #include "resultfiles/static/results_writer.h"
 #include "runstore/append_file.h"
 
@@ -18,7 +19,7 @@ constexpr int kMaxFolderDepth = 3;
 /// True for text files that the page may upload: tables, RAOs, hydrodynamics of a hull in WAMIT format.
 bool text_data(const fs::path& file) {
   constexpr std::array kEndings = {".csv", ".4", ".yml", ".1", ".3", ".8", ".hst"};
-  return std::ranges::find(kEndings, file.extension().string()) != kEndings.end();
+  return ranges::find(kEndings, file.extension().string()) != kEndings.end();
 }
 
 bool data_name(const fs::path& file) {
@@ -44,7 +45,7 @@ Json data_files(const fs::path& folder) {
       names.push_back(position->path().lexically_relative(folder).generic_string());
     }
   }
-  std::ranges::sort(names);
+  ranges::sort(names);
   return {{"files", names}};
 }
 
@@ -56,7 +57,7 @@ std::string file_text(const fs::path& file) {
 /// Returns the path of a data file. Only plain names are accepted, so that nothing outside the folder is written.
 fs::path place(const fs::path& folder, const std::string& name) {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
-                    std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
+                    ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (bare && text_data(name)) return folder / name;
   throw HttpError(422, "'" + name + "' is not a valid name for a data file",
                   "a plain name that ends in .csv, .4, .yml, .1, .3, .8 or .hst");

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/yaml_edit.h"
 #include "report/page/json_number.h"
@@ -141,7 +142,7 @@ std::optional<Description> LiveStatics::read_changed(const Parsed& text, const M
   if (!edit_tree(root, changes)) return std::nullopt;
   std::optional<Description> description = read_statics_inputs(root, model.path).description;
   if (!description || !description->vessel.coupled) return description;
-  const bool of_vessel = std::ranges::any_of(changes, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
+  const bool of_vessel = ranges::any_of(changes, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
   if (of_vessel || !text.hull) return std::nullopt;
   description->vessel.coupled = text.hull;
   return description;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "numerics/welch.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
@@ -40,14 +41,14 @@ Json envelopes(const DynamicResults& r, bool over_time) {
 Json series_json(std::span<const double> time, std::span<const double> values, const SeriesWindow& window) {
   const std::size_t rows = std::min(time.size(), values.size());
   time = time.first(rows);
-  const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(time, window.from) - time.begin());
-  const auto end = static_cast<std::size_t>(std::ranges::upper_bound(time, window.to) - time.begin());
+  const auto begin = static_cast<std::size_t>(ranges::lower_bound(time, window.from) - time.begin());
+  const auto end = static_cast<std::size_t>(ranges::upper_bound(time, window.to) - time.begin());
   const std::size_t count = end > begin ? end - begin : 0;
   const std::size_t points = std::min(std::max<std::size_t>(window.points, 1), count);
   Json t = Json::array(), low = Json::array(), high = Json::array();
   for (std::size_t i = 0; i < points; ++i) {
     const std::size_t first = begin + i * count / points, last = begin + (i + 1) * count / points;
-    const auto [min_value, max_value] = std::ranges::minmax(values.subspan(first, last - first));
+    const auto [min_value, max_value] = ranges::minmax(values.subspan(first, last - first));
     t.push_back(seven_digits(time[first]));
     low.push_back(seven_digits(min_value));
     high.push_back(seven_digits(max_value));
@@ -58,7 +59,7 @@ Json series_json(std::span<const double> time, std::span<const double> values, c
 Json spectrum_json(std::span<const double> time, std::span<const double> values) {
   const std::size_t rows = std::min(time.size(), values.size());
   time = time.first(rows);
-  const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(time, 0.0) - time.begin());
+  const auto begin = static_cast<std::size_t>(ranges::lower_bound(time, 0.0) - time.begin());
   values = values.subspan(begin, rows - begin);
   const double count = static_cast<double>(values.size());
   const double step = count > 1.0 ? (time.back() - time[begin]) / (count - 1.0) : 1.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/ranges.h"
 #include "report/page/json_number.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
@@ -165,7 +166,7 @@ bool can_be_resumed(const RunInfo& run, const fs::path& runs) {
   if (!fs::exists(find_run_folder(run, runs) / kModelCopy, ignored)) return false;
   if (run.is_campaign()) return fs::exists(find_run_folder(run, runs) / kStudyFolder, ignored);
   if (!run.is_study()) return has_checkpoint(find_run_folder(run, runs));
-  return std::ranges::any_of(make_study_cases(run), [&](const RunInfo& case_run) {
+  return ranges::any_of(make_study_cases(run), [&](const RunInfo& case_run) {
     const fs::path folder = find_run_folder(case_run, runs);
     const std::optional<RunRecord> record = read_record(folder);
     return has_checkpoint(folder) || (record && !record->input.empty());

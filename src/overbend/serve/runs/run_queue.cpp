@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/ranges.h"
 #include "modelfile/yaml/model_differences.h"
 #include "platform/machine.h"
 #include "resultfiles/static/results_writer.h"
@@ -203,8 +204,8 @@ std::vector<RunInfo> RunQueue::list() const {
   for (std::size_t i = 0; i < runs.size(); ++i) {  // inserts the cases of each study after it, in order
     if (!runs[i].is_study()) continue;
     std::vector<RunInfo> cases;
-    std::ranges::copy_if(runs_, std::back_inserter(cases),
-                         [&](const RunInfo& candidate) { return candidate.parent == runs[i].id; });
+    ranges::copy_if(runs_, std::back_inserter(cases),
+                    [&](const RunInfo& candidate) { return candidate.parent == runs[i].id; });
     runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, cases.begin(), cases.end());
   }
   return runs;

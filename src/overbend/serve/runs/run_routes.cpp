@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/ranges.h"
 #include "modelfile/study_file/study_reader.h"
 #include "resultfiles/dynamic/long_data_reader.h"
 #include "serve/answers/campaign_json.h"
@@ -96,7 +97,7 @@ std::string make_study_title(const StudyDescription& study, const std::string& m
   std::string keys;
   for (const StudyAxis& axis : study.axes) {
     std::string last = axis.key.substr(axis.key.rfind('.') + 1);
-    std::ranges::replace(last, '_', ' ');
+    ranges::replace(last, '_', ' ');
     keys += (keys.empty() ? "" : axis.with.empty() ? " x " : " with ") + last;
   }
   return keys.empty() ? model : model + ": " + keys;
@@ -105,7 +106,7 @@ std::string make_study_title(const StudyDescription& study, const std::string& m
 HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& request) {
   const Json body = request.json();
   const std::string kind = body.value("kind", "");
-  if (std::ranges::find(kKinds, kind) == kKinds.end()) {
+  if (ranges::find(kKinds, kind) == kKinds.end()) {
     throw HttpError(400, "kind: found '" + kind + "', expected static, dynamic, seeds, comparison or study");
   }
   const ModelText text = model.snapshot();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/element_constants.h"
 #include "model/lay_stage.h"
@@ -139,7 +140,7 @@ class DraggedLineIntegrator {
 
 /// Initial shape of a lay, down to the touchdown point.
 LayShape cut_at_touchdown(LayShape shape) {
-  const auto end = std::ranges::lower_bound(shape.length, shape.touchdown - 1e-9) - shape.length.begin() + 1;
+  const auto end = ranges::lower_bound(shape.length, shape.touchdown - 1e-9) - shape.length.begin() + 1;
   for (std::vector<double>* values : {&shape.length, &shape.distance, &shape.z, &shape.dip}) {
     values->resize(static_cast<std::size_t>(end));
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "model/model_findings.h"
 #include "model/vessel/mooring_queries.h"
 #include "statics/moored/moored_lay.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr double kLongTime = 1e6;  ///< Pseudo time step without inertia: friction is as mobilised so far [s].
 
 StaticFailure unbalanced(const Model& model, const LinesEquilibriumReport& rest) {
-  const auto worst = std::ranges::find_if(rest.lines, [](const auto& line) { return !line.converged(); });
+  const auto worst = ranges::find_if(rest.lines, [](const auto& line) { return !line.converged(); });
   const std::string name = model.description.lines[static_cast<std::size_t>(worst - rest.lines.begin())].name;
   return {"no equilibrium was found", "line \"" + name + "\"",
           "its forces do not balance; a longer line or a finer `element` may help"};

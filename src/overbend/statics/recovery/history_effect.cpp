@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "statics/recovery/recovery.h"
 
 namespace overbend {
 namespace {
 
 bool has_yielded(const StaticSolution& solution) {
-  return std::ranges::any_of(solution.bending, [](const BendingMemory& memory) { return memory.stamp != 0; });
+  return ranges::any_of(solution.bending, [](const BendingMemory& memory) { return memory.stamp != 0; });
 }
 
 /// Maximum strains with the two histories.

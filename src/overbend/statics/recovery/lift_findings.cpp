@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
 
 const FreeLineDescription& described(const Model& model, const std::string& name) {
-  return *std::ranges::find(model.description.lines, name, &FreeLineDescription::name);
+  return *ranges::find(model.description.lines, name, &FreeLineDescription::name);
 }
 
 /// Horizontal distance by which a free end has been drawn back by the lift [m].
@@ -63,7 +64,7 @@ void warn_of_wire(const LiftResults& lift, const LiftedWire& wire, Findings& fin
 void warn_of_yield(const LiftedLine& line, const LiftResults& lift, Findings& findings) {
   for (const LiftedWire& wire : lift.davits) {
     if (wire.on != line.name) continue;
-    const auto node = std::ranges::min_element(line.nodes, {}, [&](const LiftedNode& node_of_line) {
+    const auto node = ranges::min_element(line.nodes, {}, [&](const LiftedNode& node_of_line) {
       return std::abs(node_of_line.location.arc_length - wire.location.arc_length);
     });
     if (node->stress <= node->yield_stress) continue;
@@ -119,7 +120,7 @@ Assumptions lift_assumptions(const Model& model) {
   Assumptions assumptions = {{AssumptionRank::other,
                               "Lines on lines: an attachment is a hinge on the axis of the line that carries it; pipe "
                               "is linear elastic, without torsion; the bed supports it along its underside."}};
-  const bool wires = std::ranges::any_of(model.description.lines, [](const FreeLineDescription& line) {
+  const bool wires = ranges::any_of(model.description.lines, [](const FreeLineDescription& line) {
     return !has_pipe_section(line) && is_weightless(line);
   });
   if (wires) {
@@ -127,8 +128,8 @@ Assumptions lift_assumptions(const Model& model) {
         {AssumptionRank::other,
          "Lines without weight are straight wires without compression, drag or contact with the bed."});
   }
-  const bool welds = std::ranges::any_of(model.description.operation.lay.stages,
-                                         [](const LayStageDescription& stage) { return stage.join.has_value(); });
+  const bool welds = ranges::any_of(model.description.operation.lay.stages,
+                                    [](const LayStageDescription& stage) { return stage.join.has_value(); });
   if (welds) {
     assumptions.push_back(
         {AssumptionRank::other,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "statics/recovery/lifted_line.h"
 #include "statics/recovery/lines_recovery.h"
 #include "system/cut_forces.h"
@@ -48,14 +49,14 @@ Pull compute_pull(const LinkedLines& lines, std::size_t i) {
 
 SolvedLine solved_line(const Model& model, const LinkedLines& lines, const std::string& name) {
   const auto& all = model.description.lines;
-  const auto found = std::ranges::find(all, name, &FreeLineDescription::name);
+  const auto found = ranges::find(all, name, &FreeLineDescription::name);
   return solved_lines(model, lines).line(static_cast<std::size_t>(found - all.begin()));
 }
 
 /// Node of an attachment on the line that carries it, at any present length of that line.
 int attached_node(const Model& model, const SolvedLine& line, const LineEndDescription& end) {
   const auto& all = model.description.lines;
-  const auto on = std::ranges::find(all, end.line, &FreeLineDescription::name);
+  const auto on = ranges::find(all, end.line, &FreeLineDescription::name);
   const double drawn = CableParts{on->segments, on->points}.length();
   return node_at(line.line().mesh, end.arc_length * line.line().mesh.total_length() / drawn);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/ranges.h"
 #include "mechanics/ground.h"
 #include "mechanics/rod_element.h"
 #include "mechanics/stress.h"
@@ -197,7 +198,7 @@ void find_extremes(const SolvedLine& line, NodeList& list, LiftedLine& out) {
   out.bending = find_maximum(line, list, bending_moment);
   out.bending_stress = find_maximum(line, list, [](const LiftedNode& node) { return node.stress; }).value;
   out.von_mises = find_maximum(line, list, [](const LiftedNode& node) { return node.von_mises; }).value;
-  const auto [lowest, highest] = std::ranges::minmax_element(list.nodes, {}, &LiftedNode::tension);
+  const auto [lowest, highest] = ranges::minmax_element(list.nodes, {}, &LiftedNode::tension);
   out.min_tension = lowest->tension;
   out.max_tension = highest->tension;
 }

@@ -1,5 +1,6 @@
 #include "statics/recovery/recovery.h"
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "statics/recovery/recovery_parts.h"
 
@@ -216,7 +217,7 @@ Regions make_regions(const std::vector<Station>& stations, double touchdown, std
 void find_min_tension(StaticResults& results) {
   constexpr double kSame = 1e-7;  // relative to the maximum tension
   const auto less = [](const Station& a, const Station& b) { return a.effective_tension < b.effective_tension; };
-  const double min_tension = std::ranges::min_element(results.stations, less)->effective_tension;
+  const double min_tension = ranges::min_element(results.stations, less)->effective_tension;
   for (const Station& station : results.stations) {
     if (station.effective_tension <= min_tension + kSame * std::abs(results.max_tension)) {
       results.min_effective_tension = {min_tension, station.s, station.p_W, station.astern};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/pipe_attachments.h"
 
@@ -104,8 +105,8 @@ Vec3 attached_force(const StaticSystem& system, const LineState& state, std::opt
 }
 
 bool holds_something(const StaticSystem& system, int node) {
-  return std::ranges::any_of(system.line().points, [node](const LinePoint& point) { return point.node == node; }) ||
-         std::ranges::any_of(system.line().wires, [node](const LineWire& wire) { return wire.node == node; });
+  return ranges::any_of(system.line().points, [node](const LinePoint& point) { return point.node == node; }) ||
+         ranges::any_of(system.line().wires, [node](const LineWire& wire) { return wire.node == node; });
 }
 
 void recover_attachments(StaticResults& results, const StaticSystem& system, const LineState& state,

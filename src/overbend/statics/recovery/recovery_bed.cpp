@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/rod_element.h"
 #include "model/site/seabed_shape.h"
@@ -138,7 +139,7 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
       spans, [&](const FreeSpanResult& span) { return span.max_gap < kWorthSaying || span.s_from <= pipe_end + 1e-6; });
   if (!spans.empty()) {
     const FreeSpanResult max_span =
-        *std::ranges::max_element(spans, {}, [](const FreeSpanResult& span) { return span.length; });
+        *ranges::max_element(spans, {}, [](const FreeSpanResult& span) { return span.length; });
     results.findings.push_back(Finding{
         FindingCode::free_spans,
         fmt::format(
@@ -160,7 +161,7 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
             .with("moment", results.bed->hogging_moment, "N m"));
   }
   const SeabedShape* const shape = model.seabed.surface.shape();
-  const bool leaves = shape != nullptr && std::ranges::any_of(results.stations, [&](const Station& station) {
+  const bool leaves = shape != nullptr && ranges::any_of(results.stations, [&](const Station& station) {
                         return station.s <= results.touchdown.s && outside(*shape, station.p_W);
                       });
   if (leaves) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/rod_element.h"
 #include "model/lay_stage.h"
@@ -25,7 +26,7 @@ const Station& nearest_station(const StaticResults& results, double s, bool cabl
   const auto distance = [&](const Station& station) {
     return (station.kind == SectionKind::cable) == cable ? std::abs(station.s - s) : 1e30;
   };
-  return *std::ranges::min_element(results.stations, {}, distance);
+  return *ranges::min_element(results.stations, {}, distance);
 }
 
 std::vector<BedContactResult> contacts(const StaticResults& results, const StaticSystem& system,

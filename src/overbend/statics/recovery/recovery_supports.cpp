@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/contact_damage.h"
 #include "model/box_dip.h"
@@ -162,7 +163,7 @@ void set_pipe_loads(SupportResult& box, const std::vector<Station>& stations) {
   if (box.s < 0.0) return;
   const auto take = [&](double Station::*load, double SupportResult::*maximum) {
     const auto at_place = [&](double s) {
-      const auto after = std::ranges::lower_bound(stations, s, {}, &Station::s);
+      const auto after = ranges::lower_bound(stations, s, {}, &Station::s);
       if (after == stations.begin() || after == stations.end()) return 0.0;
       const Station &above = *after, &below = *(after - 1);
       return below.*load + (s - below.s) / (above.s - below.s) * (above.*load - below.*load);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "statics/recovery/recovery.h"
 #include "statics/solver/steady_laying.h"
@@ -51,7 +52,7 @@ struct Limit {
 
 std::vector<Limit> make_limits(const Model& model, const StaticResults& results) {
   const auto has = [&](double Roller::*friction) {
-    return std::ranges::any_of(model.supports.rollers, [&](const Roller& roller) { return roller.*friction > 0.0; });
+    return ranges::any_of(model.supports.rollers, [&](const Roller& roller) { return roller.*friction > 0.0; });
   };
   const StaticSettings& statics = model.description.statics;
   const bool axial = has(&Roller::friction_axial), lateral = has(&Roller::friction_lateral);

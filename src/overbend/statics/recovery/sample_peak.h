@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/ranges.h"
+
 namespace overbend {
 
 struct Sample {
@@ -15,7 +17,7 @@ struct Sample {
 /// neighbour indicates a kink, where no parabola applies. All zero without samples.
 inline Sample peak(const std::vector<Sample>& samples) {
   if (samples.empty()) return {};
-  const auto maximum = std::ranges::max_element(samples, {}, &Sample::value);
+  const auto maximum = ranges::max_element(samples, {}, &Sample::value);
   if (maximum == samples.begin() || maximum + 1 == samples.end()) return *maximum;
   constexpr double kKink = 2e-3;  // [m]
   const Sample &a = *(maximum - 1), &b = *maximum, &c = *(maximum + 1);

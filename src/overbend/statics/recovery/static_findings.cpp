@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "model/material_description.h"
@@ -244,7 +245,7 @@ Findings lay_findings(const Model& model) {
   }
   warn_of_incline(list, model);
   warn_of_field_joints(list, model);
-  std::ranges::copy(material_findings(model), std::back_inserter(list));
+  ranges::copy(material_findings(model), std::back_inserter(list));
   return list;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "statics/solver/starting_point.h"
@@ -71,7 +72,7 @@ class AnchorSearch {
     report_.iterations += solution_->report.iterations;
     report_.relaxation_steps += solution_->report.relaxation_steps;
     report_.force_residual = solution_->report.force_residual;
-    std::ranges::copy(solution_->report.history, std::back_inserter(report_.history));
+    ranges::copy(solution_->report.history, std::back_inserter(report_.history));
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/plastic_bending.h"
 #include "model/lay_stage.h"
@@ -258,7 +259,7 @@ bool continue_in_bed_relief(EquilibriumProblem& problem) {
   LayPlane level = problem.system.plane();
   const LayShape landing = lay_shape(problem.model, level, problem.target.value);
   if (!landing.problem.empty() || has_cable(problem.model.description)) return false;
-  const auto touchdown = std::ranges::lower_bound(landing.length, landing.touchdown);
+  const auto touchdown = ranges::lower_bound(landing.length, landing.touchdown);
   const double height = landing.z[static_cast<std::size_t>(touchdown - landing.length.begin())] - level.radius;
   level.surface = SeabedSurface(height * Vec3::UnitZ(), Vec3::UnitZ());
   problem.state = sample_shape(problem.system, lay_shape(problem.model, level, problem.target.value));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/dragged_shape.h"
@@ -22,7 +23,7 @@ constexpr int kMaxChanges = 20;    ///< Changes of the length.
 /// Number of elements of the cable, counted from the far end.
 std::size_t cable_elements(const LineMesh& mesh) {
   const auto other_section =
-      std::ranges::find_if(mesh.section, [&](int section) { return section != mesh.section.front(); });
+      ranges::find_if(mesh.section, [&](int section) { return section != mesh.section.front(); });
   return static_cast<std::size_t>(other_section - mesh.section.begin());
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "hull/make_hull.h"
 #include "model/vessel/mooring_queries.h"
@@ -147,7 +148,7 @@ std::vector<std::string> unheld_directions(const Mat6& stiffness, double arm) {
     Eigen::Index max_index = 0;
     modes.eigenvectors().col(k).cwiseAbs().maxCoeff(&max_index);
     const std::string name = kFreedomNames[static_cast<std::size_t>(max_index)];
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

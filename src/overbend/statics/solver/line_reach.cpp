@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/bodies.h"
 #include "model/vessel/mooring_queries.h"
@@ -67,7 +68,7 @@ class Reach {
   std::vector<HeldPlace> held_places(const LineEndDescription& end) const {
     if (!has_known_position(end)) return {};
     if (end.kind != LineEndKind::line) return {{held_place(end), 0.0}};
-    const auto other_line = std::ranges::find(lines_, end.line, &FreeLineDescription::name);
+    const auto other_line = ranges::find(lines_, end.line, &FreeLineDescription::name);
     const double drawn = drawn_length(*other_line);
     const double stretched = max_stretch_ratio(*other_line) *
                              position_.lengths[static_cast<std::size_t>(other_line - lines_.begin())] / drawn;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/ranges.h"
 #include "mechanics/ground.h"
 #include "model/bodies.h"
 #include "model/waves/wave_theory.h"
@@ -186,7 +187,7 @@ CableMesh make_mesh_requirements(const Model& model, const FreeLineDescription& 
 }
 
 bool has_linked_lines(const Description& description) {
-  return std::ranges::any_of(description.lines, [](const FreeLineDescription& line) {
+  return ranges::any_of(description.lines, [](const FreeLineDescription& line) {
     return is_linked(line) || (!has_pipe_section(line) && is_weightless(line));
   });
 }
@@ -204,7 +205,7 @@ SurroundingsAt static_surroundings(const std::vector<VesselPose>& poses, const s
   for (const VesselPose& pose : poses) bodies.push_back(resting(pose));
   // Captured by value, as the system may be moved.
   return [bodies, ends = attachments](double, Surroundings& surroundings) {
-    std::ranges::copy(bodies, surroundings.bodies.begin());
+    ranges::copy(bodies, surroundings.bodies.begin());
     set_attachment_motions(ends, surroundings);
   };
 }

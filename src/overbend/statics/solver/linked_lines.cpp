@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/shown_unit.h"
 #include "hull/body_kinematics.h"
@@ -21,7 +22,7 @@ std::size_t to_size(int i) {
 }
 
 std::size_t find_line_index(const std::vector<FreeLineDescription>& lines, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
+  return static_cast<std::size_t>(ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
 
 double mixed(double from, double to, double share) {
@@ -150,7 +151,7 @@ LinkedLines::LinkedLines(const Model& model) : model_(&model), setup_(linked_lin
 StaticLines LinkedLines::make_static_lines() const {
   StaticLines lines{setup_, state_, {}};
   for (LineState& line : lines.state.lines) {
-    std::ranges::fill(line.v, 0.0);
+    ranges::fill(line.v, 0.0);
     lines.rest.lies_in_bow.push_back(true);
   }
   std::size_t number = 0;

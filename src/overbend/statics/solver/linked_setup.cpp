@@ -1,6 +1,7 @@
 // System of lines attached to each other, with its initial shape.
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "model/bodies.h"
 #include "statics/initial_shape/cable_shape.h"
 #include "statics/initial_shape/lying_shape.h"
@@ -14,7 +15,7 @@ std::size_t to_size(int i) {
 }
 
 std::size_t find_line_index(const std::vector<FreeLineDescription>& lines, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
+  return static_cast<std::size_t>(ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
 
 /// Builds the system line by line; the lines that a line is attached to come first.

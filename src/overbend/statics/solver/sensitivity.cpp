@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "mechanics/rod_element.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/stage_shape.h"
@@ -89,8 +90,8 @@ double landing_miss_or_zero(const StaticSystem& system, const LineState& state) 
 }
 
 bool same_order(const Model& a, const Model& b) {
-  return std::ranges::equal(a.spans, b.spans,
-                            [](const SectionSpan& x, const SectionSpan& y) { return x.section == y.section; });
+  return ranges::equal(a.spans, b.spans,
+                       [](const SectionSpan& x, const SectionSpan& y) { return x.section == y.section; });
 }
 
 /// Distances from the tensioner and their shifts [m].
@@ -102,7 +103,7 @@ Shifts with_fixed_nodes(const Shifts& limits, const LineMesh& mesh) {
   constexpr double kElements = 6.0;
   const auto reach = [&](double u) {
     const double s = mesh.total_length() - u;
-    const auto above = std::ranges::lower_bound(mesh.s, s);
+    const auto above = ranges::lower_bound(mesh.s, s);
     const std::ptrdiff_t e = above - mesh.s.begin(), last = mesh.elements() - 1;
     const double before = mesh.length[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(e - 1, 0, last))];
     const double after = mesh.length[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(e, 0, last))];
@@ -136,10 +137,10 @@ std::optional<LineMesh> moved_mesh(const LineMesh& mesh, const Model& from, cons
   }
   const double longer = model.description.pipe.length.value_or(0.0) - from.description.pipe.length.value_or(0.0);
   limits.emplace_back(total, longer);
-  if (std::ranges::all_of(limits, [](const auto& limit) { return limit.second == 0.0; })) return mesh;
+  if (ranges::all_of(limits, [](const auto& limit) { return limit.second == 0.0; })) return mesh;
   limits = with_fixed_nodes(limits, mesh);
   const auto shift = [&](double u) {
-    const auto after = std::ranges::find_if(limits, [&](const auto& limit) { return limit.first >= u; });
+    const auto after = ranges::find_if(limits, [&](const auto& limit) { return limit.first >= u; });
     if (after == limits.begin()) return after->second;
     if (after == limits.end()) return limits.back().second;
     const auto before = std::prev(after);
@@ -199,7 +200,7 @@ std::optional<StaticPair> EquilibriumTangent::neighbouring_equilibria(const Mode
   if (!regular_ || !alike || !mesh_before || !mesh_after) return std::nullopt;
   Trial low = trial(before, std::move(*mesh_before)), high = trial(after, std::move(*mesh_after));
   Imbalance out = high.out;
-  std::ranges::transform(low.out.residual, high.out.residual, out.residual.begin(), half);
+  ranges::transform(low.out.residual, high.out.residual, out.residual.begin(), half);
   out.target = half(low.out.target, high.out.target);
   out.miss = half(low.out.miss, high.out.miss);
   const bool stay = low.contacts_stay && high.contacts_stay;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/site/seabed_shape.h"
 
@@ -342,7 +343,7 @@ std::optional<MissedBox> find_missed_box(const Model& model, const StaticSystem&
     if (!misses_roller(model, system, i)) continue;
     const ClosestPoint& closest = system.contacts()[i].closest;
     if (closest.off_end > system.mesh().total_length()) return std::nullopt;
-    const bool sided = std::ranges::any_of(rollers, [&](const Roller& roller) {
+    const bool sided = ranges::any_of(rollers, [&](const Roller& roller) {
       return roller.box == rollers[i].box && roller.position != RollerPosition::bottom;
     });
     return MissedBox{model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end, sided};

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "model/pipe_attachments.h"
@@ -46,9 +47,9 @@ bool mesh_fits(const Model& model, const StaticSolution& start) {
     const auto node = std::lower_bound(mesh.s.begin(), mesh.s.end(), s - 1e-6);
     return s < 0.5 || std::abs(*node - s) < 1e-6;
   };
-  return std::ranges::all_of(model.spans, [&](const SectionSpan& span) { return node_there(span.to); }) &&
-         std::ranges::all_of(pipe_attachments(model.description),
-                             [&](const PipeAttachment& attached) { return node_there(attached.from_top); });
+  return ranges::all_of(model.spans, [&](const SectionSpan& span) { return node_there(span.to); }) &&
+         ranges::all_of(pipe_attachments(model.description),
+                        [&](const PipeAttachment& attached) { return node_there(attached.from_top); });
 }
 
 bool solve_from_shape(EquilibriumProblem& problem, const LayShape& shape) {
@@ -104,8 +105,8 @@ bool solve_from(EquilibriumProblem& problem, const StaticSolution& start, const 
 /// True if every edge of contact on a shaped bed is well inside the short elements made for one.
 bool edges_fit_mesh(const EquilibriumProblem& problem, const MeshZones& built, const MeshZones& current) {
   const double reach = 0.5 * soil_length(problem.model, problem.model.pipe_section().EI);
-  return std::ranges::all_of(current.bed_edges, [&](const LineStretch& edge) {
-    return std::ranges::any_of(built.bed_edges, [&](const LineStretch& zone) {
+  return ranges::all_of(current.bed_edges, [&](const LineStretch& edge) {
+    return ranges::any_of(built.bed_edges, [&](const LineStretch& zone) {
       return edge.from > zone.from - reach && edge.to < zone.to + reach;
     });
   });

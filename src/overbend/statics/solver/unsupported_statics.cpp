@@ -1,5 +1,6 @@
 #include "statics/solver/unsupported_statics.h"
 
+#include "base/ranges.h"
 #include "model/lay_stage.h"
 #include "model/pipe_attachments.h"
 #include "model/vessel/mooring_queries.h"
@@ -36,7 +37,7 @@ std::optional<StaticFailure> unsupported_lines(const Description& description) {
       return StaticFailure{"a line on the pipe has no fixed attachment", line.name,
                            "its other end has to be fixed, on the bed, in the water or on the vessel", true, "lines"};
     }
-    const bool stiff = std::ranges::any_of(line.segments, [](const LineSegmentDescription& segment) {
+    const bool stiff = ranges::any_of(line.segments, [](const LineSegmentDescription& segment) {
       return segment.section || segment.type.bending_stiffness > 0.0;
     });
     if (stiff || !line.points.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/ranges.h"
 #include "study/run/non_stationary.h"
 #include "study/run/seeds_gather.h"
 
@@ -20,7 +21,7 @@ bool has_word(const std::string& name, const std::string& word) {
 }
 
 bool has_non_stationary_case(const std::vector<const StudyCase*>& group) {
-  return std::ranges::any_of(group, [](const StudyCase* study_case) {
+  return ranges::any_of(group, [](const StudyCase* study_case) {
     return has_code(study_case->findings, FindingCode::record_not_stationary);
   });
 }
@@ -62,7 +63,7 @@ void add_group(StudyResults& results, const std::vector<const StudyCase*>& group
     const std::optional<bool> is_maximum = is_maximum_output(results.outputs[i].name);
     if (!is_maximum || results.outputs[i].text) continue;
     const bool everywhere =
-        std::ranges::all_of(group, [&](const StudyCase* study_case) { return study_case->values[i].has_value(); });
+        ranges::all_of(group, [&](const StudyCase* study_case) { return study_case->values[i].has_value(); });
     if (!everywhere) continue;
     StudyExtreme extreme = make_extreme(group, i, *is_maximum, duration);
     if (!seen.empty()) {
@@ -78,7 +79,7 @@ void add_group(StudyResults& results, const std::vector<const StudyCase*>& group
 
 std::optional<bool> is_maximum_output(const std::string& output) {
   const auto any = [&](std::initializer_list<const char*> candidates) {
-    return std::ranges::any_of(candidates, [&](const char* word) { return has_word(output, word); });
+    return ranges::any_of(candidates, [&](const char* word) { return has_word(output, word); });
   };
   if (any({"min", "smallest", "least"})) return false;
   if (any({"max", "largest", "utilisation"})) return true;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "model/description/study_enum_names.h"
@@ -38,7 +39,7 @@ const char* word(StudyCaseState state) {
 }
 
 StudyCaseState parse_state(const std::string& name) {
-  const auto found = std::ranges::find(kStates, name);
+  const auto found = ranges::find(kStates, name);
   return found == kStates.end() ? StudyCaseState::open : static_cast<StudyCaseState>(found - kStates.begin());
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/finding.h"
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "base/threads.h"
 #include "report/studies/study_page.h"
 #include "resultfiles/studies/study_writer.h"
@@ -307,7 +308,7 @@ void add_serious_findings(StudyResults& results) {
     if (study_case.state == StudyCaseState::done) of_cases.push_back(serious_findings(study_case.findings));
   }
   std::vector<SharedFinding> shared = shared_findings(of_cases);
-  std::ranges::stable_sort(shared, std::greater<>(), [](const SharedFinding& finding) { return finding.runs.size(); });
+  ranges::stable_sort(shared, std::greater<>(), [](const SharedFinding& finding) { return finding.runs.size(); });
   for (const SharedFinding& group : shared) {
     Finding finding = group.worst;
     if (results.findings.size() >= kShown) {

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "checks/run_checks.h"
 #include "dynamics/integrator/dynamics.h"
 #include "modelfile/reading/seek_reader.h"
@@ -123,7 +124,7 @@ Json worst_stage_summary(const OperationResults& results) {
 std::string judge_stages(const OperationResults& results, CaseResult& answer) {
   judge(operation_checks(results), operation_findings(results), answer);
   answer.summary = worst_stage_summary(results);
-  const auto failed = std::ranges::find_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
+  const auto failed = ranges::find_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
   if (failed == results.stages.end()) return "";
   answer.verdict = VerdictKind::exceeded;
   return fmt::format("no equilibrium at stage {}: {}", failed->stage.name, failed->failure->why);
@@ -142,7 +143,7 @@ CaseResult evaluate_operation(const CaseBase& base, const CaseInput& question, c
   if (stopped) return ended(RunStatus::interrupted, "interrupted");
   CaseResult answer;
   const std::string failed = judge_stages(results, answer);
-  if (std::ranges::none_of(results.stages, [](const StageResult& stage) { return stage.lay.has_value(); })) {
+  if (ranges::none_of(results.stages, [](const StageResult& stage) { return stage.lay.has_value(); })) {
     return ended(RunStatus::no_solution, "no solution: " + failed);
   }
   if (conduct.keep) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/units.h"
 #include "modelfile/fields/seek_values.h"
@@ -41,7 +42,7 @@ StudyInput make_input(const SampledKey& key) {
 
 std::size_t find_lead(const std::vector<StudyAxis>& axes, std::size_t axis) {
   while (!axes[axis].with.empty()) {
-    const auto lead = std::ranges::find(axes, axes[axis].with, &StudyAxis::key);
+    const auto lead = ranges::find(axes, axes[axis].with, &StudyAxis::key);
     require(lead != axes.end(), "an axis varies with an existing axis");
     axis = static_cast<std::size_t>(lead - axes.begin());
   }

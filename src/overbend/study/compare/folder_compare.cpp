@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/json.h"
+#include "base/ranges.h"
 #include "modelfile/yaml/model_differences.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/stages/operation_reader.h"
@@ -58,7 +59,7 @@ void take_checks(Read& read, const std::string& front, const CheckTable& checks)
 }
 
 void append(std::vector<ResultValue>& values, std::vector<ResultValue>&& more) {
-  std::ranges::move(more, std::back_inserter(values));
+  ranges::move(more, std::back_inserter(values));
 }
 
 void take_pipe(Read& read, const StaticResults& results) {
@@ -184,9 +185,9 @@ void name_folders(std::vector<Read>& all) {
   };
   for (std::size_t parts = 1; parts < 12; ++parts) {
     for (Read& read : all) read.folder.name = last_parts(read.folder.path, parts);
-    const bool apart = std::ranges::all_of(all, [&](const Read& read) {
-      return std::ranges::count_if(
-                 all, [&](const Read& candidate) { return candidate.folder.name == read.folder.name; }) == 1;
+    const bool apart = ranges::all_of(all, [&](const Read& read) {
+      return ranges::count_if(all, [&](const Read& candidate) { return candidate.folder.name == read.folder.name; }) ==
+             1;
     });
     if (apart) return;
   }
@@ -204,7 +205,7 @@ std::vector<ComparedResult> compared_results(const std::vector<Read>& all) {
   std::vector<ComparedResult> results;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const ResultValue& value : all[i].values) {
-      auto found = std::ranges::find_if(results, [&](const auto& known) { return known.name == value.name; });
+      auto found = ranges::find_if(results, [&](const auto& known) { return known.name == value.name; });
       if (found == results.end()) {
         results.push_back({value.name, value.text, value.unit, value.key, {}});
         results.back().values.resize(all.size());
@@ -215,15 +216,14 @@ std::vector<ComparedResult> compared_results(const std::vector<Read>& all) {
   }
   // Results of one folder only cannot be compared.
   std::erase_if(results, [](const ComparedResult& result) {
-    return std::ranges::count_if(result.values, [](const auto& value) { return value.has_value(); }) < 2;
+    return ranges::count_if(result.values, [](const auto& value) { return value.has_value(); }) < 2;
   });
-  std::ranges::stable_sort(results, std::greater<>(), &ComparedResult::max_relative_change);
+  ranges::stable_sort(results, std::greater<>(), &ComparedResult::max_relative_change);
   return results;
 }
 
 std::vector<std::string> make_notes(const std::vector<Read>& all) {
-  const bool mixed =
-      std::ranges::any_of(all, [&](const Read& read) { return read.folder.kind != all.front().folder.kind; });
+  const bool mixed = ranges::any_of(all, [&](const Read& read) { return read.folder.kind != all.front().folder.kind; });
   if (!mixed) return {};
   std::string kinds;
   for (const Read& read : all) {

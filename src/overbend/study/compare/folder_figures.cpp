@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 
 namespace overbend {
@@ -45,7 +46,7 @@ double top_position(const StaticResults& results) {
 /// Adds a decimated history: minimum and maximum of each interval in turn.
 void add_history(FolderCurves& curves, const DynamicResults& results, const std::string& name, const std::string& title,
                  const std::string& quantity, const char* si) {
-  const auto history = std::ranges::find(results.histories, name, &HistorySummary::name);
+  const auto history = ranges::find(results.histories, name, &HistorySummary::name);
   if (history == results.histories.end() || history->low.size() != history->high.size() || history->low.empty()) return;
   const double count = static_cast<double>(history->low.size());
   const double stretch = (results.duration + results.build_up) / count;
@@ -104,7 +105,7 @@ std::vector<OverlaidFigure> overlaid(const std::vector<FolderCurves>& folders) {
   std::vector<OverlaidFigure> figures;
   for (std::size_t i = 0; i < folders.size(); ++i) {
     for (const FolderCurve& curve : folders[i]) {
-      auto found = std::ranges::find(figures, curve.title, &OverlaidFigure::title);
+      auto found = ranges::find(figures, curve.title, &OverlaidFigure::title);
       if (found == figures.end()) {
         figures.push_back({curve.title, curve.x_label, curve.y_label, {}});
         found = std::prev(figures.end());

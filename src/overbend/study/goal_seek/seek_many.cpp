@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "numerics/bounded_search.h"
 #include "report/studies/seek_texts.h"
 #include "resultfiles/summary/named_results.h"
@@ -150,7 +151,7 @@ class ManyKeys {
         end = std::move(*candidate);  // the nearest so far
       }
     }
-    std::ranges::stable_sort(met, {}, &Place::objective);
+    ranges::stable_sort(met, {}, &Place::objective);
     if (met.size() > kFollowed) met.resize(kFollowed);
     search_from_all(met, end);
     if (met.empty()) restarts_ = std::min(kMeetStarts, sampled_points_ - without_values_);
@@ -159,7 +160,7 @@ class ManyKeys {
   /// Adds a point at which the conditions are met, unless it is known.
   void add_place(const VectorXd& x, std::vector<Place>& met) {
     const auto same = [&](const Place& known) { return (known.x - x).cwiseAbs().maxCoeff() < kSamePlace; };
-    if (std::ranges::none_of(met, same)) {
+    if (ranges::none_of(met, same)) {
       met.push_back({x, 0.0, objective_value(values(history_.at(values_at(x))).value())});
     }
   }
@@ -232,7 +233,7 @@ class ManyKeys {
     if (seek_.minimise.empty()) return true;
     const std::vector<double> aims = aim_values(first);
     if (aims.empty()) return does_not_apply(seek_.minimise);
-    aim_scale_ = std::max(along_.empty() ? mean_size(aims) : *std::ranges::max_element(aims), 1e-12);
+    aim_scale_ = std::max(along_.empty() ? mean_size(aims) : *ranges::max_element(aims), 1e-12);
     results_.goals.back().before = named_result(first.summary, seek_.minimise);
     return true;
   }

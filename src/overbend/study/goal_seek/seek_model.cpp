@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/result_path.h"
 #include "base/threads.h"
@@ -100,8 +101,8 @@ std::vector<YamlChange> SeekModel::changes(const std::vector<double>& values, in
 /// longer fit.
 Description SeekModel::described(const std::vector<double>& values) const {
   const std::vector<YamlChange> list = changes(values, 17);
-  const bool files = base_.vessel.coupled &&
-                     std::ranges::any_of(list, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
+  const bool files =
+      base_.vessel.coupled && ranges::any_of(list, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
   YamlNode tree = tree_;
   ModelReading reading = !files && edit_tree(tree, list)
                              ? read_statics_inputs(tree, base_.source_file)

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "base/result_path.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml/yaml_edit.h"
@@ -123,7 +124,7 @@ SeekStages::SeekStages(const Description& description, const SeekDescription& se
     }
     first_ = std::min(first_, stage.value_or(0));
   }
-  const bool others = std::ranges::any_of(unknowns, [](const SeekUnknown& u) { return !stage_of_key(u.path); });
+  const bool others = ranges::any_of(unknowns, [](const SeekUnknown& u) { return !stage_of_key(u.path); });
   if (others || !lift_) {
     first_ = 0;
     return;
@@ -183,11 +184,11 @@ std::optional<double> kept_length(const Description& description, const std::str
   if (!line) return std::nullopt;
   const Stages& stages = description.operation.lay.stages;
   for (std::size_t i = std::min(*stage_of_key(path), stages.size()); i-- > 0;) {
-    const auto length = std::ranges::find(stages[i].lengths, *line, &LineValue::line);
+    const auto length = ranges::find(stages[i].lengths, *line, &LineValue::line);
     if (length != stages[i].lengths.end()) return length->value;
-    if (std::ranges::find(stages[i].tensions, *line, &LineValue::line) != stages[i].tensions.end()) return std::nullopt;
+    if (ranges::find(stages[i].tensions, *line, &LineValue::line) != stages[i].tensions.end()) return std::nullopt;
   }
-  const auto line_description = std::ranges::find(description.lines, *line, &FreeLineDescription::name);
+  const auto line_description = ranges::find(description.lines, *line, &FreeLineDescription::name);
   if (line_description == description.lines.end()) return std::nullopt;
   return nominal_position(description).lengths[static_cast<std::size_t>(line_description - description.lines.begin())];
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/finding.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "base/units.h"
 #include "results/findings.h"
@@ -83,14 +84,14 @@ LayCase nearest_to_passing(const std::vector<TriedLay>& tried, const TryLay& try
   const auto tension_text = [](double tension) { return shown_digits(tension, "N", 5); };
   const std::string none = fmt::format("no tension from {} to {} passes every check", tension_text(tried.front().value),
                                        tension_text(tried.back().value));
-  const auto first = std::ranges::find_if(tried, [](const TriedLay& trial) { return trial.lay.lay.has_value(); });
+  const auto first = ranges::find_if(tried, [](const TriedLay& trial) { return trial.lay.lay.has_value(); });
   if (first == tried.end()) {
     return {tried.back().value, tried.back().lay.depth, {}, none + ": " + tried.back().lay.reason};
   }
   const auto utilisation = [](const TriedLay& trial) {
     return trial.lay.lay ? trial.lay.lay->utilisation.value_or(0.0) : std::numeric_limits<double>::infinity();
   };
-  LayCase nearest = try_at(std::ranges::min_element(tried, {}, utilisation)->value);
+  LayCase nearest = try_at(ranges::min_element(tried, {}, utilisation)->value);
   nearest.reason = fmt::format(
       "{}: with {}, the lowest tension with an equilibrium, {}; with {}, {}; the nearest to passing is shown: {}", none,
       tension_text(first->value), first->lay.reason, tension_text(tried.back().value), tried.back().lay.reason,

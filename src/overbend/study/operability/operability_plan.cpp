@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "base/require.h"
 #include "base/units.h"
 
@@ -19,7 +20,7 @@ constexpr int kDigits = 9;  ///< Number of digits of a value in the model.
 const StudyInput& find_lead(const std::vector<StudyInput>& inputs, const StudyInput& input) {
   const StudyInput* lead = &input;
   while (!lead->with.empty()) {
-    const auto next_lead = std::ranges::find(inputs, lead->with, &StudyInput::key);
+    const auto next_lead = ranges::find(inputs, lead->with, &StudyInput::key);
     require(next_lead != inputs.end(), "an axis varies with an existing axis");
     lead = &*next_lead;
   }
@@ -53,7 +54,7 @@ OperabilityPlan::OperabilityPlan(const StudyDescription& study) : seeds_(study.s
     }
   }
   require(!over_.values.empty(), "the searched axis is numeric");
-  const auto [min, max] = std::ranges::minmax(over_.values);
+  const auto [min, max] = ranges::minmax(over_.values);
   values_ = searched_values(min, max, wanted.resolution);
   for (const StudyInput& axis : axes_) grid_.axes.push_back(axis.value_texts.size());
   grid_.values = values_.size();

@@ -10,6 +10,7 @@
 #include "base/constants.h"
 #include "base/finding.h"
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "resultfiles/summary/named_results.h"
@@ -180,7 +181,7 @@ void add_ignored_remarks(const StudyDescription& study, const OperabilityPlan& p
   }
   const double slack = 1e-6 * study.operability->resolution;  // values and resolution come from decimal text
   const auto is_tried = [&](double value) {
-    return std::ranges::any_of(plan.values(), [&](double tried) { return std::abs(tried - value) < slack; });
+    return ranges::any_of(plan.values(), [&](double tried) { return std::abs(tried - value) < slack; });
   };
   std::vector<std::string> left;
   for (std::size_t i = 0; i < plan.over().values.size(); ++i) {
@@ -198,7 +199,7 @@ void add_remarks(const CaseBase& base, OperabilityResults& results) {
     results.remarks.push_back("findings accepted by name, which do not limit the range: " +
                               join_items(accepted, "and") + " (checks.accepted_findings)");
   }
-  const auto open = std::ranges::count_if(results.cells, [](const OperabilityCell& cell) { return !cell.decided; });
+  const auto open = ranges::count_if(results.cells, [](const OperabilityCell& cell) { return !cell.decided; });
   if (open > 0) results.remarks.push_back(fmt::format("{} of {} cells are not decided", open, results.cells.size()));
   if (base.study().analysis != StudyAnalysis::dynamic) return;
   const std::optional<DynamicSettings>& settings = base.model().dynamics;

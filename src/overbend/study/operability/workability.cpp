@@ -7,6 +7,8 @@
 #include <numeric>
 #include <optional>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -70,7 +72,7 @@ class Chart {
   static std::optional<PeriodPosition> place(const std::vector<double>& values, double wanted) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+    ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
     const double slack = kSlack * std::abs(wanted);
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (std::abs(values[order[i]] - wanted) <= slack) return PeriodPosition{order[i], order[i], 0.0};
@@ -83,7 +85,7 @@ class Chart {
 
   static std::size_t nearest(const std::vector<double>& headings, double from) {
     const auto apart = [&](double heading) { return std::abs(std::remainder(heading - from, 2.0 * std::numbers::pi)); };
-    return static_cast<std::size_t>(std::ranges::min_element(headings, {}, apart) - headings.begin());
+    return static_cast<std::size_t>(ranges::min_element(headings, {}, apart) - headings.begin());
   }
 
   std::optional<Limit> at(std::size_t heading, const PeriodPosition& between) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/ranges.h"
 #include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
@@ -50,7 +51,7 @@ Description describe(const Description& base, const Case& study_case) {
 
 bool same_model(const Case& a, const Case& b) {
   return a.controllers.empty() && b.controllers.empty() && a.duration == b.duration &&
-         std::ranges::equal(a.changes, b.changes, same_change);
+         ranges::equal(a.changes, b.changes, same_change);
 }
 
 }  // namespace overbend

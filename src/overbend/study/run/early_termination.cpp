@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "checks/run_checks.h"
 
 namespace overbend {
@@ -18,7 +19,7 @@ bool EarlyTermination::operator()(const DynamicProgress& progress) {
   if (progress.time <= 0.0 || progress.time < next_) return false;
   next_ = progress.time + every_;
   const CheckTable table = check_dynamics(*model_, *statics_, progress.so_far());
-  return std::ranges::any_of(table.rows, [](const CheckRow& row) {
+  return ranges::any_of(table.rows, [](const CheckRow& row) {
     return row.governing && row.status == CheckStatus::exceeded && is_irreversible(row);
   });
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "numerics/extremes.h"
 #include "resultfiles/dynamic/long_data_reader.h"
 
@@ -41,7 +42,7 @@ constexpr std::array<CombinedHistory, 2> kCombinedHistories = {
 
 const ExtremeHistory* find_extreme_history(const std::string& name) {
   const auto found =
-      std::ranges::find_if(kExtremeHistories, [&](const ExtremeHistory& kept) { return name == kept.history; });
+      ranges::find_if(kExtremeHistories, [&](const ExtremeHistory& kept) { return name == kept.history; });
   return found == kExtremeHistories.end() ? nullptr : &*found;
 }
 
@@ -66,7 +67,7 @@ bool same_result(std::string_view kept, std::string_view wanted) {
 }  // namespace
 
 PeakRecord find_peaks(std::span<const double> time, std::span<const double> values, bool is_minimum) {
-  const auto first = static_cast<std::size_t>(std::ranges::lower_bound(time, 0.0) - time.begin());
+  const auto first = static_cast<std::size_t>(ranges::lower_bound(time, 0.0) - time.begin());
   std::vector<double> counted;
   for (std::size_t i = first; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) return {};
@@ -105,7 +106,7 @@ std::vector<HistoryPeaks> find_run_peaks(const std::filesystem::path& h5) {
 const HistoryPeaks* find_result_peaks(const std::vector<HistoryPeaks>& peaks, const std::string& result) {
   for (const ExtremeHistory& kept : kExtremeHistories) {
     if (!same_result(kept.in_summary, result) && kept.in_seeds != result) continue;
-    const auto found = std::ranges::find(peaks, kept.history, &HistoryPeaks::name);
+    const auto found = ranges::find(peaks, kept.history, &HistoryPeaks::name);
     if (found != peaks.end()) return &*found;
   }
   return nullptr;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
@@ -26,7 +27,7 @@ struct LayIssues {
   bool passed() const { return no_solution.empty() && exceeded.empty(); }
   std::string message() const {
     if (!no_solution.empty()) return no_solution;
-    const auto worst = std::ranges::max_element(exceeded, {}, &CheckRow::utilisation);
+    const auto worst = ranges::max_element(exceeded, {}, &CheckRow::utilisation);
     return fmt::format("{} ({}) is exceeded, utilisation {:.2f}", worst->name, worst->code, worst->utilisation);
   }
 };
@@ -59,7 +60,7 @@ enum class Correction { wall, tension, radius };
 Correction find_correction(const CheckRow& row, const LayIssues& issues) {
   if (row.region == CheckRegion::overbend || row.region == CheckRegion::tip) return Correction::radius;
   if (row.region != CheckRegion::sagbend) return Correction::wall;
-  const bool straight_too = std::ranges::any_of(issues.exceeded, [](const CheckRow& check) {
+  const bool straight_too = ranges::any_of(issues.exceeded, [](const CheckRow& check) {
     return check.region == CheckRegion::seabed || check.region == CheckRegion::line;
   });
   return straight_too ? Correction::wall : Correction::tension;

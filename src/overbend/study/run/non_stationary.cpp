@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 
 namespace overbend {
@@ -25,15 +26,14 @@ std::string find_line_event(const MooringLineDynamics& line) {
 
 /// True if a winch follows a program after t = 0.
 bool is_moved(const WinchDescription& winch, double duration) {
-  return std::ranges::any_of(winch.program,
-                             [&](const WinchStepDescription& step) { return step.time > 0.0 && step.time < duration; });
+  return ranges::any_of(winch.program,
+                        [&](const WinchStepDescription& step) { return step.time > 0.0 && step.time < duration; });
 }
 
 std::string find_moved_winch(const Description& description, double duration) {
   if (!description.moorings) return {};
   const auto& winches = description.moorings->winches;
-  const auto moved =
-      std::ranges::find_if(winches, [&](const WinchDescription& winch) { return is_moved(winch, duration); });
+  const auto moved = ranges::find_if(winches, [&](const WinchDescription& winch) { return is_moved(winch, duration); });
   return moved == winches.end() ? std::string() : fmt::format("winch \"{}\" follows its program", moved->name);
 }
 

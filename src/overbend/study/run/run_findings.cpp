@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/sea_outside_range.h"
 #include "model/waves/rao_table.h"
@@ -64,7 +65,7 @@ void warn_of_change(DynamicResults& results) {
 
 void warn_of_short_run(DynamicResults& results) {
   const auto estimated = [](const ExtremeEstimate& extreme) { return extreme.estimate.has_value(); };
-  if (results.duration >= kThreeHours || std::ranges::none_of(results.extremes, estimated)) return;
+  if (results.duration >= kThreeHours || ranges::none_of(results.extremes, estimated)) return;
   results.findings.push_back(
       Finding{FindingCode::short_record, fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} "
                                                      "min, and the maxima of the run are those of {0:.3g} min only",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "numerics/log_weibull.h"
 #include "study/run/non_stationary.h"
 
@@ -213,8 +214,8 @@ bool never_negative(const std::string& quantity) {
 namespace {
 
 bool has_non_stationary_run(const SeedsResults& results) {
-  return std::ranges::any_of(
-      results.runs, [](const SeedRun& run) { return has_code(run.findings, FindingCode::record_not_stationary); });
+  return ranges::any_of(results.runs,
+                        [](const SeedRun& run) { return has_code(run.findings, FindingCode::record_not_stationary); });
 }
 
 void limit_to_positive(SeedStatistics& s) {

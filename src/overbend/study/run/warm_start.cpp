@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/ranges.h"
 #include "statics/recovery/current_effect.h"
 #include "study/run/static_analysis.h"
 
@@ -35,7 +36,7 @@ bool has_lateral_load(const Model& model) {
 StaticRun solve_with_warm_starts(Model& model, const std::vector<const LayWarmStart*>& starts,
                                  std::shared_ptr<const LayWarmStart>* found) {
   std::vector<const LayWarmStart*> tries;
-  std::ranges::copy_if(starts, std::back_inserter(tries), [](const LayWarmStart* start) { return start != nullptr; });
+  ranges::copy_if(starts, std::back_inserter(tries), [](const LayWarmStart* start) { return start != nullptr; });
   if (tries.empty()) tries.push_back(nullptr);
   if (!model.description.has_pipe || is_moored_lay(model.description)) {
     return run_statics(model, tries.front() != nullptr ? &tries.front()->lay : nullptr);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "report/studies/comparison_page.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/studies/comparison_writer.h"
@@ -135,7 +136,7 @@ void gather_variants(StudyOutcome& end, const StudyPlan& plan, const std::vector
 
 /// True if every case failed because of its input.
 bool all_wrong(const std::vector<CaseRun>& runs) {
-  return std::ranges::all_of(runs, [](const CaseRun& run) { return run.end.ending == RunStatus::wrong_input; });
+  return ranges::all_of(runs, [](const CaseRun& run) { return run.end.ending == RunStatus::wrong_input; });
 }
 
 void gather(StudyOutcome& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ranges.h"
 #include "study/seeds/compare_variants.h"
 #include "study/seeds/study.h"
 
@@ -10,8 +11,8 @@ namespace overbend {
 namespace {
 
 std::optional<std::uint64_t> twice(std::vector<std::uint64_t> seeds) {
-  std::ranges::sort(seeds);
-  const auto found = std::ranges::adjacent_find(seeds);
+  ranges::sort(seeds);
+  const auto found = ranges::adjacent_find(seeds);
   return found == seeds.end() ? std::nullopt : std::optional(*found);
 }
 

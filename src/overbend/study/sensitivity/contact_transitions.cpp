@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
+
 namespace overbend {
 namespace {
 
@@ -79,7 +81,7 @@ std::vector<ContactTransitions::Change> ContactTransitions::changes(const std::v
     const double distance = -contacts_[i].separation / slopes[i].separation;
     if (std::abs(distance) <= tolerance) found.push_back({i, distance});
   }
-  std::ranges::sort(found, {}, [](const Change& change) { return std::abs(change.distance); });
+  ranges::sort(found, {}, [](const Change& change) { return std::abs(change.distance); });
   return found;
 }
 
@@ -108,7 +110,7 @@ void ContactTransitions::mark(const std::vector<ContactSlope>& slopes, const std
   for (const Change& change : changes(slopes, input.tolerance)) {
     const Contact& contact = contacts_[change.contact];
     const std::string name = contact.support + (contact.in_still_water ? " (in still water)" : "");
-    if (std::ranges::find(input.near, name) == input.near.end()) input.near.push_back(name);
+    if (ranges::find(input.near, name) == input.near.end()) input.near.push_back(name);
     const std::optional<Influence>& by_force = influence(change.contact, results);
     if (!by_force) continue;
     const bool closes = contact.reaction <= 0.0;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/ranges.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/static_scalars.h"
 
@@ -38,16 +39,16 @@ std::string first_lower(std::string text) {
 class Collector {
  public:
   void add(const std::string& name, std::string text, std::string_view unit, double value) {
-    const bool key = std::ranges::find(kMainResults, name) != kMainResults.end();
-    const auto named = std::ranges::find(kLabels, name, &std::pair<std::string_view, std::string_view>::first);
+    const bool key = ranges::find(kMainResults, name) != kMainResults.end();
+    const auto named = ranges::find(kLabels, name, &std::pair<std::string_view, std::string_view>::first);
     if (named != kLabels.end()) text = named->second;
     values_.push_back({name, std::move(text), std::string(unit), value, key});
   }
   void operator()(const ResultField& field, double value) {
     const auto key = field.key(Output::summary);
-    if (!key || std::ranges::find(kNoResults, field.name) != kNoResults.end()) return;
+    if (!key || ranges::find(kNoResults, field.name) != kNoResults.end()) return;
     std::string name(*key);
-    std::ranges::replace(name, '/', '.');
+    ranges::replace(name, '/', '.');
     add("static." + name, std::string(field.description), field.units, value);
   }
   void operator()(const ResultField& field, const std::optional<double>& value) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/interruption.h"
+#include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "model/vessel/mooring_queries.h"
 #include "modelfile/binding/model_inputs.h"
@@ -82,7 +83,7 @@ class Sensitivities {
  private:
   bool is_wanted(const ModelInput& input) const {
     const auto named = [&](const std::string& key) { return key == input.key || key == input.name; };
-    return request_.keys.empty() || std::ranges::any_of(request_.keys, named);
+    return request_.keys.empty() || ranges::any_of(request_.keys, named);
   }
 
   std::optional<ResultPair> follow(const ModelInput& input, double step) {
@@ -151,7 +152,7 @@ void add_assumptions(const Model& model, SensitivityResults& results) {
          "Sensitivities keep the vessel fixed; its moorings or positioning would let it follow."});
   }
   const bool all_given =
-      std::ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
+      ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
   if (!all_given) {
     results.assumptions.push_back(
         {AssumptionRank::other, fmt::format("Unless given in sensitivities.tolerances, the tolerance is {} for "
@@ -180,10 +181,10 @@ std::optional<std::vector<double>> jacobian(const Model& model, const StaticSolu
   if (!found) return std::nullopt;
   std::vector<double> rows;
   for (const std::string& name : results) {
-    const auto result = std::ranges::find(found->results, name, &SensitivityOutput::name);
+    const auto result = ranges::find(found->results, name, &SensitivityOutput::name);
     if (result == found->results.end()) return std::nullopt;
     for (const std::string& key : keys) {
-      const auto input = std::ranges::find_if(found->inputs, [&](const SensitivityInput& candidate) {
+      const auto input = ranges::find_if(found->inputs, [&](const SensitivityInput& candidate) {
         return candidate.key == key || candidate.name == key;
       });
       if (input == found->inputs.end()) return std::nullopt;
