@@ -1,7 +1,6 @@
 #include "base/units.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -9,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/read_double.h"
 #include "base/require.h"
 #include "base/text.h"
 #include "base/unit_parser.h"
@@ -130,7 +130,7 @@ std::optional<double> parse_number(std::string_view text) {
     return std::nullopt;
   }
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = read_double(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }

@@ -1,11 +1,11 @@
 #include "seafiles/text_table.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "base/interruption.h"
+#include "base/read_double.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -90,7 +90,7 @@ TextTable split_table(std::string_view text, char separator) {
 std::optional<double> cell_number(std::string_view cell) {
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const auto [end, error] = read_double(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/ranges.h"
+#include "base/read_double.h"
 #include "base/result_path.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -50,7 +50,7 @@ std::string unit_in(const std::string& text) {
   const std::size_t sign = trimmed.starts_with('+') ? 1 : 0;
   double ignored = 0.0;
   const char* end = trimmed.data() + trimmed.size();
-  const auto [stop, code] = std::from_chars(trimmed.data() + sign, end, ignored);
+  const auto [stop, code] = read_double(trimmed.data() + sign, end, ignored);
   return std::string(trim(std::string_view(stop, static_cast<std::size_t>(end - stop))));
 }
 
