@@ -14,8 +14,8 @@ sys.path.insert(0, %r)
 from lays import moving_lay, small_lay
 from test_operation import OPERATION
 model, moving = small_lay(), moving_lay()
-print('begun', flush=True)
 try:
+    print('begun', flush=True)  # CPython 3.11 does not catch what is raised on the way back to the first line of a `try`
     while True: %s
 except KeyboardInterrupt:
     print('heard')

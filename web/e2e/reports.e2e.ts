@@ -23,7 +23,7 @@ test('two runs of the same title have names that differ, with what was changed',
   await expect.poll(names).toEqual(['My first lay']);
   await (await openField(page, 'tensioner.tension')).fill('310 kN');
   await page.keyboard.press('Enter');
-  await solved(page);
+  await expect.poll(async () => (await (await bench.api('model')).json() as { text: string }).text).toMatch(/tension: 310 kN/);
   const id = await runToEnd(bench, { kind: 'static' });
   await expect.poll(names).toEqual(['My first lay (2: tensioner.tension 310 kN)', 'My first lay (1)']);
   await page.locator(`tr[data-run="${id}"]`).click();
