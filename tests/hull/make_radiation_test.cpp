@@ -57,6 +57,25 @@ TEST(make_radiation, damping_at_moored_periods_is_that_of_the_file_within_what_m
   }
 }
 
+TEST(make_radiation, models_made_before_do_not_affect_that_of_other_coefficients) {
+  const Radiated& made = testing::bgl1_radiation(Radiation::state_space);
+  HydrodynamicData doubled = testing::bgl1_data();
+  for (RadiationPoint& point : doubled.radiation) {
+    point.damping *= 2.0;
+    point.added_mass *= 2.0;
+  }
+  doubled.added_mass_infinite *= 2.0;
+  for (const double factor : {2.0, 1.0, 2.0}) {  // the second and third were made before
+    const Radiated again = make_radiation(factor == 2.0 ? doubled : testing::bgl1_data(), made.model.kind);
+    for (const double omega : {0.3, 0.7, 1.5}) {
+      const Mat6 expected = factor * radiation_at(made.model, omega).damping;
+      const double scale = expected.cwiseAbs().maxCoeff();
+      EXPECT_LT((radiation_at(again.model, omega).damping - expected).cwiseAbs().maxCoeff(), 1e-6 * scale) << omega;
+    }
+  }
+  EXPECT_EQ(make_radiation(doubled, Radiation::convolution).model.kind, Radiation::convolution);
+}
+
 TEST(make_radiation, memory_of_the_fit_is_that_of_the_convolution) {
   const RadiationModel& fitted = testing::bgl1_radiation(Radiation::state_space).model;
   const RadiationModel& direct = testing::bgl1_radiation(Radiation::convolution).model;

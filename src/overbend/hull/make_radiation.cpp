@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 #include "base/units.h"
 #include "hull/radiation_groups.h"
@@ -157,7 +161,9 @@ RadiationPoint radiation_at(const RadiationModel& model, double omega) {
   return {omega, model.added_mass + transform.imag() / omega, model.constant_damping + transform.real()};
 }
 
-Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
+namespace {
+
+Radiated compute_radiation(const HydrodynamicData& data, Radiation kind) {
   const RadiationSource source = radiation_source(data);
   Radiated radiated;
   radiated.model.added_mass = source.spectrum.added_mass;
@@ -174,6 +180,65 @@ Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
   add_file_warnings(source.spectrum.max_negative_damping, radiated.report);
   radiated.report.states = static_cast<int>(make_bending_memory(radiated.model).values.size());
   return radiated;
+}
+
+/// The coefficients that determine the radiation model: no others reach it.
+HydrodynamicData radiation_coefficients(const HydrodynamicData& data) {
+  HydrodynamicData coefficients;
+  coefficients.radiation = data.radiation;
+  coefficients.has_infinite = data.has_infinite;
+  coefficients.added_mass_infinite = data.added_mass_infinite;
+  return coefficients;
+}
+
+bool are_equal(const HydrodynamicData& a, const HydrodynamicData& b) {
+  return a.has_infinite == b.has_infinite && a.added_mass_infinite == b.added_mass_infinite &&
+         std::equal(a.radiation.begin(), a.radiation.end(), b.radiation.begin(), b.radiation.end(),
+                    [](const RadiationPoint& left, const RadiationPoint& right) {
+                      return left.omega == right.omega && left.added_mass == right.added_mass &&
+                             left.damping == right.damping;
+                    });
+}
+
+/// The latest radiation models. A fit takes longer than the statics of a moored barge, and the cases of a study, the
+/// seeds of a storm and the page ask for the same one again.
+class RadiationCache {
+ public:
+  Radiated find_or_compute(HydrodynamicData coefficients, Radiation kind) {
+    if (const std::optional<Radiated> found = find(coefficients, kind)) return *found;
+    Radiated computed = compute_radiation(coefficients, kind);  // other threads need not wait for it
+    const std::lock_guard<std::mutex> hold(mutex_);
+    entries_.push_front({std::move(coefficients), kind, computed});
+    if (entries_.size() > kMaxEntries) entries_.pop_back();
+    return computed;
+  }
+
+ private:
+  struct Entry {
+    HydrodynamicData coefficients;
+    Radiation kind;
+    Radiated radiated;
+  };
+  static constexpr std::size_t kMaxEntries = 4;  ///< More than the hulls of a model.
+
+  std::optional<Radiated> find(const HydrodynamicData& coefficients, Radiation kind) {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.kind == kind && are_equal(entry.coefficients, coefficients);
+    });
+    if (found == entries_.end()) return std::nullopt;
+    return found->radiated;
+  }
+
+  std::mutex mutex_;
+  std::deque<Entry> entries_;
+};
+
+}  // namespace
+
+Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
+  static RadiationCache cache;
+  return cache.find_or_compute(radiation_coefficients(data), kind);
 }
 
 }  // namespace overbend
