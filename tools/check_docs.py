@@ -33,7 +33,7 @@ import key_tasks  # noqa: E402
 # Pages made from the program itself, and history.
 NOT_CHECKED = {"docs/input.md", "docs/command-line.md", "CHANGELOG.md"}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", flags=re.M | re.S)
-FILE_SUFFIXES = {"csv", "html", "pdf", "h5", "json", "yaml", "yml", "md", "py", "sh", "xlsx", "nc", "h", "cpp", "ts", "txt",
+FILE_SUFFIXES = {"csv", "html", "pdf", "h5", "json", "yaml", "yml", "md", "py", "sh", "xlsx", "nc", "h", "cpp", "ts", "txt", "exe",
                  "bib", "ipynb", "log", "so", "asc"}
 # Options of other programs.
 OTHER_OPTIONS = {"--prefix", "--no-index", "--system-site-packages", "--config-settings", "--benchmark_filter"}

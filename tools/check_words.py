@@ -35,7 +35,7 @@ NAMES = {"at", "one", "now", "there", "here", "own", "other"}
 # Functions of languages and libraries whose names are theirs.
 BORROWED = {
     "indexOf", "lastIndexOf", "typeof", "instanceof", "valueOf", "none_of", "any_of", "all_of", "rtnOf",
-    "findLastIndexOf", "posToVal", "isPrototypeOf", "offset_of", "one_of", "oneOf", "anyOf", "allOf",
+    "findLastIndexOf", "posToVal", "isPrototypeOf", "offset_of", "oneOf", "anyOf", "allOf",
     "least_squares", "inequality_least_squares", "find_first_of",
     "find_first_not_of", "find_last_not_of", "find_last_of", "at_least", "at_most", "most_probable_max",
     "most_probable_min", "most_probable_utilisation", "most_influential_inputs", "find_least_damped",

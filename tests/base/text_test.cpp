@@ -39,8 +39,8 @@ TEST(text, display_is_one_short_line_and_never_cuts_a_character) {
 
 TEST(text, items_join_to_a_sentence) {
   EXPECT_EQ(join_items({"a", "b", "c"}, "or"), "a, b or c");
-  EXPECT_EQ(one_of({"a"}), "'a'");
-  EXPECT_EQ(one_of({"a", "b"}), "one of a or b");
+  EXPECT_EQ(join_choices({"a"}), "'a'");
+  EXPECT_EQ(join_choices({"a", "b"}), "one of a or b");
 }
 
 /// A word as a shell reads it, followed by another.

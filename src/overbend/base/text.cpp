@@ -51,7 +51,7 @@ std::string join_items(const std::vector<std::string>& items, const std::string&
   return text;
 }
 
-std::string one_of(const std::vector<std::string>& items) {
+std::string join_choices(const std::vector<std::string>& items) {
   return items.size() == 1 ? "'" + items.front() + "'" : "one of " + join_items(items, "or");
 }
 

@@ -20,7 +20,7 @@ std::size_t number_length(std::string_view text);
 std::string join_items(const std::vector<std::string>& items, const std::string& last);
 
 /// Returns "'a'" for a single item, "one of a, b or c" for several.
-std::string one_of(const std::vector<std::string>& items);
+std::string join_choices(const std::vector<std::string>& items);
 
 /// Shortens text for a message: one line, at most `max_length` characters, control characters shown as '?'.
 std::string for_display(std::string_view text, std::size_t max_length = 60);

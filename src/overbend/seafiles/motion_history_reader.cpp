@@ -50,7 +50,7 @@ class HistoryReader {
     for (const std::string_view cell : header.cells) {
       const auto known = std::find(names_.begin(), names_.end(), cell);
       if (known == names_.end()) {
-        complain(header.line, "a column '" + for_display(cell) + "'", one_of(names_));
+        complain(header.line, "a column '" + for_display(cell) + "'", join_choices(names_));
         return;
       }
       const auto column = static_cast<std::size_t>(known - names_.begin());

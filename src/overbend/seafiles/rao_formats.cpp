@@ -84,7 +84,7 @@ void read_remark(const TextRow& remark, RaoFile& content, TableErrors& problems)
   for (const ConventionKey& known : convention_keys()) {
     if (key != known.key) continue;
     if (std::find(known.values.begin(), known.values.end(), word) == known.values.end()) {
-      problems.error(remark.line, in_quotes(word) + " for " + key, one_of(known.values));
+      problems.error(remark.line, in_quotes(word) + " for " + key, join_choices(known.values));
     } else {
       stated.values[key] = word;
     }

@@ -103,8 +103,8 @@ class OrcaFlexReader {
       names.push_back(name != nullptr ? for_display(name->text) : "(without name)");
       if (name != nullptr && !wanted.empty() && name->text == wanted) return &item;
     }
-    complain(list->line, key, wanted.empty() ? "several" : "none called '" + for_display(wanted) + "'", one_of(names),
-             "select with vessel.motion.convention." + asked_by);
+    complain(list->line, key, wanted.empty() ? "several" : "none called '" + for_display(wanted) + "'",
+             join_choices(names), "select with vessel.motion.convention." + asked_by);
     return nullptr;
   }
 
@@ -113,7 +113,7 @@ class OrcaFlexReader {
     const YamlNode* node = member(type, key);
     if (node == nullptr) return known.front();
     if (std::find(known.begin(), known.end(), node->text) == known.end()) {
-      complain(node->line, key, "'" + for_display(node->text) + "'", one_of(known));
+      complain(node->line, key, "'" + for_display(node->text) + "'", join_choices(known));
       return known.front();
     }
     return node->text;

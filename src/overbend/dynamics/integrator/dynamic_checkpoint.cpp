@@ -64,7 +64,7 @@ void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const Lin
   put(checkpoint, name + "v", line.v);
   put(checkpoint, name + "acc", line.acc);
   put(checkpoint, name + "alg", line.algorithmic_acceleration);
-  put(checkpoint, name + "foresight", {line.acceleration_extrapolation});
+  put(checkpoint, name + "acceleration_extrapolation", {line.acceleration_extrapolation});
   put(checkpoint, name + "bed_slip", {line.bed_slip.begin(), line.bed_slip.end()});
   std::vector<double> contacts;
   for (const ContactMemory& c : line.contacts) {
@@ -84,7 +84,7 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   line.v = checkpoint_array(checkpoint, name + "v");
   line.acc = checkpoint_array(checkpoint, name + "acc");
   line.algorithmic_acceleration = checkpoint_array(checkpoint, name + "alg");
-  line.acceleration_extrapolation = checkpoint_array(checkpoint, name + "foresight").at(0);
+  line.acceleration_extrapolation = checkpoint_array(checkpoint, name + "acceleration_extrapolation").at(0);
   const std::vector<double>& slip = checkpoint_array(checkpoint, name + "bed_slip");
   line.bed_slip.assign(slip.begin(), slip.end());
   const std::vector<double>& contacts = checkpoint_array(checkpoint, name + "contacts");

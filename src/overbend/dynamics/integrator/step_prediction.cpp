@@ -45,8 +45,8 @@ MotionValues corrected_for_step(MotionValues guide, double ratio) {
   return guide;
 }
 
-/// Predicts the motion after a step of `h` with a fraction `foresight` of the difference between the accelerations. No
-/// extrapolation after a change of step length, which mostly comes from impacts.
+/// Predicts the motion after a step of `h` with a fraction `acceleration_extrapolation` of the difference between the
+/// accelerations. No extrapolation after a change of step length, which mostly comes from impacts.
 MotionValues extrapolated(const GeneralizedAlpha& scheme, MotionValues start, double h, double ratio,
                           double acceleration_extrapolation) {
   start = corrected_for_step(start, ratio);

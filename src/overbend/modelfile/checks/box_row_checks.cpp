@@ -74,7 +74,7 @@ void check_chosen(Checker& check, const FieldValue& stinger, const std::map<std:
     return;
   }
   const std::string near = nearest_word(chosen->text, known);
-  check.error(*chosen, "the unknown setting " + chosen->shown, one_of(known),
+  check.error(*chosen, "the unknown setting " + chosen->shown, join_choices(known),
               near.empty() ? "" : "did you mean '" + near + "'?");
 }
 

@@ -150,7 +150,7 @@ void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
   }
   if (kinds.size() != 1) {
     check.error(end, kinds.empty() ? "none of " + join_items(end_kinds(), "and") : join_items(kinds, "and"),
-                one_of(end_kinds()));
+                join_choices(end_kinds()));
     return;
   }
   if (kinds.front() == "line") check_link(check, line, end);

@@ -30,7 +30,7 @@ void check_values(Checker& check, const FieldValue& stage, const char* key) {
     const auto found = ranges::find(names, value.key);
     if (found == names.end()) {
       const std::string near = nearest_word(value.key, names);
-      check.error(value, "the unknown line '" + for_display(value.key) + "'", one_of(names),
+      check.error(value, "the unknown line '" + for_display(value.key) + "'", join_choices(names),
                   near.empty() ? "" : "did you mean '" + near + "'?");
     } else if (is_pipe(lines[static_cast<std::size_t>(found - names.begin())])) {
       check.error(value, "a " + std::string(key == std::string("lengths") ? "length" : "tension") + " of pipe",
@@ -53,7 +53,7 @@ void check_moves(Checker& check, const FieldValue& stage) {
     if (ranges::find(names, body.key) != names.end()) continue;
     const std::string near = nearest_word(body.key, names);
     check.error(body, "the unknown body '" + for_display(body.key) + "'",
-                names.empty() ? "a name under bodies" : one_of(names),
+                names.empty() ? "a name under bodies" : join_choices(names),
                 near.empty() ? "" : "did you mean '" + near + "'?");
   }
 }

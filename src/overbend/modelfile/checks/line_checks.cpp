@@ -139,7 +139,7 @@ void check_name(Checker& check, const FieldValue& name, const std::vector<std::s
                 const std::string& where) {
   if (std::find(known.begin(), known.end(), name.text) != known.end()) return;
   const std::string near = nearest_word(name.text, known);
-  check.error(name, "the unknown name " + name.shown, known.empty() ? "a name under " + where : one_of(known),
+  check.error(name, "the unknown name " + name.shown, known.empty() ? "a name under " + where : join_choices(known),
               known.empty()  ? "there is none; add the group " + where
               : near.empty() ? ""
                              : "did you mean '" + near + "'?");

@@ -132,7 +132,7 @@ void check_kind_is_known(Checker& check, const FieldValue& roller, const std::ve
     return;
   }
   const std::string near = nearest_word(roller.text, kinds);
-  check.error(roller, "the unknown type of roller " + roller.shown, one_of(kinds),
+  check.error(roller, "the unknown type of roller " + roller.shown, join_choices(kinds),
               near.empty() ? "" : "did you mean '" + near + "'?");
 }
 

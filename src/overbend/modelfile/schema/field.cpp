@@ -67,7 +67,7 @@ std::string field_kind_label(const Field& field) {
     case FieldKind::text:
       return "text";
     case FieldKind::choice:
-      return one_of(field.choices) +
+      return join_choices(field.choices) +
              (field.unit.empty() ? "" : ", or " + dimension_phrase(field.unit) + " with its unit");
   }
   return {};

@@ -145,7 +145,7 @@ class FieldReader {
     if (diagnostics_.error_count() > kExplained) return add_error(entry.line, "", "an unknown key", "", "");
     const std::vector<std::string> known = field.member_names();
     const std::string near = nearest_word(entry.key, known);
-    add_error(entry.line, joined(path, for_display(entry.key)), "an unknown key", one_of(known),
+    add_error(entry.line, joined(path, for_display(entry.key)), "an unknown key", join_choices(known),
               key_hint(entry.key, near));
     map.rejected_keys.push_back(near);
   }
