@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "platform/file.h"
 #include "platform/process.h"
 
 namespace overbend {
@@ -15,10 +16,11 @@ namespace fs = std::filesystem;
 
 /// Returns a file URL with percent-encoded special characters.
 std::string file_url(const fs::path& file) {
-  std::string url = "file://";
-  for (const char c : fs::absolute(file).string()) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("/-_.~").find(c) != std::string_view::npos;
+  const std::string path = fs::absolute(file).generic_string();
+  std::string url = path.starts_with("/") ? "file://" : "file:///";  // Windows: C:/folder/report.html
+  for (const char c : path) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                       std::string_view("/-_.~:").find(c) != std::string_view::npos;
     url += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return url;
@@ -33,6 +35,13 @@ fs::path find_browser() {
   for (const char* program :
        {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge"}) {
     if (fs::path found = find_program(program); !found.empty()) return found;
+  }
+  for (const char* folder : {"ProgramFiles", "ProgramFiles(x86)", "LocalAppData"}) {  // Windows
+    for (const char* program : {"Microsoft/Edge/Application/msedge.exe", "Google/Chrome/Application/chrome.exe",
+                                "Chromium/Application/chrome.exe"}) {
+      const std::string installed = environment_variable(folder);
+      if (fs::path found = fs::path(installed) / program; !installed.empty() && fs::exists(found)) return found;
+    }
   }
   return {};
 }
@@ -60,7 +69,9 @@ void print_pdf(const fs::path& html, const fs::path& pdf) {
     fs::remove(part, none);
     throw PdfError("the browser '" + browser.string() + "' wrote no file; print report.html from a browser");
   }
-  fs::rename(part, pdf);
+  if (const std::error_code error = rename_file(part, pdf)) {
+    throw PdfError("the file '" + pdf.string() + "' cannot be written: " + error.message());
+  }
 }
 
 }  // namespace overbend

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/bit_cast.h"
 #include "base/interruption.h"
 #include "base/require.h"
 
@@ -60,7 +61,7 @@ std::vector<std::uint64_t> BlockSums::all() const {
 }
 
 std::uint64_t BlockSums::sum(std::span<const double> values, std::uint64_t onto) {
-  for (const double value : values) onto = add_to_checksum(onto, std::bit_cast<std::uint64_t>(value));
+  for (const double value : values) onto = add_to_checksum(onto, overbend::bit_cast<std::uint64_t>(value));
   return onto;
 }
 
@@ -158,6 +159,10 @@ void write_synced(const std::filesystem::path& file, std::span<const std::byte> 
   const File opened = open_file(file, kNewContent);
   require_success(opened.write(0, bytes), file, "written");
   require_success(opened.sync(), file, "written");
+}
+
+void name_complete_file(const std::filesystem::path& partial, const std::filesystem::path& file) {
+  require_success(rename_file(partial, file), file, "written");
 }
 
 void sync_folder(const std::filesystem::path& folder) {

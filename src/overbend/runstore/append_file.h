@@ -93,6 +93,9 @@ void write_text(const std::filesystem::path& file, const std::string& text);
 /// Writes a whole file to the disk (not only to the system's cache). Throws std::runtime_error.
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
+/// Renames a part file that is complete; an existing file at `file` is replaced in one step. Throws FileError.
+void name_complete_file(const std::filesystem::path& partial, const std::filesystem::path& file);
+
 /// Makes renames in the folder durable on disk. Throws std::runtime_error.
 void sync_folder(const std::filesystem::path& folder);
 

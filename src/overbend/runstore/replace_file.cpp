@@ -69,7 +69,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void write(std::string_view text) {
-    require_success(file_.write(0, std::as_bytes(std::span(text))));
+    require_success(file_.write(0, std::as_bytes(std::span<const char>(text.data(), text.size()))));
     require_success(file_.sync());
   }
 

@@ -16,6 +16,7 @@
 #include "resultfiles/summary/summary_json.h"
 #include "resultfiles/tables/data_table.h"
 #include "resultfiles/tables/xlsx_table.h"
+#include "runstore/append_file.h"
 #include "runstore/replace_file.h"
 
 #include "results/result_enum_names.h"
@@ -316,7 +317,7 @@ void write_study_files(const StudyResults& results, const fs::path& folder) {
   write_xlsx(sheets, folder / "study.xlsx");
   const fs::path h5 = folder / "study.h5", partial_file = folder / "study.h5.part";
   write_study_hdf5(results, partial_file);
-  fs::rename(partial_file, h5);
+  name_complete_file(partial_file, h5);
   replace_file(folder / "summary.json", make_summary(results));
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/require.h"
+#include "platform/file.h"
 #include "platform/temporary.h"
 #include "runstore/append_file.h"
 
@@ -141,7 +142,7 @@ void write_xlsx(const std::vector<Table>& tables, const fs::path& file) {
     error = "the file '" + file.string() + "' cannot be written: " + lxw_strerror(closed);
   }
   std::error_code ignored, rename_error;
-  if (error.empty()) fs::rename(partial_file, file, rename_error);
+  if (error.empty()) rename_error = rename_file(partial_file, file);
   if (rename_error) error = "the file '" + file.string() + "' cannot be written: " + rename_error.message();
   if (error.empty()) return;
   fs::remove(partial_file, ignored);

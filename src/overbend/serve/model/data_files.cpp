@@ -81,7 +81,7 @@ void write_data_file(const fs::path& folder, const std::string& name, const std:
   const fs::path part_file = file.string() + ".part";
   try {
     write_text(part_file, text);
-    fs::rename(part_file, file);
+    name_complete_file(part_file, file);
   } catch (const std::exception& why) {
     fs::remove(part_file, error);
     throw HttpError(422, why.what());

@@ -296,8 +296,7 @@ void write_case_record(const StudyCase& study_case, const std::vector<StudyInput
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   write_text(partial, file_content(record));
-  fs::rename(partial, file, error);
-  if (error) throw FileError("'" + file.string() + "' cannot be written: " + error.message());
+  name_complete_file(partial, file);
 }
 
 StudyResults read_study(const fs::path& folder) {

@@ -66,7 +66,7 @@ std::mutex& records() {
 void replace_record(const RunRecord& record, const fs::path& folder) {
   const fs::path partial = folder / "run.json.part";
   write_text(partial, json_text(record_json(record), 2) + "\n");
-  fs::rename(partial, folder / kRecord);
+  name_complete_file(partial, folder / kRecord);
 }
 
 }  // namespace
