@@ -23,7 +23,6 @@ from python_metadata import ROOT, metadata, version
 PYTHON = f"cp{sys.version_info[0]}{sys.version_info[1]}"
 TAG = f"{PYTHON}-{PYTHON}-" + sysconfig.get_platform().replace("-", "_").replace(".", "_")
 NAME = f"overbend-{version()}"
-WHEEL = f"Wheel-Version: 1.0\nGenerator: overbend\nRoot-Is-Purelib: false\nTag: {TAG}\n"
 
 
 class BuildFailed(Exception):
@@ -65,7 +64,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     info = pathlib.Path(metadata_directory, f"{NAME}.dist-info")
     info.mkdir()
     (info / "METADATA").write_text(metadata(), encoding="utf-8")
-    (info / "WHEEL").write_text(WHEEL, encoding="utf-8")
+    (info / "WHEEL").write_text(wheel_text(TAG), encoding="utf-8")
     return info.name
 
 
@@ -122,13 +121,18 @@ def installed_files(build, folder):
     return {**files, f"{NAME}.dist-info/LICENSE": licence.read_bytes()}
 
 
-def write_wheel(directory, files):
+def wheel_text(tag):
+    """The file WHEEL of a wheel with this tag."""
+    return f"Wheel-Version: 1.0\nGenerator: overbend\nRoot-Is-Purelib: false\nTag: {tag}\n"
+
+
+def write_wheel(directory, files, tag=TAG):
     """Packs the files with what a wheel has to say of itself; returns its name."""
     info = f"{NAME}.dist-info"
-    files = {**files, f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": WHEEL.encode()}
+    files = {**files, f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel_text(tag).encode()}
     rows = [f"{name},sha256={digest(content)},{len(content)}\n" for name, content in files.items()]
     files[f"{info}/RECORD"] = ("".join(rows) + f"{info}/RECORD,,\n").encode()
-    wheel = f"{NAME}-{TAG}.whl"
+    wheel = f"{NAME}-{tag}.whl"
     with zipfile.ZipFile(pathlib.Path(directory, wheel), "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
             entry = zipfile.ZipInfo(name)
@@ -153,3 +157,9 @@ def run(*command):
     if done.returncode != 0:
         raise BuildFailed(f"`{' '.join(command)}` failed; on Debian `scripts/install.sh build` installs all that the "
                           "build needs")
+
+
+if __name__ == "__main__":  # build_backend.py BUILD TAG FOLDER: a wheel of a build folder for another Python
+    build, tag, wheels = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as made:
+        print(write_wheel(wheels, installed_files(build, pathlib.Path(made)), tag))

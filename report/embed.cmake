@@ -1,6 +1,7 @@
-# Turns files into a C++ source with their bytes: cmake -DOUT=x.cpp "-DFILES=name=path|name=path" -P embed.cmake
-# Hexadecimal, because CMake's own text functions change semicolons and brackets.
-set(body "// Made by report/embed.cmake; do not edit.\n#include \"report/page/assets.h\"\n\nnamespace overbend {\nnamespace {\n\n")
+# Writes a C++ source that takes files into the program:
+#   cmake -DOUT=x.cpp "-DFILES=name=path|name=path" -DSYSTEM=Linux -P embed.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/../cmake/embed_bytes.cmake)
+set(symbols "")
 set(table "")
 string(REPLACE "|" ";" FILES "${FILES}")
 foreach(entry IN LISTS FILES)
@@ -8,10 +9,17 @@ foreach(entry IN LISTS FILES)
   string(SUBSTRING "${entry}" 0 ${cut} name)
   math(EXPR cut "${cut} + 1")
   string(SUBSTRING "${entry}" ${cut} -1 path)
-  file(READ "${path}" bytes HEX)
-  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
-  string(APPEND body "constexpr unsigned char k_${name}[] = {${bytes}0x00};\n")
-  string(APPEND table "  if (name == \"${name}\") return {reinterpret_cast<const char*>(k_${name}), sizeof k_${name} - 1};\n")
+  embed_bytes(symbol overbend_report_${name} "${path}")
+  file(SIZE "${path}" bytes)
+  string(APPEND symbols "${symbol}")
+  string(APPEND table "  if (name == \"${name}\") return {overbend_report_${name}, ${bytes}};\n")
 endforeach()
-string(APPEND body "\n}  // namespace\n\nstd::string_view report_asset(std::string_view name) {\n${table}  return {};\n}\n\n}  // namespace overbend\n")
-file(WRITE "${OUT}" "${body}")
+file(WRITE "${OUT}" "// Made by report/embed.cmake; do not edit.\n#include \"report/page/assets.h\"\n\n${symbols}
+namespace overbend {
+
+std::string_view report_asset(std::string_view name) {
+${table}  return {};
+}
+
+}  // namespace overbend
+")

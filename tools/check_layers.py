@@ -12,7 +12,7 @@ import sys
 
 EVERYTHING = {
     "base", "model", "results", "numerics", "mechanics", "hull", "moorings", "system", "statics", "dynamics", "recording", "checks",
-    "modelfile", "platform", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python",
+    "modelfile", "platform", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python", "wasm",
 }
 
 # Layer -> the layers that it may include in addition to itself.
@@ -36,11 +36,12 @@ MAY_INCLUDE = {
     "modelfile": {"seafiles", "checks", "resultfiles", "model", "base"},
     "runstore": {"platform"} | PLAIN,
     "resultfiles": {"runstore", "platform"} | PLAIN,
-    "study": EVERYTHING - {"app", "serve", "python"},
-    "report": EVERYTHING - {"app", "serve", "python", "study"},
-    "serve": EVERYTHING - {"app", "python"},
-    "python": EVERYTHING - {"app", "serve"},
-    "app": EVERYTHING - {"python"},
+    "study": EVERYTHING - {"app", "serve", "python", "wasm"},
+    "report": EVERYTHING - {"app", "serve", "python", "study", "wasm"},
+    "serve": EVERYTHING - {"app", "python", "wasm"},
+    "python": EVERYTHING - {"app", "serve", "wasm"},
+    "app": EVERYTHING - {"python", "wasm"},
+    "wasm": EVERYTHING - {"app", "python"},
 }
 
 # Layers in sub-rooms, lowest first: a file may include the sub-rooms listed before its own. "" is the room itself, which
@@ -72,6 +73,7 @@ LIBRARIES = [
     ("httplib.h", {"serve"}),
     ("xlsxwriter.h", {"resultfiles"}),
     ("CLI/", {"app"}),
+    ("emscripten.h", {"wasm"}),
 ]
 
 # Headers of operating systems -> the sub-rooms of `platform` whose sources may include them. Nothing else may.

@@ -34,6 +34,13 @@ TEST(serve_runs, a_static_run_leaves_the_files_of_the_command) {
   EXPECT_EQ(envelopes["z"].size(), envelopes["s"].size());
 }
 
+TEST(serve_runs, a_static_run_has_the_limits_of_roller_friction_like_the_command) {
+  const Serving serving(with(kSmallLay, "plain: {", "plain: {friction: {axial: 0.1, lateral: 0.2}, "));
+  const std::string id = start(serving, {{"kind", "static"}});
+  EXPECT_EQ(serving.wait_for(id)["state"], "done");
+  EXPECT_FALSE(serving.get("/api/runs/" + id + "/summary").json["static"]["roller_friction"].empty());
+}
+
 TEST(serve_runs, the_spectrum_of_a_sine_has_its_variance_and_its_frequency) {
   // 40 periods of 8 s and amplitude 3, every half second, after a build-up that does not count.
   constexpr double kPeriod = 8.0, kAmplitude = 3.0, kStep = 0.5;

@@ -33,7 +33,7 @@ class Serving {
 
   void restart(const std::string& model) {
     server.reset();
-    server = std::make_unique<Server>(ServeOptions{folder.path(), model, 0});
+    server = std::make_unique<Server>(ServiceOptions{folder.path(), model}, 0);
   }
 
   httplib::Client client() const {

@@ -14,9 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ServeOptions make_serve_options(const ServeArguments& arguments) {
-  ServeOptions options;
-  options.port = arguments.port;
+ServiceOptions make_service_options(const ServeArguments& arguments) {
+  ServiceOptions options;
   if (!arguments.folder.empty()) options.folder = arguments.folder;
   if (arguments.model_file.empty()) return options;
   const fs::path file(arguments.model_file);
@@ -28,7 +27,7 @@ ServeOptions make_serve_options(const ServeArguments& arguments) {
 }  // namespace
 
 int run_serve(const ServeArguments& arguments) {
-  const ServeOptions options = make_serve_options(arguments);
+  const ServiceOptions options = make_service_options(arguments);
   std::error_code ignored;
   const fs::path asked(arguments.model_file);
   if (!arguments.folder.empty() && asked.has_parent_path() &&
@@ -43,7 +42,7 @@ int run_serve(const ServeArguments& arguments) {
   }
   try {
     const Interruption interruption;
-    Server server(options);
+    Server server(options, arguments.port);
     std::cout << "Overbend is running at " << server.url() << "\nPress Ctrl-C to stop." << std::endl;
     if (arguments.browser) open_browser(server.one_time_url());
     while (!Interruption::wanted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

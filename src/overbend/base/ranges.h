@@ -176,9 +176,9 @@ constexpr void transform(Range&& range, Output output, Function function, Projec
   for (auto&& element : range) *output++ = std::invoke(function, std::invoke(projection, element));
 }
 
-template <class Range, class Other, class Equal = std::equal_to<> >
-constexpr bool equal(Range&& range, Other&& other, Equal equal = {}) {
-  return std::equal(std::begin(range), std::end(range), std::begin(other), std::end(other), equal);
+template <class Range, class Second, class Equal = std::equal_to<> >
+constexpr bool equal(Range&& range, Second&& second, Equal equal = {}) {
+  return std::equal(std::begin(range), std::end(range), std::begin(second), std::end(second), equal);
 }
 
 template <class Range, class Equal = std::equal_to<> >

@@ -9,7 +9,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 
+#include "base/read_double.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -151,7 +153,14 @@ template <typename Number>
 std::optional<double> read_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   Number value = 0;
-  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return std::nullopt;
+  const char *first = text.data(), *last = first + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::is_floating_point_v<Number>) {
+    read = read_double(first, last, value);
+  } else {
+    read = std::from_chars(first, last, value);
+  }
+  if (read.ec != std::errc()) return std::nullopt;
   const auto number = static_cast<double>(value);
   if (number != 0.0 && std::abs(number) < std::numeric_limits<double>::min()) return std::nullopt;
   return number;

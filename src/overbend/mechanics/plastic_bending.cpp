@@ -1,10 +1,11 @@
 #include "mechanics/plastic_bending.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "base/bit_cast.h"
 
 namespace overbend {
 namespace {
@@ -36,7 +37,7 @@ Vec2 along_directions(const std::array<double, kWide>& values) {
 /// Hash of a slip history: the previous hash mixed with the new curvature (splitmix64, Steele 2014).
 std::uint64_t mix_hash(std::uint64_t stamp, const Vec2& curvature) {
   for (const double part : {curvature.x(), curvature.y()}) {
-    std::uint64_t z = stamp + std::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = stamp + overbend::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
     stamp = z ^ (z >> 31U);

@@ -21,6 +21,9 @@ void set_interrupt_handler(void (*handler)());
 enum class StandardStream { input, output, error };
 bool is_terminal(StandardStream stream);
 
+/// True if the console window was opened for this program alone: by a double-click on it. Always false but on Windows.
+bool has_own_console();
+
 /// True if the process runs as the superuser, under whom some programs restrict themselves. Always false on Windows.
 bool is_superuser();
 

@@ -2,9 +2,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <bit>
 #include <cmath>
 
+#include "base/bit_cast.h"
 #include "dynamics/machines/mooring_tension.h"
 #include "python/background_work.h"
 #include "python/bindings.h"
@@ -233,10 +233,10 @@ py::dict arrays_dict(const Saved& saved) {
 
 /// Returns the checksum of all numbers of a state, to detect modified states.
 std::uint64_t state_checksum(const SavedSimulation& saved) {
-  std::uint64_t sum = add_to_checksum(kChecksumStart, std::bit_cast<std::uint64_t>(saved.state.time));
+  std::uint64_t sum = add_to_checksum(kChecksumStart, overbend::bit_cast<std::uint64_t>(saved.state.time));
   for (const DynamicCheckpoint::Array& array : saved.state.arrays) {
     sum = add_to_checksum(sum, array.values.size());
-    for (const double value : array.values) sum = add_to_checksum(sum, std::bit_cast<std::uint64_t>(value));
+    for (const double value : array.values) sum = add_to_checksum(sum, overbend::bit_cast<std::uint64_t>(value));
   }
   return sum;
 }

@@ -68,7 +68,7 @@ void TensionerRecorder::restore(const std::vector<double>& saved) {
   out_of_range_ = saved.at(1);
   std::copy_n(saved.begin() + 2, kStates, time_.begin());
   std::copy_n(saved.begin() + 2 + kStates, kStates, count_.begin());
-  statistics_.restore({saved.begin() + 2 + 2 * kStates, saved.end()});
+  statistics_.restore(std::span(saved).subspan(2 + 2 * kStates));
 }
 
 }  // namespace overbend

@@ -1,13 +1,13 @@
 #include "seafiles/netcdf_classic.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
 
+#include "base/bit_cast.h"
 #include "base/interruption.h"
 
 namespace overbend {
@@ -59,9 +59,9 @@ double number(Type type, std::string_view bytes) {
     case Type::int64:
       return static_cast<double>(static_cast<std::int64_t>(bits));
     case Type::float32:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+      return overbend::bit_cast<float>(static_cast<std::uint32_t>(bits));
     case Type::float64:
-      return std::bit_cast<double>(bits);
+      return overbend::bit_cast<double>(bits);
     default:
       return static_cast<double>(bits);
   }

@@ -1,6 +1,7 @@
 // Plasticity in statics: pipe passes the supports from the tensioner down.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -199,7 +200,7 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
     const auto end = std::find_if(push, how.pushes.end(), [e](const RollerPush& candidate) {
       return static_cast<std::size_t>(candidate.element) != e;
     });
-    const std::span<const RollerPush> pushes(push, laying ? end : push);
+    const std::span pushes(std::to_address(push), static_cast<std::size_t>(laying ? end - push : 0));
     const auto pass_peaks_down_to = [&](double xi) {
       for (; push != end && push->xi > xi; ++push) {
         if (laying) pipes.pass_peak(element, pushes, *push);
@@ -281,7 +282,7 @@ std::vector<PassedPoint> points_passed(const BentLine& line) {
     const auto end = std::find_if(push, line.pushes.end(), [e](const RollerPush& candidate) {
       return static_cast<std::size_t>(candidate.element) != e;
     });
-    const std::span<const RollerPush> pushes(push, end);
+    const std::span pushes(std::to_address(push), static_cast<std::size_t>(end - push));
     const auto add = [&](double xi, const CentrelinePoint& centre_point, int gauss_point) -> PassedPoint& {
       points.push_back({line.mesh.total_length() - line.mesh.s[e] - xi * h, z, centre_point.a.normalized(),
                         curvature_vector(centre_point), kGaussPoints * e + static_cast<std::size_t>(gauss_point)});

@@ -88,7 +88,7 @@ TEST(serve_guard, the_page_comes_with_a_policy_and_is_not_kept) {
 
 TEST(serve_guard, a_port_that_is_taken_is_said_so) {
   const Serving serving;
-  EXPECT_THROW(Server({serving.folder.path(), "", serving.server->port()}), PortError);
+  EXPECT_THROW(Server(ServiceOptions{serving.folder.path(), ""}, serving.server->port()), PortError);
 }
 
 }  // namespace

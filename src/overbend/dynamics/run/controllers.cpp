@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "base/bit_cast.h"
 #include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_checkpoint.h"
@@ -132,10 +132,10 @@ MachineReading between(const MachineReading& before, const MachineReading& curre
   MachineReading seen = current;
   if (time < current.time - kSameInstant && before.time < time) {
     const double share = (time - before.time) / (current.time - before.time);
-    const auto first = std::bit_cast<ReadingNumbers>(before);
-    auto last = std::bit_cast<ReadingNumbers>(current);
+    const auto first = overbend::bit_cast<ReadingNumbers>(before);
+    auto last = overbend::bit_cast<ReadingNumbers>(current);
     for (std::size_t i = 0; i < last.size(); ++i) last[i] = first[i] + share * (last[i] - first[i]);
-    seen = std::bit_cast<MachineReading>(last);
+    seen = overbend::bit_cast<MachineReading>(last);
   }
   seen.time = time;
   return seen;
@@ -317,7 +317,7 @@ void Controllers::save(const System& system, DynamicCheckpoint& checkpoint) cons
     numbers.insert(numbers.end(), {static_cast<double>(machine.next), machine.max_requested_speed,
                                    machine.stopped_at.value_or(kUnsetTime), machine.memory_lost_at.value_or(kUnsetTime),
                                    law.wanted, law.low, law.high});
-    const auto before = std::bit_cast<ReadingNumbers>(machine.before);
+    const auto before = overbend::bit_cast<ReadingNumbers>(machine.before);
     numbers.insert(numbers.end(), before.begin(), before.end());
     if (machine.controller != nullptr) checkpoint.arrays.push_back({memory_name(machine), machine.controller->save()});
   }
@@ -343,7 +343,7 @@ void Controllers::restore(const DynamicCheckpoint& checkpoint, System& system) {
     law.high = v[6];
     ReadingNumbers before{};
     std::copy_n(v + kOwn, before.size(), before.begin());
-    machine.before = std::bit_cast<MachineReading>(before);
+    machine.before = overbend::bit_cast<MachineReading>(before);
     if (machine.controller == nullptr) continue;
     const std::vector<double>& memory = checkpoint_array(checkpoint, memory_name(machine));
     machine.controller->restore(memory);

@@ -126,6 +126,10 @@ bool is_terminal(StandardStream stream) {
                                                      : STDERR_FILENO) == 1;
 }
 
+bool has_own_console() {
+  return false;
+}
+
 bool is_superuser() {
   return ::geteuid() == 0;
 }

@@ -14,6 +14,10 @@ bool is_terminal(StandardStream /*stream*/) {
   return false;
 }
 
+bool has_own_console() {
+  return false;
+}
+
 bool is_superuser() {
   return false;
 }

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <io.h>
 
+#include <array>
 #include <atomic>
 #include <cctype>
 #include <cstdio>
@@ -167,6 +168,11 @@ bool is_terminal(StandardStream stream) {
                                                           : STD_ERROR_HANDLE;
   DWORD mode = 0;
   return ::GetConsoleMode(::GetStdHandle(number), &mode) != FALSE;
+}
+
+bool has_own_console() {
+  std::array<DWORD, 2> processes{};
+  return ::GetConsoleProcessList(processes.data(), static_cast<DWORD>(processes.size())) == 1;
 }
 
 bool is_superuser() {

@@ -1,17 +1,20 @@
-# Writes a C++ source that takes files into the program: cmake -DOUT=x.cpp -DPAGE=dir -DLICENCES=file -DROOT=dir -P embed_files.cmake
-# By the assembler's incbin: a page of megabytes written as numbers would take the compiler minutes.
+# Writes a C++ source that takes files into the program: cmake -DOUT=x.cpp -DPAGE=dir -DLICENCES=file -DROOT=dir -DSYSTEM=Linux -P embed_files.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/../../../../cmake/embed_bytes.cmake)
 set(symbols "")
 set(table "")
 set(count 0)
 
 macro(embed name file)
-  string(APPEND symbols "asm(R\"(.section .rodata\n.global overbend_embedded_${count}\noverbend_embedded_${count}:\n.incbin \"${file}\"\n.byte 0\n.previous)\");\nextern \"C\" const char overbend_embedded_${count}[];\n")
+  embed_bytes(symbol overbend_embedded_${count} "${file}")
+  string(APPEND symbols "${symbol}")
   file(SIZE "${file}" bytes)
   string(APPEND table "      {\"${name}\", {overbend_embedded_${count}, ${bytes}}},\n")
   math(EXPR count "${count} + 1")
 endmacro()
 
-file(GLOB_RECURSE page RELATIVE ${PAGE} ${PAGE}/*)
+if(PAGE)
+  file(GLOB_RECURSE page RELATIVE ${PAGE} ${PAGE}/*)
+endif()
 foreach(name IN LISTS page)
   if(NOT name MATCHES "\\.map$")
     embed("page/${name}" "${PAGE}/${name}")

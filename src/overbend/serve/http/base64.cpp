@@ -1,8 +1,9 @@
 #include "serve/http/base64.h"
 
-#include <bit>
 #include <cstdint>
 #include <vector>
+
+#include "base/bit_cast.h"
 
 namespace overbend {
 namespace {
@@ -11,7 +12,7 @@ std::vector<std::uint8_t> little_endian(std::span<const float> numbers) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(4 * numbers.size() + 2);
   for (const float number : numbers) {
-    const auto bits = std::bit_cast<std::uint32_t>(number);
+    const auto bits = overbend::bit_cast<std::uint32_t>(number);
     for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
   }
   return bytes;

@@ -26,6 +26,15 @@ std::uint64_t EventHub::newest() const {
 std::string EventHub::wait(std::uint64_t& last) {
   std::unique_lock<std::mutex> hold(mutex_);
   changed_.wait_for(hold, std::chrono::seconds(1), [&] { return closed_ || newest_ > last; });
+  return unread(last);
+}
+
+std::string EventHub::since(std::uint64_t& last) const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return unread(last);
+}
+
+std::string EventHub::unread(std::uint64_t& last) const {
   std::string text;
   for (const Event& event : events_) {
     if (event.number > last) text += event.text;

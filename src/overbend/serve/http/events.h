@@ -20,7 +20,9 @@ class EventHub {
   /// Returns the number of the newest event, from which a new listener starts.
   std::uint64_t newest() const;
 
-  /// Returns the events after number `last` as text of an event stream, waiting up to 1 s. Updates `last`.
+  /// Returns the events after number `last` as text of an event stream. Updates `last`.
+  std::string since(std::uint64_t& last) const;
+  /// The same, waiting up to 1 s for an event.
   std::string wait(std::uint64_t& last);
 
   /// Ends all waits, including later ones.
@@ -32,6 +34,8 @@ class EventHub {
     std::uint64_t number = 0;
     std::string topic, text;
   };
+  std::string unread(std::uint64_t& last) const;
+
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Event> events_;

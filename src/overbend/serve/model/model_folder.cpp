@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/file_time.h"
 #include "runstore/replace_file.h"
 #include "runstore/run_record.h"
 #include "serve/http/embedded_files.h"
@@ -16,11 +17,6 @@ namespace {
 
 bool model_name(const std::string& name) {
   return name.ends_with(".yaml") || name.ends_with(".yml");
-}
-
-double seconds_since_1970(fs::file_time_type time) {
-  const auto system = std::chrono::file_clock::to_sys(time);
-  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count());
 }
 
 void put(const fs::path& file, std::string_view text, const std::function<void()>& last_look = nullptr) {

@@ -32,14 +32,18 @@ class RunQueue::CampaignObserver : public StudyObserver {
  public:
   CampaignObserver(RunQueue& queue, std::string id) : queue_(queue), id_(std::move(id)) {}
 
-  bool stop() override { return queue_.stop_; }
+  bool stop() override { return queue_.must_pause(); }
+  bool abandon() override { return queue_.must_abandon(); }
 
   void begin(std::size_t open, std::size_t finished) override {
     total_ = open + finished;
     ended_ = finished;
   }
 
+  void advanced() override { queue_.slice_.note_advance(); }
+
   void ended(const StudyCase& study_case) override {
+    advanced();
     const std::lock_guard<std::mutex> hold(mutex_);
     ++ended_;
     if (study_case.state == StudyCaseState::failed) ++failed_;
@@ -48,6 +52,7 @@ class RunQueue::CampaignObserver : public StudyObserver {
   }
 
   void tried(const TrialReport& /*trial*/) override {
+    advanced();
     const std::lock_guard<std::mutex> hold(mutex_);
     ++ended_;
     report_progress(fmt::format("{} analyses", ended_));  // the total number is unknown
@@ -87,6 +92,7 @@ void RunQueue::run_campaign(const Job& job) {
   // One core is left for the statics of the page.
   options.threads = std::max(1, static_cast<int>(hardware_threads()) - 1);
   const StudyExecution outcome = execute_study(base, folder(job.run) / kStudyFolder, options, watch);
+  if (outcome.ending == RunStatus::interrupted && !stop_) return requeue(job);
   if (outcome.ending == RunStatus::interrupted) {
     return end(id, RunState::cancelled, "cancelled; cases computed so far are kept");
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/file_time.h"
 #include "base/ranges.h"
 #include "report/page/json_number.h"
 #include "runstore/run_store.h"
@@ -16,8 +17,7 @@ namespace {
 
 double modified(const fs::path& file) {
   std::error_code error;
-  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, error));
-  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
+  return seconds_since_1970(fs::last_write_time(file, error));
 }
 
 /// True if the results are those of a cancelled run, which still has a checkpoint.

@@ -83,7 +83,8 @@ class RunQueue::Watch : public CaseObserver {
  public:
   Watch(RunQueue& queue, const Job& job) : queue_(queue), study_(job.run.id) {}
 
-  bool stop() override { return queue_.stop_; }
+  bool stop() override { return queue_.must_pause(); }
+  bool abandon() override { return queue_.must_abandon(); }
 
   void begin(const std::vector<CaseRun>& runs) override {
     const DynamicSettings& settings = *runs.front().prepared->description.dynamics;
@@ -102,6 +103,7 @@ class RunQueue::Watch : public CaseObserver {
   }
 
   void progress(std::size_t run, const DynamicProgress& state) override {
+    queue_.slice_.note_advance();
     const std::lock_guard<std::mutex> hold(mutex_);
     CaseProgress& followed = cases_[run];
     followed.progress = part(state.time);
@@ -128,6 +130,7 @@ class RunQueue::Watch : public CaseObserver {
   void ended(std::size_t run, const CaseRun& how) override {
     const std::string& id = cases_[run].id;
     std::string error;
+    if (how.end.ending == RunStatus::interrupted && !queue_.stop_) return;  // the next slice continues it
     if (how.end.ending == RunStatus::interrupted && how.end.results && !queue_.closing()) {
       error = keep_partial_results(id, how);
     }
@@ -177,7 +180,7 @@ void RunQueue::run(const Job& job) {
   update(
       job.run.id, [](RunInfo&) {}, true);
   try {
-    const InterruptionScope scope([this] { return stop_.load(); });
+    const InterruptionScope scope([this] { return must_abandon(); });
     if (job.run.kind == "static") {
       run_static(job);
     } else if (job.run.is_campaign()) {
@@ -199,6 +202,7 @@ void RunQueue::run_static(const Job& job) {
   StaticRun found = run_statics(model);
   if (found.failure) return end(id, RunState::failed, failure_line(*found.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
+  add_roller_friction_limits(model, *found.solution, *found.results);
   add_hull_results(model, *found.results);
   {
     const std::lock_guard hold(files_);
@@ -213,7 +217,7 @@ void RunQueue::run_dynamic(const Job& job) {
   const StudyOutcome ended = run_study(description, make_run_plan(job.run, description), folder(job.run),
                                        {job.resume, kCheckpoint, study_threads()}, watch, files_);
   if (!watch.write_error().empty()) return end(job.run.id, RunState::failed, watch.write_error());
-  if (ended.ending == RunStatus::interrupted) return end_interrupted(job);
+  if (ended.ending == RunStatus::interrupted) return stop_ ? end_interrupted(job) : requeue(job);
   if (ended.seeds && !ended.seeds->runs.empty()) {  // failed seeds are listed among the cases
     const std::string failed =
         ended.failed.empty() ? "" : fmt::format("{} of {} seeds failed", ended.failed.size(), job.run.seeds.size());

@@ -60,8 +60,10 @@ bool does_not_affect_results(const std::string& key) {
 
 }  // namespace
 
-RunQueue::RunQueue(fs::path folder, EventHub& events)
-    : folder_(std::move(folder)), events_(events), runs_(find_runs(folder_)), worker_([this] { work(); }) {}
+RunQueue::RunQueue(fs::path folder, EventHub& events, Mode mode)
+    : folder_(std::move(folder)), events_(events), runs_(find_runs(folder_)) {
+  if (mode == Mode::background) worker_ = std::thread([this] { work(); });
+}
 
 RunQueue::~RunQueue() {
   try {
@@ -80,7 +82,7 @@ void RunQueue::close() {
     waiting_.clear();
   }
   changed_.notify_all();
-  worker_.join();
+  if (worker_.joinable()) worker_.join();
   for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run started");
 }
 
@@ -130,8 +132,9 @@ RunInfo RunQueue::cancel(const std::string& id) {
   bool waited = false;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    waited = std::erase_if(waiting_, [&](const Job& job) { return job.run.id == id; }) > 0;
-    if (!waited && at(id).state == RunState::running) stop_ = true;
+    const bool running = at(id).state == RunState::running;  // in slices, it may wait for the next one
+    if (running) stop_ = true;
+    waited = !running && std::erase_if(waiting_, [&](const Job& job) { return job.run.id == id; }) > 0;
   }
   if (waited) end(id, RunState::cancelled, "cancelled before it started");
   return find(id);
@@ -256,7 +259,7 @@ void RunQueue::send_state(const std::string& id) {
   RunInfo run;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    const auto found = std::ranges::find(runs_, id, &RunInfo::id);
+    const auto found = ranges::find(runs_, id, &RunInfo::id);
     if (found == runs_.end()) return;  // deleted meanwhile
     run = *found;
   }
@@ -296,14 +299,38 @@ void RunQueue::work() {
       std::unique_lock<std::mutex> hold(mutex_);
       changed_.wait(hold, [&] { return closing_ || !waiting_.empty(); });
       if (closing_) return;
-      job = std::move(waiting_.front());
-      waiting_.pop_front();
-      stop_ = false;
-      at(job.run.id).state = RunState::running;
+      job = take_job();
     }
     run(job);
     live_.clear();
   }
+}
+
+RunQueue::Job RunQueue::take_job() {
+  Job job = std::move(waiting_.front());
+  waiting_.pop_front();
+  RunState& state = at(job.run.id).state;
+  if (state != RunState::running) stop_ = false;  // else cancelled since its last slice
+  state = RunState::running;
+  return job;
+}
+
+bool RunQueue::execute_slice(std::chrono::milliseconds slice) {
+  Job job;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    if (waiting_.empty()) return false;
+    job = take_job();
+  }
+  slice_.begin(slice);
+  run(job);
+  if (find(job.run.id).ended()) live_.clear();
+  return true;
+}
+
+void RunQueue::requeue(const Job& job) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  waiting_.push_front({job.run, job.model, true});
 }
 
 }  // namespace overbend

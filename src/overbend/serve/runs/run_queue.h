@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -14,18 +15,28 @@
 #include "serve/model/open_model.h"
 #include "serve/runs/live_history.h"
 #include "serve/runs/run_info.h"
+#include "serve/runs/run_slice.h"
 
 namespace overbend {
 
 /// All functions may be called from any thread.
 class RunQueue {
  public:
+  enum class Mode {
+    background,  ///< In a thread of the queue.
+    in_slices,   ///< By execute_slice(), where there are no threads.
+  };
+
   /// Runs are stored in folders below `folder`; existing ones are listed.
-  RunQueue(std::filesystem::path folder, EventHub& events);
+  RunQueue(std::filesystem::path folder, EventHub& events, Mode mode = Mode::background);
   /// Stops the active run at a checkpoint and cancels the waiting ones.
   ~RunQueue();
   RunQueue(const RunQueue&) = delete;
   RunQueue& operator=(const RunQueue&) = delete;
+
+  /// Executes the next queued run for about `slice`. A dynamic run and a study stop at a checkpoint then, and the next
+  /// call continues them with the same results; other runs go on to their end. Returns false if no run is queued.
+  bool execute_slice(std::chrono::milliseconds slice);
 
   /// Queues a run of the model. `order` gives kind, title, duration, seeds and comparison; `study` is the text of the
   /// study file, if that is the kind. HttpError 422 if the folder cannot be created.
@@ -65,7 +76,18 @@ class RunQueue {
   class CampaignObserver;  ///< Observer of study files.
 
   void work();
+  /// Returns the first job of the queue, which becomes the active one.
+  Job take_job();
   void run(const Job& job);
+  /// True if the active run must stop at a checkpoint: it was cancelled, or its slice is over.
+  /// A slice first computes a step or a case: of a run that was cancelled between two slices, the results are kept.
+  bool must_pause() const {
+    return slice_.is_active() ? slice_.has_advanced() && (stop_ || slice_.is_over()) : stop_.load();
+  }
+  /// True if the active run must end without a checkpoint.
+  bool must_abandon() const { return stop_ && !slice_.is_active(); }
+  /// Puts a run that stopped because its slice is over back to the head of the queue.
+  void requeue(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
   void run_campaign(const Job& job);
@@ -94,7 +116,8 @@ class RunQueue {
   bool closing_ = false;
 
   std::atomic<bool> stop_{false};  ///< True if the active run must end.
-  std::thread worker_;             ///< Last member: uses the others.
+  RunSlice slice_;
+  std::thread worker_;  ///< Last member: uses the others.
 };
 
 }  // namespace overbend

@@ -200,7 +200,8 @@ std::optional<StaticPair> EquilibriumTangent::neighbouring_equilibria(const Mode
   if (!regular_ || !alike || !mesh_before || !mesh_after) return std::nullopt;
   Trial low = trial(before, std::move(*mesh_before)), high = trial(after, std::move(*mesh_after));
   Imbalance out = high.out;
-  ranges::transform(low.out.residual, high.out.residual, out.residual.begin(), half);
+  std::transform(low.out.residual.begin(), low.out.residual.end(), high.out.residual.begin(), out.residual.begin(),
+                 half);
   out.target = half(low.out.target, high.out.target);
   out.miss = half(low.out.miss, high.out.miss);
   const bool stay = low.contacts_stay && high.contacts_stay;

@@ -13,6 +13,8 @@ bool find_limits(const CaseBase& base, const std::filesystem::path& folder, cons
                  StudyObserver& watch) {
   OperabilityOptions conduct{folder, options.threads, options.checkpoint_every, options.task, options.tasks};
   conduct.stop = [&] { return watch.stop(); };
+  conduct.abandon = [&] { return watch.abandon(); };
+  conduct.on_advance = [&] { watch.advanced(); };
   conduct.on_trial = [&](const TrialReport& trial) {
     if (!trial.known && trial.result.end != TrialStatus::open) watch.tried(trial);
   };
@@ -23,7 +25,7 @@ bool find_limits(const CaseBase& base, const std::filesystem::path& folder, cons
 /// Runs the cases and writes the tables; returns true if completed.
 bool run_and_gather(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                     const StudyRunOptions& options, StudyObserver& watch, StudyExecution& whole) {
-  const InterruptionScope scope([&] { return watch.stop(); });
+  const InterruptionScope scope([&] { return watch.abandon(); });
   if (base.study().operability) {
     if (!find_limits(base, folder, options, watch)) return false;
   } else {

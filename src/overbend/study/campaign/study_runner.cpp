@@ -77,7 +77,7 @@ class StudyWork {
     list_open();
     list_blocks();
     watch_.begin(open_.size(), tally_.before);
-    const InterruptionScope scope([this] { return watch_.stop(); });
+    const InterruptionScope scope([this] { return watch_.abandon(); });
     try {
       if (!open_.empty() && is_static()) start_ = base_start(base_);
     } catch (const Interrupted&) {
@@ -203,7 +203,8 @@ class StudyWork {
                                         base_.study().keep,
                                         options_.checkpoint_every,
                                         [this] { return ends(); },
-                                        {},
+                                        [this] { return stopped_ || watch_.abandon(); },
+                                        [this](const DynamicProgress&, double) { watch_.advanced(); },
                                         &hdf5_lock()};
     CaseResult answer;
     if (base_.study().analysis == StudyAnalysis::dynamic) {
@@ -269,6 +270,7 @@ const char* kept_record_message(RunStatus ending) {
 
 void StudyObserver::begin(std::size_t /*open*/, std::size_t /*finished*/) {}
 void StudyObserver::ended(const StudyCase& /*one*/) {}
+void StudyObserver::advanced() {}
 void StudyObserver::tried(const TrialReport& /*trial*/) {}
 
 StudyTally run_study_cases(const CaseBase& base, const StudyCases& cases, const fs::path& folder,
@@ -280,7 +282,7 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
                          const std::function<bool()>& stop) {
   const SteadyClock::time_point begun = SteadyClock::now();
   StudyCase study_case = cases.at(number);
-  const CaseEvaluationOptions conduct{folder / study_case.folder, true, 60.0, stop, {}, &hdf5_lock()};
+  const CaseEvaluationOptions conduct{folder / study_case.folder, true, 60.0, stop, {}, {}, &hdf5_lock()};
   CaseWarmStart neighbour;
   const CaseResult answer = evaluate_case(base, cases.question(number), neighbour, conduct);
   const std::vector<StudyOutput> outputs = study_outputs(base);

@@ -30,8 +30,12 @@ class StudyObserver {
 
   /// True to stop; dynamic analyses stop at a checkpoint.
   virtual bool stop() = 0;
+  /// True to abandon also what leaves no checkpoint: statics, files that are written. By default like stop().
+  virtual bool abandon() { return stop(); }
   /// Called once before the first case: numbers of cases to be run and of cases finished before.
   virtual void begin(std::size_t open, std::size_t finished);
+  /// Called after every output step of a dynamic analysis, from several threads.
+  virtual void advanced();
   /// Called after every case, with its results.
   virtual void ended(const StudyCase& study_case);
   /// Called by a limit search in place of ended(), after each analysis.

@@ -220,7 +220,7 @@ RunResult prepare_warm_start(const CaseBase& base, const CaseInput& question, Ca
 
 CaseResult evaluate_case(const CaseBase& base, const CaseInput& question, CaseWarmStart& neighbour,
                          const CaseEvaluationOptions& conduct) {
-  const InterruptionScope scope(conduct.stop);
+  const InterruptionScope scope(conduct.abandon ? conduct.abandon : conduct.stop);
   try {
     return evaluate_analysis(base, question, neighbour, conduct);
   } catch (const Interrupted&) {

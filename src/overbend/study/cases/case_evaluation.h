@@ -83,6 +83,8 @@ struct CaseEvaluationOptions {
   bool keep = false;                ///< All result files are written.
   double checkpoint_every = 60.0;   ///< Checkpoint interval of a dynamic analysis [s].
   std::function<bool()> stop = {};  ///< True to stop; a dynamic analysis stops at a checkpoint.
+  /// True to abandon also what leaves no checkpoint: statics, files that are written. By default like `stop`.
+  std::function<bool()> abandon = {};
   /// Called with the progress of a dynamic analysis that started at the time `from` [s].
   std::function<void(const DynamicProgress& state, double from)> progress = {};
   FileLock* files = nullptr;    ///< Locked while HDF5 is used, which serves one thread only.

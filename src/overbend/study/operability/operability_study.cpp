@@ -113,6 +113,10 @@ class TrialRunner {
     conduct.folder = folder;
     conduct.checkpoint_every = conduct_.checkpoint_every;
     conduct.stop = conduct_.stop;
+    conduct.abandon = conduct_.abandon;
+    conduct.progress = [this](const DynamicProgress&, double) {
+      if (conduct_.on_advance) conduct_.on_advance();
+    };
     conduct.files = &hdf5_lock();
     conduct.until_exceeded = wanted.checks;
     neighbour.start = start_;
@@ -257,7 +261,7 @@ TrialResult judged_trial(const CaseResult& answer, const OperabilityDescription&
 OperabilityResults run_operability(const CaseBase& base, const OperabilityOptions& conduct) {
   const OperabilityPlan plan(base.study());
   const OperabilityDescription& wanted = *base.study().operability;
-  const InterruptionScope scope(conduct.stop);
+  const InterruptionScope scope(conduct.abandon ? conduct.abandon : conduct.stop);
   TrialRunner runner(base, plan, conduct);
   const std::vector<SearchedCell> found = search_operability(
       plan.grid(),

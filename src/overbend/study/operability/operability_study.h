@@ -24,7 +24,9 @@ struct OperabilityOptions {
               tasks = 1;  ///< Runs only the chains task, task + tasks, ... (study/operability/operability_search.h).
   bool gather = false;    ///< Runs nothing: limits from the present records.
   std::function<bool()> stop = {};                        ///< True to stop; each analysis stops at a checkpoint.
+  std::function<bool()> abandon = {};                     ///< True to abandon statics as well. By default like `stop`.
   std::function<void(const TrialReport&)> on_trial = {};  ///< Called from several threads.
+  std::function<void()> on_advance = {};                  ///< Called after every output step, from several threads.
 };
 
 /// Finds the limits. Analyses with a record of the same input are not repeated, and an interrupted one resumes from its

@@ -39,6 +39,8 @@ class CaseObserver {
 
   /// True if the runs shall stop, each at a checkpoint. Called after every output row.
   virtual bool stop() = 0;
+  /// True to abandon also what leaves no checkpoint: statics, files that are written. By default like stop().
+  virtual bool abandon() { return stop(); }
   /// Called once before the first run; runs that are `ended` are not repeated.
   virtual void begin(const std::vector<CaseRun>& runs);
   /// Called when run number `run` starts.

@@ -188,7 +188,7 @@ StudyOutcome run_to_end(const Description& base, const StudyPlan& plan, const fs
 
 StudyOutcome run_study(const Description& base, const StudyPlan& plan, const fs::path& folder,
                        const CaseOptions& options, CaseObserver& watch, FileLock& files) {
-  const InterruptionScope scope([&] { return watch.stop(); });
+  const InterruptionScope scope([&] { return watch.abandon(); });
   try {
     return run_to_end(base, plan, folder, options, watch, files);
   } catch (const Interrupted&) {  // before or after the runs
