@@ -5,6 +5,7 @@
 #   scripts/install.sh test    the same, and what the tests, linters and the documentation use
 #   scripts/install.sh docs    what scripts/docs.sh takes to build the documentation site
 #   scripts/install.sh arm     what tools/arm_check.sh takes: a compiler for 64-bit ARM and a machine to run what it makes
+#   scripts/install.sh portable-TARGET   what scripts/portable.sh TARGET takes besides `build`
 set -euo pipefail
 
 build_packages=(
@@ -21,9 +22,12 @@ test_packages=(
   python3-pip python3-setuptools python3-venv dpkg-dev file
   chromium fontconfig fonts-dejavu-core fonts-liberation2
   clang-format clang-tidy
+  g++-mingw-w64-x86-64-posix
   "${docs_packages[@]}"
 )
 arm_packages=(g++-aarch64-linux-gnu qemu-user libeigen3-dev)
+# Libraries of portable builds are compiled from Debian's sources (tools/portable/sources.txt).
+portable_packages=(dpkg-dev python3 file libudunits2-data)
 
 # The packages of page and report come from npm. An npm that is already there, from wherever, is good enough; asking apt
 # for another beside it may conflict.
@@ -36,7 +40,12 @@ case "${1:-build}" in
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   arm) wanted=("${arm_packages[@]}") ;;
   docs) wanted=("${docs_packages[@]}") ;;
-  *) echo "usage: scripts/install.sh [build|test|arm|docs]" >&2; exit 2 ;;
+  portable-linux) wanted=("${portable_packages[@]}") ;;
+  portable-wheel) wanted=("${portable_packages[@]}" python3-pip python3-venv) ;;
+  portable-aarch64) wanted=("${portable_packages[@]}" g++-aarch64-linux-gnu qemu-user) ;;
+  portable-windows) wanted=("${portable_packages[@]}" g++-mingw-w64-x86-64-posix wine64) ;;
+  portable-wasm) wanted=("${portable_packages[@]}" emscripten chromium fonts-dejavu-core fontconfig) ;;
+  *) echo "usage: scripts/install.sh [build|test|arm|docs|portable-TARGET]" >&2; exit 2 ;;
 esac
 
 installed() {

@@ -14,25 +14,13 @@ work="$root/build/portable"
 sources="$work/sources"
 mkdir -p "$sources"
 
-# Source packages, by lists of their own: the machine's are left as they are.
-apt=(apt-get -q -o "Dir::State::Lists=$work/lists" -o "Dir::Etc::SourceList=$work/debian-sources.list"
-     -o Dir::Etc::SourceParts=- -o "Dir::Cache=$work/cache" -o APT::Sandbox::User= -o Acquire::Retries=3)
-
-list_sources() {
-  [[ -f "$work/listed" ]] && return
-  mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
-  local mirror
-  mirror="$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep -m 1 '/debian/\?$')"
-  echo "deb-src ${mirror:-http://deb.debian.org/debian} bookworm main" >"$work/debian-sources.list"
-  "${apt[@]}" update >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
-  touch "$work/listed"
-}
+. "$here/debian_packages.sh"
 
 fetch() {  # PACKAGE VERSION SHA256
   local folder="$sources/$1" dsc="$work/downloads/$1_${2#*:}.dsc"  # without the epoch
   [[ -f "$folder/.sum" && "$(cat "$folder/.sum")" == "$3" ]] && return
   if ! echo "$3  $dsc" | sha256sum --check --status 2>/dev/null; then
-    list_sources
+    use_release bookworm deb-src
     mkdir -p "$work/downloads"
     (cd "$work/downloads" && "${apt[@]}" source --download-only "$1=$2" >"$work/log" 2>&1) || {
       echo "tools/portable/libraries.sh: the source of $1 $2 cannot be downloaded:" >&2
@@ -55,9 +43,10 @@ while read -r package version sum; do
 done <"$here/sources.txt"
 
 toolchain=()
+[[ "$target" == wasm ]] && export NODE_PATH=/usr/share/nodejs  # packages of emscripten
 [[ "$target" == linux ]] || toolchain=(--toolchain "$root/cmake/toolchains/$target.cmake")
 [[ -n "${ONLY_SOURCES:-}" ]] && exit
 cmake -S "$here/libraries" -B "$work/$target/libraries" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DSOURCES=$sources" \
   "${toolchain[@]}" --install-prefix "$prefix" >"$work/$target-libraries.log" 2>&1 || { cat "$work/$target-libraries.log" >&2; exit 1; }
-ninja -C "$work/$target/libraries" install >"$work/$target-libraries.log" 2>&1 || { grep -A 5 FAILED "$work/$target-libraries.log" >&2; exit 1; }
+ninja -C "$work/$target/libraries" install >"$work/$target-libraries.log" 2>&1 || { grep -A 5 FAILED "$work/$target-libraries.log" | cut -c 1-300 >&2; exit 1; }
 echo "Libraries for $target: $prefix"

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Tests the program of an archive where it will run.
+
+    program_test.py linux ARCHIVE      in a root with nothing but the archive: no libraries, no /proc, no /tmp, no /etc
+    program_test.py aarch64 ARCHIVE    under qemu
+    program_test.py windows ARCHIVE    under wine
+
+OVERBEND_PROGRAM: the program of this machine, with which results are compared.
+"""
+
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.request
+
+KIND = sys.argv[1]
+ARCHIVE = pathlib.Path(sys.argv[2]).resolve()
+del sys.argv[1:]
+LINUX, WINDOWS = KIND == "linux", KIND == "windows"
+NATIVE = os.environ.get("OVERBEND_PROGRAM")
+# Another root needs the rights of root, in a namespace of its own if need be.
+ENTER = ["chroot"] if os.geteuid() == 0 else ["unshare", "--map-root-user", "chroot"]
+
+
+WINE = next((name for name in ("/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/bin/wine") if os.path.exists(name)), "wine64")
+
+
+def without_times(value):
+    """A summary without what depends on the machine and the moment."""
+    if isinstance(value, dict):
+        return {key: without_times(inner) for key, inner in value.items()
+                if not re.search("wall|program|written|machine|version|seconds", key)}
+    return [without_times(inner) for inner in value] if isinstance(value, list) else value
+
+
+class Program(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        subprocess.run(["cmake", "-E", "tar", "xf", ARCHIVE], cwd=cls.folder.name, check=True)
+        cls.root = pathlib.Path(cls.folder.name, "overbend")
+        cls.environment = dict(os.environ)
+        if LINUX:
+            cls.command = [*ENTER, str(cls.root), "/overbend"]
+        elif WINDOWS:
+            cls.command = [WINE, str(cls.root / "overbend.exe")]
+            cls.environment.update(WINEDEBUG="-all", WINEPREFIX=str(pathlib.Path(cls.folder.name, "wine")))
+        else:
+            cls.command = ["qemu-aarch64", str(cls.root / "overbend")]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def path(self, name):
+        """A path as the program sees it."""
+        if WINDOWS:
+            return "Z:" + str(self.root / name).replace("/", "\\")
+        return f"/{name}" if LINUX else str(self.root / name)
+
+    def start(self, *arguments):
+        return subprocess.Popen([*self.command, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                encoding="utf-8", env=self.environment)
+
+    def run_program(self, *arguments, code=0):
+        process = self.start(*arguments)
+        said, _ = process.communicate(timeout=900)
+        self.assertEqual(process.returncode, code, said)
+        return said
+
+    def summary(self, folder):
+        return json.loads((self.root / folder / "summary.json").read_text(encoding="utf-8"))
+
+    @unittest.skipIf(WINDOWS, "there are only libraries of the system")
+    def test_the_program_is_one_file_without_libraries(self):
+        said = subprocess.run(["file", self.root / "overbend"], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(said, "static-pie linked|statically linked")
+
+    def compare(self, ours, theirs, place=""):
+        """Same bits on Linux; elsewhere 1e-9 of the value, or of what rounding leaves of a zero."""
+        if isinstance(theirs, dict):
+            self.assertEqual(ours.keys(), theirs.keys(), place)
+            for key, value in theirs.items():
+                self.compare(ours[key], value, f"{place}/{key}")
+        elif isinstance(theirs, list):
+            self.assertEqual(len(ours), len(theirs), place)
+            for i, value in enumerate(theirs):
+                self.compare(ours[i], value, f"{place}/{i}")
+        elif LINUX or not isinstance(theirs, float):
+            self.assertEqual(ours, theirs, place)
+        elif not re.search("residual|imbalance|iterations", place):
+            self.assertLessEqual(abs(ours - theirs), max(1e-9 * abs(theirs), 1e-7), f"{place}: {ours}, {theirs}")
+
+    def test_statics_equal_those_of_the_shared_build(self):
+        for model in ("bgl1", "jlay", "moored-barge"):
+            self.run_program("static", self.path(f"examples/{model}.yaml"), "-o", self.path(f"out-{model}"))
+            if not NATIVE:
+                continue
+            with tempfile.TemporaryDirectory() as work:
+                subprocess.run([NATIVE, "static", self.root / f"examples/{model}.yaml", "-o", f"{work}/out"], check=True,
+                               capture_output=True)
+                native = json.loads(pathlib.Path(work, "out/summary.json").read_text(encoding="utf-8"))
+                self.compare(without_times(self.summary(f"out-{model}")), without_times(native), model)
+
+    def test_a_killed_run_resumes(self):
+        model = self.path("examples/bgl1.yaml")
+        arguments = ("dynamic", model, "--duration", "40 s", "--checkpoint", "1 s", "-o", self.path("killed"))
+        process = self.start(*arguments)
+        until = time.monotonic() + 300
+        while time.monotonic() < until and not list((self.root / "killed").glob(".*/checkpoint*")) and not list(
+                (self.root / "killed").glob("**/*checkpoint*")) and process.poll() is None:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        self.run_program(*arguments, "--resume")
+        self.assertEqual(self.summary("killed")["dynamic"]["status"], "completed")
+
+    @unittest.skipIf(KIND == "aarch64", "takes hours under the emulator")
+    def test_seeds_and_a_study_use_all_cores_without_proc(self):
+        text = (self.root / "examples/bgl1.yaml").read_text(encoding="utf-8")
+        (self.root / "examples/seeds.yaml").write_text(text.replace("  dynamic: {", "  dynamic: {seeds: 2, "), encoding="utf-8")
+        self.run_program("dynamic", self.path("examples/seeds.yaml"), "--duration", "5 s", "-o", self.path("seeds"))
+        self.assertEqual(len(list((self.root / "seeds").glob("*/summary.json"))), 2)
+        (self.root / "examples/tensions.yaml").write_text(
+            "overbend_study: 1\nmodel: first-model.yaml\nvary:\n  tensioner.tension: [240 kN, 250 kN, 260 kN]\n", encoding="utf-8")
+        self.run_program("study", self.path("examples/tensions.yaml"), "-o", self.path("study"))
+        self.run_program("study", self.path("examples/tensions.yaml"), "--dry-run", "-o", self.path("study-dry"))
+        self.assertTrue((self.root / "study/study.csv").exists() or list((self.root / "study").glob("*.csv")))
+
+    @unittest.skipUnless(WINDOWS, "paths of Windows")
+    def test_long_paths_and_names_outside_ascii_work(self):
+        deep = "/".join(["Ærø-øre-Ölfeld-日本"] + ["a" * 60] * 5)
+        (self.root / deep).mkdir(parents=True)
+        text = (self.root / "examples/first-model.yaml").read_text(encoding="utf-8")
+        (self.root / deep / "Modèle.yaml").write_text(text, encoding="utf-8")
+        self.run_program("static", self.path(f"{deep}/Modèle.yaml"), "-o", self.path(f"{deep}/résultats"))
+        self.assertEqual(self.summary(f"{deep}/résultats")["status"], "converged")
+
+    @unittest.skipIf(KIND == "aarch64", "takes long under the emulator")
+    def test_serve_answers_with_the_page_and_statics(self):
+        process = self.start("serve", self.path("examples/bgl1.yaml"), "--no-browser")
+        try:
+            address = ""
+            while not address:
+                line = process.stdout.readline()
+                self.assertNotEqual(line, "", "the program has ended")
+                found = re.search(r"(http://127\.0\.0\.1:\d+)/\?token=(\w+)", line)
+                address, token = found.groups() if found else ("", "")
+            page = urllib.request.urlopen(f"{address}/?token={token}").read()
+            self.assertIn(b"Overbend", page)
+            for path, body in (("static", b"{}"), ("lay-table", b'{"vary": "tension", "range": "240 kN..260 kN/3"}')):
+                request = urllib.request.Request(f"{address}/api/{path}", body,
+                                                 {"X-Overbend-Token": token, "Content-Type": "application/json"})
+                try:
+                    self.assertEqual(urllib.request.urlopen(request).status, 200)
+                except urllib.error.HTTPError as error:
+                    self.fail(f"{path}: {error.read()}")
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+
+
+unittest.main(verbosity=2)
