@@ -5,6 +5,7 @@ import { defineConfig } from 'vite';
 const program = process.env.OVERBEND_ADDRESS ?? 'http://127.0.0.1:8765';
 
 export default defineConfig({
+  define: { __OVERBEND_ENGINE__: false }, // vite.single.config.ts has the program within the page
   build: {
     target: 'es2022',
     assetsInlineLimit: 0,

@@ -1,10 +1,10 @@
 // Starts the real program on a separate folder and opens its page in a browser.
-// OVERBEND_PROGRAM: the program. OVERBEND_ROOT: folder of examples/ and data/. OVERBEND_PREVIEW=1: serves the page from web/dist instead of from the program.
+// OVERBEND_PROGRAM: the program, or OVERBEND_SINGLE: the single file, whose program is within the page. OVERBEND_ROOT: folder of examples/ and data/. OVERBEND_PREVIEW=1: serves the page from web/dist instead of from the program.
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { dirname, join, relative, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium, type Browser, type Locator, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
 
@@ -52,6 +52,60 @@ export function installed(fonts: Fonts): boolean {
   return execFileSync('fc-match', ['sans', 'family'], { env: fontEnvironment(fonts), encoding: 'utf8' }).includes(families[fonts]);
 }
 
+/** The same for the single file, OVERBEND_SINGLE: the model folder is in the browser, and there is no program to end. */
+async function startSingle(file: string, outer: string, folder: string, fonts: Fonts, model?: string): Promise<Bench> {
+  const context = await chromium.launchPersistentContext(join(outer, 'profile'), { executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'], env: fontEnvironment(fonts), acceptDownloads: true });
+  const address = `${pathToFileURL(file).href}?debug`;
+  const complaints: string[] = [];
+  const files = [['models', folder], ['data', join(outer, 'data')]].flatMap(([name, from]) =>
+    readdirSync(from!, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile()).map((entry) => {
+      const path = join(entry.parentPath ?? entry.path, entry.name);
+      return { path: `/${name}/${relative(from!, path)}`, base64: readFileSync(path).toString('base64') };
+    }));
+  let first: Page | undefined;
+  const ready = (page: Page): Promise<unknown> => page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true);
+  const api = async (path: string, options: RequestInit = {}): Promise<Response> => {
+    const { status, text } = await first!.evaluate(([method, path, body]) =>
+      (window as unknown as { overbendTransport: { request: (method: string, path: string, body?: string) => Promise<{ status: number; text: string }> } }).overbendTransport.request(method!, path!, body),
+    [options.method ?? 'GET', path, options.body as string | undefined]);
+    return new Response(text, { status });
+  };
+  return {
+    folder, address, complaints, api,
+    open: async ({ zoom: _zoom = 1, ...size } = { width: 1280, height: 720 }, prepare) => {
+      const page = await context.newPage();
+      first ??= page;
+      await page.setViewportSize(size);
+      page.on('console', (m) => { if (m.type() === 'error') complaints.push(m.text()); });
+      page.on('pageerror', (e) => complaints.push(e.message));
+      await prepare?.(page);
+      await page.goto(address);
+      await ready(page);
+      await page.evaluate(async (files) => {
+        const database = await new Promise<IDBDatabase>((done, fail) => { const r = indexedDB.open('overbend', 1); r.onupgradeneeded = () => r.result.createObjectStore('files'); r.onsuccess = () => done(r.result); r.onerror = () => fail(r.error!); });
+        const transaction = database.transaction('files', 'readwrite');
+        for (const { path, base64 } of files) transaction.objectStore('files').put(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)), path);
+        await new Promise((done) => { transaction.oncomplete = done; });
+      }, files);
+      await page.reload();
+      await ready(page);
+      if (model) {
+        await page.waitForSelector('dialog[open]');
+        await page.keyboard.press('Escape');
+        await page.click('header >> text=Open…');
+        await page.locator('dialog .filelist button', { has: page.locator(`text="${model}"`) }).first().click();
+      }
+      return page;
+    },
+    shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
+    halt: () => Promise.reject(new Error('the single file has no program to end')),
+    stop: async () => {
+      await context.close();
+      rmSync(outer, { recursive: true, force: true });
+    },
+  };
+}
+
 /** `edit`: change of the model before it is opened. */
 export async function start(model?: string, edit: Record<string, string> = {}, fonts: Fonts = 'dejavu'): Promise<Bench> {
   if (!installed(fonts)) throw new Error(`${families[fonts]} is not installed: scripts/install.sh test`);
@@ -61,6 +115,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   cpSync(join(root, 'data'), join(outer, 'data'), { recursive: true });
   if (model) writeFileSync(join(folder, model), Object.entries(edit).reduce((text, [from, to]) => text.replace(from, to), readFileSync(join(folder, model), 'utf8')));
   mkdirSync(shots, { recursive: true });
+  if (process.env.OVERBEND_SINGLE) return startSingle(resolve(root, process.env.OVERBEND_SINGLE), outer, folder, fonts, model);
   const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
   const ownAddress = new URL(await started(child));
   let server: PreviewServer | null = null;

@@ -13,10 +13,12 @@ import { startPicture } from './state/picture';
 import { startChosenBox } from './state/chosenBox';
 import { dialog, startLook } from './state/look';
 import { startMoorings } from './state/moorings';
+import { startDrop } from './state/openFiles';
 import { startOffsets } from './state/offsets';
 import { startOperation } from './state/operation';
 import { startNearest } from './state/nearest';
-import { guardLeaving, hasModel, start } from './state/model';
+import { guardLeaving, hasModel, openExample, openNew, start } from './state/model';
+import { sayError } from './state/notices';
 import { fetchRuns, startRuns } from './state/runs';
 import { startRanges } from './state/ranges';
 import { startStorms } from './state/storm';
@@ -42,10 +44,18 @@ startOffsets();
 startPicture();
 startChosenBox();
 startEvents();
+startDrop();
 startOperation();
 startReport();
 render(<App />, document.getElementById('page')!);
-void start().then(() => { if (!hasModel.value) dialog.value = 'start'; });
+/** A model that the address gives, `?example=bgl1` or `?model=TEXT`, is opened as new; otherwise the dialogue. */
+void start().then(() => {
+  if (hasModel.value) return;
+  const given = new URLSearchParams(location.search), example = given.get('example'), text = given.get('model');
+  if (example) void openExample(example);
+  else if (text) void openNew(text).catch(sayError);
+  else dialog.value = 'start';
+});
 void fetchRuns();
 connect();
 

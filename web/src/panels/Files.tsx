@@ -1,10 +1,11 @@
 // Open, save as, and the choice between two tabs that changed the model.
 import { useEffect, useState } from 'preact/hooks';
-import { get } from '../api/client';
+import { get, transport } from '../api/client';
 import { differences } from '../logic/differences';
 import { conflict, fileName, info, keepMine, openExample, openFile, overwrite, save, takeFile, takeTheirs, title } from '../state/model';
 import { asking, dialog } from '../state/look';
 import { sayError } from '../state/notices';
+import { openFiles } from '../state/openFiles';
 import { Dialog } from './Dialog';
 
 interface Listing { folder: string; files: { name: string; modified: number }[] }
@@ -21,8 +22,10 @@ export function OpenDialog() {
   const list = useFiles();
   return (
     <Dialog title="Open" close={close}>
-      <h3>Files in {list?.folder ?? '…'}</h3>
-      {list && list.files.length === 0 ? <p class="empty">No model files in this folder.</p> : null}
+      <label class="upload">From this computer … <input type="file" aria-label="Open files of this computer" multiple onChange={(e) => { const files = [...(e.currentTarget.files ?? [])]; close(); void openFiles(files); }} /></label>
+      <h3>{transport.local ? 'Files kept in this browser' : `Files in ${list?.folder ?? '…'}`}</h3>
+      {transport.local ? <p class="brief">Models and results stay in this browser; nothing is sent anywhere. They are lost when its data are cleared: download what must last.</p> : null}
+      {list && list.files.length === 0 ? <p class="empty">No model files yet.</p> : null}
       <ul class="filelist">{(list?.files ?? []).map((f) => <li key={f.name}><button type="button" onClick={() => { close(); void openFile(f.name); }}><b>{f.name}</b><span class="brief">{new Date(f.modified * 1000).toLocaleString()}</span></button></li>)}</ul>
       <h3>Examples</h3>
       <ul class="filelist">{(info.value?.examples ?? []).map((x) => <li key={x.name}><button type="button" onClick={() => { close(); void openExample(x.name); }}><b>{x.title || x.name}</b><span class="brief">{x.name}</span></button></li>)}</ul>
@@ -40,7 +43,7 @@ export function SaveAsDialog() {
     <Dialog title="Save as" close={close}>
       <form onSubmit={(e) => { e.preventDefault(); if (good) void save(full.trim()).then((done) => { if (done || overwrite.value) close(); }); }}>
         <div class="row"><label for="save-name">file name</label><input id="save-name" value={name} onInput={(e) => setName(e.currentTarget.value)} /><span class="twin" /></div>
-        <p class="brief">{good ? (exists ? `${full} already exists. Both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'The name must not contain slashes.'}</p>
+        <p class="brief">{good ? (exists ? `${full} already exists. Both texts are shown before it is replaced.` : transport.local ? 'kept in this browser' : `in ${list?.folder ?? ''}`) : 'The name must not contain slashes.'}</p>
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={!good}>Save</button></footer>
       </form>
     </Dialog>

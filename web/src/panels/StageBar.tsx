@@ -1,5 +1,4 @@
 // Slider over the stages of the operation, under the picture.
-import { address } from '../api/client';
 import { columnUnit, stageColumns, cell, stagePlace } from '../logic/operation';
 import { ofRun } from '../state/shown';
 import { chooseStage, chosenStage, nextStage, operation, outdated, playing } from '../state/operation';
@@ -33,7 +32,7 @@ export function StageBar() {
       <Readings />
       {stage ? <button type="button" class="tiny" aria-label="Back to the lay" title="Back to the lay" onClick={() => void chooseStage(-1)}>✕</button> : null}
       <span class={`sheet${outdated.value ? ' old' : ''}`} title={outdated.value ? 'Report of the solved stages' : undefined}>
-        <ReportLinks file={address('operation/report.html')} show={address('operation/report.html?show=1')} name="operation.html" label="Procedure sheet" title="Report of all stages, with the procedure sheet for use on board" />
+        <ReportLinks path="operation/report.html" name="operation.html" label="Procedure sheet" title="Report of all stages, with the procedure sheet for use on board" />
       </span>
     </div>
   );

@@ -1,8 +1,9 @@
 // Connection to the program: monitored by its event stream and by the answers to requests.
 import { computed, effect, signal, untracked } from '@preact/signals';
-import { listen, watchAnswers } from '../api/client';
+import { transport, watchAnswers } from '../api/client';
 import type { Run } from '../api/types';
 import { modelEvent, sendAgain } from './model';
+import { sayError } from './notices';
 import { stageEvent, type StageEvent } from './operation';
 import { fetchRuns, runEvent } from './runs';
 
@@ -21,8 +22,9 @@ export function connect(): void {
     run: (run: Run) => runEvent(run),
     model: (event: { revision: number }) => modelEvent(event),
     stage: (event: StageEvent) => stageEvent(event),
+    unsaved: (event: { message: string }) => sayError(new Error(`This browser does not keep the files of this page: ${event.message}. Download what must last.`)),
   };
-  listen(on, (open) => { streaming.value = open; });
+  transport.listen(on, (open) => { streaming.value = open; });
   watchAnswers((answered) => { answering.value = answered; });
   let away = false;
   effect(() => {

@@ -1,11 +1,11 @@
 // The report workspace: the reported results, whether they are outdated, and print settings.
 import { computed, effect, signal, untracked } from '@preact/signals';
-import { address, post } from '../api/client';
+import { post } from '../api/client';
 import type { Run } from '../api/types';
 import { hasOperation, operation, outdated as stagesOutdated, solveOperation, solving } from './operation';
 import { errors, opened, revision } from './model';
 import { sayError } from './notices';
-import { fetchRuns, reportAddress, reportToShow, runs, tableAddress } from './runs';
+import { fetchRuns, reportPath, runs, tablePath } from './runs';
 
 /** Statics of the open model, stages of its operation, or the id of a run. */
 export type Subject = 'statics' | 'operation' | { run: string };
@@ -33,16 +33,16 @@ const subjectRun = computed<Run | null>(() => {
   return runs.value.find((r) => r.id === id) ?? null;
 });
 
-export interface ReportFiles { show: string; html: string; csv: string | null; name: string }
+/** Paths below /api; `made` counts the reports with the same path. */
+export interface ReportFiles { report: string; made: number; csv: string | null; name: string }
 
-/** Addresses of the report; null before it is made. */
+/** Files of the report; null before it is made. */
 export const files = computed<ReportFiles | null>(() => {
   if (subject.value === 'operation') {
-    // counted, so that a new report is reloaded
-    return operation.value ? { show: address(`operation/report.html?show=1&made=${stagesMade.value}`), html: address('operation/report.html'), csv: null, name: 'operation' } : null;
+    return operation.value ? { report: 'operation/report.html', made: stagesMade.value, csv: null, name: 'operation' } : null;
   }
   const run = subjectRun.value;
-  return run?.has_results ? { show: reportToShow(run.id), html: reportAddress(run.id), csv: tableAddress(run.id), name: run.id } : null;
+  return run?.has_results ? { report: reportPath(run.id), made: 0, csv: tablePath(run.id), name: run.id } : null;
 });
 
 export const busy = computed(() => making.value || (subject.value === 'operation' && solving.value));

@@ -1,6 +1,6 @@
 // Runs: the list, the selected run, and its data for diagrams and animation.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { address, finishReads, get, post } from '../api/client';
+import { finishReads, get, post } from '../api/client';
 import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Study } from '../api/types';
 import { isStudy, listedNames, newerList } from '../logic/runs';
 import { opened } from './model';
@@ -139,7 +139,15 @@ export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
     if (run.id === selectedId.value) void load(run.id);
     if (run.state === 'done' && old && !run.parent) say(`${runName(run)}: done`);
     if ((run.state === 'done' || run.state === 'failed') && old && !run.parent && workspace.value !== 'runs') newRuns.value = [...newRuns.value.filter((id) => id !== run.id), run.id];
-  } else if (run.id === selectedId.value && run.state === 'running' && !run.parent && run.time !== undefined && columns.value.length === 0) void load(run.id);
+  } else if (run.id === selectedId.value && run.state === 'running' && !run.parent && run.time !== undefined && columns.value.length === 0) loadOnce(run.id);
+}
+
+let loading = '';
+/** Loads a run unless that is in progress: events may come faster than the answer, which would never be the latest. */
+function loadOnce(id: string): void {
+  if (loading === id) return;
+  loading = id;
+  void load(id).finally(() => { loading = ''; });
 }
 
 /** Estimated seconds to the end; null if unknown. */
@@ -149,9 +157,9 @@ export function timeToFinish(run: Run): number | null {
   return ((Date.now() - b.time) / 1000) * ((1 - run.progress) / (run.progress - b.progress));
 }
 
-export const tableAddress = (id: string): string => address(`runs/${id}/table.csv`);
-export const reportAddress = (id: string): string => address(`runs/${id}/report.html`);
-export const reportToShow = (id: string): string => address(`runs/${id}/report.html?show=1`);
+/** Paths of the files of a run, below /api. */
+export const tablePath = (id: string): string => `runs/${id}/table.csv`;
+export const reportPath = (id: string): string => `runs/${id}/report.html`;
 
 /** Values of histories around one time, for the animation: a coarse set that is fetched once. */
 export async function fetchSeries(id: string, names: string[], t0: number | null, t1: number | null, px: number): Promise<Record<string, { t: number[]; min: number[]; max: number[] }>> {

@@ -1,7 +1,9 @@
 // Preview of the report: its page in a frame.
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { frameSource, type FrameSource } from '../../api/frames';
 import { prepareReport, reportSections } from '../../logic/reportPage';
 import { hasModel } from '../../state/model';
+import { sayError } from '../../state/notices';
 import { busy, canMake, files, leftOut, makeReport, outdated, paper, subject } from '../../state/report';
 import { headings } from './ReportStrip';
 
@@ -15,7 +17,8 @@ function Nothing() {
   );
 }
 
-function Page({ source }: { source: string }) {
+function Page({ path, made }: { path: string; made: number }) {
+  const [source, setSource] = useState<FrameSource | null>(null);
   const frame = useRef<HTMLIFrameElement>(null);
   const prepare = (): void => {
     const page = frame.current?.contentDocument;
@@ -24,8 +27,12 @@ function Page({ source }: { source: string }) {
     prepareReport(page, leftOut.value, paper.value);
   };
   useEffect(prepare, [leftOut.value, paper.value]);
-  useEffect(() => () => { headings.value = []; }, [source]);
-  return <iframe ref={frame} key={source} class="reportpage" title="The report" src={source} onLoad={prepare} />;
+  useEffect(() => {
+    frameSource(`${path}?show=1&made=${made}`).then(setSource).catch(sayError);
+    return () => { headings.value = []; };
+  }, [path, made]);
+  if (!source) return null;
+  return <iframe ref={frame} key={`${path} ${made}`} class="reportpage" title="The report" {...source} onLoad={prepare} />;
 }
 
 export function ReportMiddle() {
@@ -39,7 +46,7 @@ export function ReportMiddle() {
           {canMake.value ? <button type="button" class="link" disabled={busy.value} onClick={() => void makeReport()}>Update the report</button> : null}
         </p>
       ) : null}
-      {made ? <Page source={made.show} /> : <Nothing />}
+      {made ? <Page path={made.report} made={made.made} /> : <Nothing />}
     </section>
   );
 }

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { get } from '../../api/client';
 import type { Lay, Matrix, Run } from '../../api/types';
+import { FileLink } from '../../components/FileLink';
 import { download } from '../../components/download';
 import type { TableData } from '../../components/document';
 import { tableCsv } from '../../components/tableText';
@@ -100,7 +101,7 @@ function Parts() {
 /** Commands for the report; that of the open model is made first if it is outdated. */
 async function print(): Promise<void> {
   if (canMake.value && (!files.value || outdated.value)) await makeReport();
-  if (files.value && !(canMake.value && outdated.value)) printReport(files.value.show, (page) => prepareReport(page, leftOut.value, paper.value));
+  if (files.value && !(canMake.value && outdated.value)) printReport(files.value.report, (page) => prepareReport(page, leftOut.value, paper.value));
 }
 
 /** Tables of the reported results. */
@@ -127,8 +128,8 @@ function Files() {
       <button type="button" class="main" disabled={busy.value || (!made && !canMake.value)} title={`Print: choose "Save as PDF" as the printer`} onClick={() => void print()}>PDF</button>
       {made ? (
         <>
-          <a class="button" href={made.html} download={`${made.name}.html`}>HTML</a>
-          {made.csv ? <a class="button" href={made.csv} download={`${made.name}.csv`}>CSV</a> : subject.value === 'operation' && operation.value ? <button type="button" onClick={() => download('operation.csv', new Blob([tableCsv(stagesTable(operation.value!))], { type: 'text/csv' }))}>CSV</button> : null}
+          <FileLink path={made.report} name={`${made.name}.html`}>HTML</FileLink>
+          {made.csv ? <FileLink path={made.csv} name={`${made.name}.csv`}>CSV</FileLink> : subject.value === 'operation' && operation.value ? <button type="button" onClick={() => download('operation.csv', new Blob([tableCsv(stagesTable(operation.value!))], { type: 'text/csv' }))}>CSV</button> : null}
           <button type="button" disabled={isComparison} title="Tables of the report as a workbook" onClick={() => void saveWorkbook().catch(sayError)}>XLSX</button>
         </>
       ) : null}

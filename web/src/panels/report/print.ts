@@ -1,11 +1,12 @@
 // Prints a report (every browser can save a PDF).
+import { frameSource } from '../../api/frames';
 import { sayError } from '../../state/notices';
 
 /** Layout width of the report figures [px]. */
 const wide = 1000;
 
-/** Loads the report in a hidden frame and opens the print dialog of the browser; `prepare` is applied to its page first. */
-export function printReport(source: string, prepare?: (page: Document) => void): void {
+/** Loads the report at a path below /api in a hidden frame and opens the print dialog of the browser; `prepare` is applied to its page first. */
+export function printReport(path: string, prepare?: (page: Document) => void): void {
   document.querySelector('iframe.printed')?.remove();
   const frame = document.createElement('iframe');
   frame.className = 'printed';
@@ -24,6 +25,8 @@ export function printReport(source: string, prepare?: (page: Document) => void):
     view.focus();
     view.print();
   });
-  frame.src = source;
-  document.body.append(frame);
+  frameSource(`${path}?show=1`).then((source) => {
+    Object.assign(frame, source);
+    document.body.append(frame);
+  }).catch(sayError);
 }

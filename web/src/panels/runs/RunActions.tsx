@@ -3,9 +3,10 @@ import { useState } from 'preact/hooks';
 import type { Run } from '../../api/types';
 import { maxCompared } from '../../logic/runCompare';
 import { checked } from '../../state/compare';
-import { cancelRun, deleteRuns, reportAddress, reportToShow, resumeRun, runs, tableAddress } from '../../state/runs';
+import { cancelRun, deleteRuns, reportPath, resumeRun, runs, tablePath } from '../../state/runs';
 import { isGoing, look, openRunModel, runWorkspace } from '../../state/runActions';
 import { workspaceNames } from '../../logic/workspaceNames';
+import { FileLink } from '../../components/FileLink';
 import { ReportLinks } from '../ReportLinks';
 import { renaming } from './RunRow';
 
@@ -34,8 +35,8 @@ function One({ run }: { run: Run }) {
     <>
       {place === 'runs' ? null : <button type="button" class="main" onClick={() => look(run)}>Open in {workspaceNames[place]}</button>}
       <button type="button" title="Open the model of this run as a new, unsaved model" onClick={() => void openRunModel(run)}>Open its model</button>
-      {run.has_results && run.kind !== 'seeds' ? <ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} /> : null}
-      {run.has_results ? <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>CSV</a> : null}
+      {run.has_results && run.kind !== 'seeds' ? <ReportLinks path={reportPath(run.id)} name={`${run.id}.html`} /> : null}
+      {run.has_results ? <FileLink path={tablePath(run.id)} name={`${run.id}.csv`}>CSV</FileLink> : null}
       {run.parent ? null : <button type="button" onClick={() => { renaming.value = run.id; }}>Rename</button>}
       {run.resumable && !isGoing(run) ? <button type="button" title="Continue from the last checkpoint" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
     </>

@@ -1,7 +1,6 @@
 // Above the table: the study and result shown, its progress, and its files.
 import type { VNode } from 'preact';
 import type { Run } from '../../api/types';
-import { address } from '../../api/client';
 import { download } from '../../components/download';
 import { makeSheet, workbook } from '../../components/workbook';
 import { depthLimits } from '../../logic/layGrid';
@@ -9,8 +8,9 @@ import { duration } from '../../logic/show';
 import { baseCase, kUtilisation, resultTitle } from '../../logic/studies';
 import { studySheets } from '../../logic/studyTables';
 import { sayError } from '../../state/notices';
-import { cancelRun, reportAddress, reportToShow, resumeRun, runName, tableAddress, timeToFinish } from '../../state/runs';
+import { cancelRun, reportPath, resumeRun, runName, tablePath, timeToFinish } from '../../state/runs';
 import { fixed, layTable, limits, matrix, output, showStudy, shownId, shownRun, studies } from '../../state/studies';
+import { FileLink } from '../../components/FileLink';
 import { ReportLinks } from '../ReportLinks';
 import { CaseCurve, CaseMap, CaseSwings } from './CaseDrawing';
 import { limitsDrawing } from './Limits';
@@ -77,7 +77,7 @@ function MatrixFiles({ run }: { run: Run }) {
   const drawable = shape.value !== 'list' && !(matrix.value!.operability && matrix.value!.operability.axes.length === 0);
   return (
     <>
-      {run.has_results ? <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`} title="A row for every case">CSV</a> : null}
+      {run.has_results ? <FileLink path={tablePath(run.id)} name={`${run.id}.csv`} title="A row for every case">CSV</FileLink> : null}
       <button type="button" title="A workbook: the table, what governs, the tensions, all cases" onClick={() => saveWorkbook(run.id)}>XLSX</button>
       {drawable ? <><button type="button" onClick={() => save('png')}>PNG</button><button type="button" onClick={() => save('svg')}>SVG</button></> : null}
     </>
@@ -89,15 +89,15 @@ export function Files() {
   if (!run) {
     return layTable.value ? (
       <>
-        <a class="button" href={address('lay-table.csv')} download="lay-table.csv">CSV</a>
-        <a class="button" href={address('lay-table.xlsx')} download="lay-table.xlsx">XLSX</a>
+        <FileLink path="lay-table.csv" name="lay-table.csv">CSV</FileLink>
+        <FileLink path="lay-table.xlsx" name="lay-table.xlsx">XLSX</FileLink>
       </>
     ) : null;
   }
   return (
     <>
-      {matrix.value ? <MatrixFiles run={run} /> : run.has_results ? <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>CSV</a> : null}
-      {run.has_results && run.kind !== 'seeds' ? <ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} /> : null}
+      {matrix.value ? <MatrixFiles run={run} /> : run.has_results ? <FileLink path={tablePath(run.id)} name={`${run.id}.csv`}>CSV</FileLink> : null}
+      {run.has_results && run.kind !== 'seeds' ? <ReportLinks path={reportPath(run.id)} name={`${run.id}.html`} /> : null}
     </>
   );
 }
