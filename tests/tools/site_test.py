@@ -30,7 +30,8 @@ class Site(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.site = pathlib.Path(cls.folder.name, "site")
         done = subprocess.run(["bash", str(ROOT / "scripts" / "docs.sh"), str(cls.site)], capture_output=True, encoding="utf-8",
-                              stdin=subprocess.DEVNULL, env={**os.environ, "LC_ALL": "C.UTF-8"})
+                              stdin=subprocess.DEVNULL,
+                              env={**os.environ, "LC_ALL": "C.UTF-8", "OVERBEND_HTML": "/nonexistent"})
         if done.returncode != 0:
             raise AssertionError(f"scripts/docs.sh: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
 
@@ -46,6 +47,19 @@ class Site(unittest.TestCase):
         keys = dict.fromkeys(row[0] for row in key_tasks.rows((ROOT / "docs/input.md").read_text(encoding="utf-8")))
         self.assertGreater(len(keys), 1000)
         self.assertEqual(sorted(urllib.parse.unquote(key) for key in linked), sorted(keys))
+
+    def test_tutorials_open_their_models_in_the_program_if_the_site_has_it(self):
+        self.assertNotIn("<iframe", self.text("tutorials/deep-s-lay.html"))
+        with tempfile.TemporaryDirectory() as folder:
+            sources.write_sources(pathlib.Path(folder), has_program=True)
+            queries = {}
+            for page in sorted(pathlib.Path(folder, "tutorials").glob("*.md")):
+                if found := re.search(r'<iframe[^>]* src="\.\./overbend\.html\?([^"]+)"', page.read_text(encoding="utf-8")):
+                    queries[page.stem] = dict(urllib.parse.parse_qsl(found.group(1), strict_parsing=True))
+        self.assertEqual(len(queries), 8)
+        self.assertEqual(queries["shallow-s-lay"], {"example": "shallow-s-lay"})
+        self.assertIn("overbend: 1\n", queries["deep-s-lay"]["model"])
+        self.assertTrue(all("vary:" not in query.get("model", "") for query in queries.values()))
 
     def test_search_works_without_a_server(self):
         self.assertIn("tension", self.text("searchindex.js"))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Collects the pages of the documentation site in a folder that Sphinx reads.
 
-    sources.py FOLDER
+    sources.py FOLDER [with-program]
 
 Starting at docs/README.md, the front page, all pages of this repository are found by their links, with the pictures and
 files that they show or offer. They are written to FOLDER with these changes:
@@ -12,6 +12,7 @@ files that they show or offer. They are written to FOLDER with these changes:
 - docs/tutorials/README.md lists the pages of its folder by itself.
 - Keys in docs/input.md are anchors, and the page "Keys by task" is made from them (key_tasks.py).
 - Citations such as [silva2009] are links to the page "References", which is made from docs/references.bib.
+- With the program as one file on the site (scripts/portable.sh wasm), tutorials have a frame in which their model is open.
 """
 
 import pathlib
@@ -19,11 +20,17 @@ import posixpath
 import re
 import shutil
 import sys
+import urllib.parse
 
 import bibliography
 import key_tasks
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+import check_examples  # noqa: E402
+
+PROGRAM = "overbend.html"
 FRONT = "docs/README.md"
 KEYS = "docs/keys-by-task.md"
 REFERENCES = "docs/references.md"
@@ -167,8 +174,30 @@ def toctrees(index, pages):
     return trees
 
 
-def write_sources(folder):
+def tutorial_model(path, text):
+    """Query with which the program opens the model of a tutorial: the example that it explains, or else the first it writes."""
+    if shown := re.search(r"^```yaml of=examples/([\w-]+)\.yaml$", text, flags=re.M):
+        return "example=" + shown.group(1)
+    files = check_examples.read_page(ROOT / path).files
+    model = next((file for file in files.values() if "overbend: 1" in file), None)
+    return "model=" + urllib.parse.quote(model, safe="") if model else ""
+
+
+def with_program(path, text):
+    """A tutorial with its model in the program. The browser loads the frame when it is shown."""
+    query = tutorial_model(path, text) if path.startswith("docs/tutorials/") else ""
+    if not query:
+        return text
+    start = text.index("\n## ")
+    frame = (f'\n<details class="program"><summary>Run this model in your browser</summary>\n'
+             f'<iframe loading="lazy" title="Overbend" src="{relative(path, "docs/" + PROGRAM)}?{query}"></iframe>\n</details>\n')
+    return text[:start] + frame + text[start:]
+
+
+def write_sources(folder, has_program=False):
     pages, files = read_pages()
+    if has_program:
+        pages = {path: with_program(path, text) for path, text in pages.items()}
     unlisted = [p.relative_to(ROOT).as_posix() for p in sorted((ROOT / "docs").rglob("*.md"))]
     unlisted = [path for path in unlisted if path not in pages]
     if unlisted:
@@ -186,6 +215,6 @@ def write_sources(folder):
 
 if __name__ == "__main__":
     try:
-        write_sources(pathlib.Path(sys.argv[1]))
+        write_sources(pathlib.Path(sys.argv[1]), sys.argv[2:] == ["with-program"])
     except (SourceError, key_tasks.TaskError, bibliography.CitationError) as error:
         sys.exit(f"tools/site/sources.py: {error}")
