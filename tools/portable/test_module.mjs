@@ -78,14 +78,14 @@ function scales(values) {
   return (path) => largest.get(path.replace(/\/\d+/g, ''));
 }
 
-/** Demands that a share of the numbers agree within a relative tolerance; zeros, within the rounding of their array. */
+/** Demands that a share of the numbers agree within a relative tolerance; zeros within what rounding leaves of them. */
 function compare(name, ours, theirs, tolerance, least) {
   const a = numbers(ours), b = numbers(theirs), scale = scales(b);
   let equal = 0;
   const different = [];
   for (const [path, value] of b) {
     const found = a.get(path);
-    if (found !== undefined && Math.abs(found - value) <= Math.max(tolerance * Math.max(Math.abs(value), 1e-3), 1e-12 * scale(path))) ++equal;
+    if (found !== undefined && Math.abs(found - value) <= Math.max(tolerance * Math.abs(value), 1e-7, 1e-12 * scale(path))) ++equal;
     else different.push(`${path}: ${found}, native ${value}`);
   }
   console.log(`${name}: ${equal} of ${b.size} numbers within ${tolerance}`);

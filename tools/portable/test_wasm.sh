@@ -8,3 +8,5 @@ export OVERBEND_PROGRAM="${OVERBEND_PROGRAM:-$root/build/release/overbend}"
 node --no-experimental-fetch "$root/tools/portable/test_module.mjs" "$1/wasm/program" "$root"
 cd "$1/wasm/program/web/site"
 OVERBEND_ROOT="$root" OVERBEND_SINGLE="$1/overbend.html" npx vitest run --dir single --config vitest.e2e.config.ts
+# Tests of the page that need neither a folder of the disk nor the end of the program.
+OVERBEND_ROOT="$root" OVERBEND_SINGLE="$1/overbend.html" npx vitest run --dir e2e --config vitest.e2e.config.ts grid laytable
