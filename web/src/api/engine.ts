@@ -73,6 +73,10 @@ class EngineTransport implements Transport {
 
   constructor() {
     this.ready = this.start();
+    // Heard from the first moment: a change while the program starts may be missing among the files that are read.
+    this.tabs.onmessage = (event: MessageEvent<FileChange[]>) => {
+      void this.ready.then(({ model, runs }) => { for (const engine of [model, runs]) engine.send({ kind: 'files', changes: event.data }); });
+    };
   }
 
   private async start(): Promise<{ model: Engine; runs: Engine }> {
@@ -81,9 +85,6 @@ class EngineTransport implements Transport {
     const model: Engine = new Engine(script, (message) => this.receive(message, runs, (name) => name !== 'run'));
     const runs: Engine = new Engine(script, (message) => this.receive(message, model, (name) => name === 'run'));
     for (const engine of [model, runs]) engine.send({ kind: 'start', module, files, executes: engine === runs });
-    this.tabs.onmessage = (event: MessageEvent<FileChange[]>) => {
-      for (const engine of [model, runs]) engine.send({ kind: 'files', changes: event.data });
-    };
     return { model, runs };
   }
 

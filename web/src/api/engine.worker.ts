@@ -47,11 +47,13 @@ let executes = false;
 /** Time and size of every file when it was last reported. */
 let known = new Map<string, string>();
 
+const stamp = ({ mtime, size }: { mtime: Date; size: number }): string => `${mtime.getTime()} ${size}`;
+
 function listFiles(path: string, into: Map<string, string>): Map<string, string> {
   for (const name of program.FS.readdir(path)) {
     if (name === '.' || name === '..') continue;
-    const file = `${path}/${name}`, { mode, mtime, size } = program.FS.stat(file);
-    if (program.FS.isDir(mode)) listFiles(file, into); else into.set(file, `${mtime.getTime()} ${size}`);
+    const file = `${path}/${name}`, status = program.FS.stat(file);
+    if (program.FS.isDir(status.mode)) listFiles(file, into); else into.set(file, stamp(status));
   }
   return into;
 }
@@ -60,20 +62,24 @@ function listFiles(path: string, into: Map<string, string>): Map<string, string>
 function reportFiles(): void {
   const present = listFiles(folder, new Map());
   const changes: FileChange[] = [];
-  for (const [path, stamp] of present) if (known.get(path) !== stamp) changes.push({ path, bytes: program.FS.readFile(path) });
+  for (const [path, seen] of present) if (known.get(path) !== seen) changes.push({ path, bytes: program.FS.readFile(path) });
   for (const path of known.keys()) if (!present.has(path)) changes.push({ path, bytes: null });
   known = present;
   if (changes.length) post({ kind: 'files', changes });
 }
 
+/** Takes files of the second instance or of another tab; what this instance has written meanwhile remains to be reported. */
 function takeFiles(changes: FileChange[]): void {
   for (const { path, bytes } of changes) {
     if (bytes) {
       program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
       program.FS.writeFile(path, bytes);
-    } else if (program.FS.analyzePath(path).exists) program.FS.unlink(path);
+      if (path.startsWith(`${folder}/`)) known.set(path, stamp(program.FS.stat(path)));
+    } else {
+      if (program.FS.analyzePath(path).exists) program.FS.unlink(path);
+      known.delete(path);
+    }
   }
-  known = listFiles(folder, new Map());
 }
 
 function sendEvents(): void {
