@@ -1,5 +1,5 @@
 // Starts the real program on a separate folder and opens its page in a browser.
-// OVERBEND_PROGRAM: the program, or OVERBEND_SINGLE: the single file, whose program is within the page. OVERBEND_ROOT: folder of examples/ and data/. OVERBEND_PREVIEW=1: serves the page from web/dist instead of from the program.
+// OVERBEND_SHOTS: folder for pictures, none without. OVERBEND_PROGRAM: the program, or OVERBEND_SINGLE: the single file, whose program is within the page. OVERBEND_ROOT: folder of examples/ and data/. OVERBEND_PREVIEW=1: serves the page from web/dist instead of from the program.
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,10 @@ import { preview, type PreviewServer } from 'vite';
 const thisFolder = dirname(fileURLToPath(import.meta.url));
 const root = process.env.OVERBEND_ROOT ?? resolve(thisFolder, '../..');
 const program = resolve(root, process.env.OVERBEND_PROGRAM ?? 'build/release/overbend');
-const shots = resolve(thisFolder, '..', process.env.OVERBEND_SHOTS ?? 'shots');
+const shots = process.env.OVERBEND_SHOTS ? resolve(thisFolder, '..', process.env.OVERBEND_SHOTS) : undefined;
+/** True if pictures are taken: only where OVERBEND_SHOTS names their folder. */
+export const takesPictures = shots !== undefined;
+const shot = async (page: Page, name: string): Promise<void> => { if (shots) await page.screenshot({ path: join(shots, `${name}.png`) }); };
 
 export interface Bench {
   folder: string;
@@ -97,7 +100,7 @@ async function startSingle(file: string, outer: string, folder: string, fonts: F
       }
       return page;
     },
-    shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
+    shot,
     halt: () => Promise.reject(new Error('the single file has no program to end')),
     stop: async () => {
       await context.close();
@@ -114,7 +117,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   cpSync(join(root, 'examples'), folder, { recursive: true });
   cpSync(join(root, 'data'), join(outer, 'data'), { recursive: true });
   if (model) writeFileSync(join(folder, model), Object.entries(edit).reduce((text, [from, to]) => text.replace(from, to), readFileSync(join(folder, model), 'utf8')));
-  mkdirSync(shots, { recursive: true });
+  if (shots) mkdirSync(shots, { recursive: true });
   if (process.env.OVERBEND_SINGLE) return startSingle(resolve(root, process.env.OVERBEND_SINGLE), outer, folder, fonts, model);
   const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
   const ownAddress = new URL(await started(child));
@@ -148,7 +151,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
       await page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true); // as a string it would need eval, which the page forbids
       return page;
     },
-    shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
+    shot,
     stop: async () => {
       await browser.close();
       await server?.close();

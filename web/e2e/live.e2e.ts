@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { openField, reading, rested, showTab, solved, start, tryValue, type Bench } from './harness';
+import { openField, reading, rested, showTab, solved, start, takesPictures, tryValue, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -77,7 +77,7 @@ test('tables of results are sorted, lead to their objects, and are saved', async
   await expect.poll(() => page.locator('.slot .read').first().innerText()).toMatch(/^stinger 8,/);
 });
 
-test('a picture for the guide', async () => {
+test.runIf(takesPictures)('a picture for the guide', async () => {
   const guide = await bench.open({ width: 1600, height: 900 });
   await solved(guide);
   await guide.click('.viewbuttons >> text=overbend');
@@ -129,7 +129,7 @@ test('stinger radius and box height move rollers, and are written into the model
   await expect.poll(typed).toBe(before);
 });
 
-test('pictures of all views', async () => {
+test.runIf(takesPictures)('pictures of all views', async () => {
   for (const view of ['overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe', 'whole']) {
     await page.click(`.viewbuttons >> text=${view}`);
     await page.waitForTimeout(600);
@@ -222,7 +222,7 @@ test('reload keeps the open model', async () => {
   expect((await (await bench.api('model')).json() as { text: string }).text).toBe(before);
 });
 
-test('dark, and on a large screen', async () => {
+test.runIf(takesPictures)('pictures in the dark, and of a large screen', async () => {
   await page.click('[aria-label="Dark colours"]');
   await page.waitForTimeout(500);
   await bench.shot(page, 'dark');
