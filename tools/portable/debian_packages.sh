@@ -29,5 +29,9 @@ unpack_packages() {  # RELEASE FOLDER PACKAGE...: unpacks them with all they nee
   }
   for package in "$work/apt-$release"/cache/archives/*.deb; do dpkg-deb --fsys-tarfile "$package" | tar -x --keep-directory-symlink -C "$folder"; done
   rm "$work/apt-$release"/cache/archives/*.deb
+  # The linker follows links that begin at the root into the machine's own libraries.
+  find "$folder" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do
+    ln -sfnr "$folder$(readlink "$link")" "$link"
+  done
   echo "$*" >"$folder/.unpacked"
 }

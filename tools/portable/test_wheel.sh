@@ -34,4 +34,7 @@ rm -rf "$target/wheel"
 mkdir -p "$target/wheel" "$target/tmp"
 /usr/bin/python3 -m zipfile -e "$work"/wheels/*-cp313-*.whl "$target/wheel"
 cp -r "$root/examples" "$root/data" "$here/wheel_test.py" "$target/wheel/"
-"${enter[@]}" "$target" /usr/bin/env PYTHONPATH=/wheel /usr/bin/python3.13 /wheel/wheel_test.py /wheel/examples
+# What the scripts of its packages, which did not run, would have set up.
+for name in lib lib64; do ln -sfn "usr/$name" "$target/$name"; done
+libraries=/usr/lib/x86_64-linux-gnu
+LD_LIBRARY_PATH="$libraries/blas:$libraries/lapack" PYTHONPATH=/wheel "${enter[@]}" "$target" /usr/bin/python3.13 /wheel/wheel_test.py /wheel/examples
