@@ -81,7 +81,7 @@ SYSTEM_HEADERS = [
     (re.compile(r"(sys|netinet|arpa|net|linux)/.+|(unistd|fcntl|poll|spawn|signal|termios|dlfcn|pthread|sched|pwd|grp|netdb|"
                 r"dirent|ifaddrs|semaphore|langinfo|glob|wait)\.h|csignal"), {"posix", "wasm"}),
     (re.compile(r"(windows|winsock2?|ws2tcpip|iphlpapi|shellapi|shlobj|io|direct|process)\.h", re.IGNORECASE), {"windows"}),
-    (re.compile(r"fcntl\.h"), {"windows"}),
+    (re.compile(r"(fcntl|dirent)\.h"), {"windows"}),
 ]  # fmt: skip
 
 # Functions of one operating system, or of the system's resources, that headers of the standard library declare. Only
