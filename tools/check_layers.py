@@ -12,7 +12,7 @@ import sys
 
 EVERYTHING = {
     "base", "model", "results", "numerics", "mechanics", "hull", "moorings", "system", "statics", "dynamics", "recording", "checks",
-    "modelfile", "platform", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python", "wasm",
+    "modelfile", "orcaflex", "platform", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python", "wasm",
 }
 
 # Layer -> the layers that it may include in addition to itself.
@@ -32,8 +32,9 @@ MAY_INCLUDE = {
     "statics": {"system"} | ENGINE,
     "dynamics": {"statics", "system"} | ENGINE,
     "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
-    "seafiles": {"model", "base"},
+    "seafiles": {"orcaflex", "model", "base"},
     "modelfile": {"seafiles", "checks", "resultfiles", "model", "base"},
+    "orcaflex": {"model", "base"},
     "runstore": {"platform"} | PLAIN,
     "resultfiles": {"runstore", "platform"} | PLAIN,
     "study": EVERYTHING - {"app", "serve", "python", "wasm"},

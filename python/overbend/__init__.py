@@ -17,6 +17,7 @@ from .errors import ControllerError, Fault, Interrupted, ModelError, NoSolution,
 from .examples import example
 from .findings import Finding, FindingNumber
 from .groups import Record, Records, Table
+from .importing import ImportAccount, Imported, import_orcaflex
 from .lay_table import LayTable
 from .model import Model
 from .objects import Objects
@@ -41,6 +42,8 @@ __all__ = [
     "Finding",
     "FindingNumber",
     "FolderComparison",
+    "ImportAccount",
+    "Imported",
     "Interrupted",
     "LabelledArray",
     "LayTable",
@@ -67,6 +70,7 @@ __all__ = [
     "compare_folders",
     "example",
     "get_include",
+    "import_orcaflex",
     "open",
     "seek",
     "study",

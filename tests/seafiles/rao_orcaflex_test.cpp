@@ -106,13 +106,22 @@ TEST(rao_orcaflex, several_vessel_types_are_chosen_by_name) {
   EXPECT_NE(first_error(text, given).find("none called 'ferry'"), std::string::npos);
 }
 
+TEST(rao_orcaflex, lengths_and_rotations_of_a_file_in_feet_are_converted) {
+  const WrittenFile file("vessel.yml", orcaflex_file()), us_file("us.yml", with("UnitsSystem: SI", "UnitsSystem: US"));
+  const RaoTable metres = good_raos(file.path()), feet = good_raos(us_file.path());
+  ASSERT_EQ(feet.omegas.size(), metres.omegas.size());
+  EXPECT_NEAR(std::abs(feet.value(1, 2, 2)), std::abs(metres.value(1, 2, 2)), 1e-12);          // metre per metre
+  EXPECT_NEAR(std::abs(feet.value(1, 2, 3)), std::abs(metres.value(1, 2, 3)) / 0.3048, 1e-9);  // per foot of amplitude
+  EXPECT_NEAR(std::abs(feet.value(1, 2, 4)), std::abs(metres.value(1, 2, 4)) / 0.3048, 1e-9);
+}
+
 TEST(rao_orcaflex, what_is_not_understood_is_rejected) {
   EXPECT_NE(
       first_error(with("leads", "behind")).find("RAOPhaseConvention: found 'behind', expected one of lags or leads"),
       std::string::npos);
   EXPECT_NE(first_error(with("    RAOPhaseConvention: leads\n", "")).find("RAOPhaseConvention"), std::string::npos);
   EXPECT_NE(first_error(with("Symmetry: xz plane", "Symmetry: Circular")).find("Symmetry"), std::string::npos);
-  EXPECT_NE(first_error(with("UnitsSystem: SI", "UnitsSystem: US")).find("'SI'"), std::string::npos);
+  EXPECT_NE(first_error(with("UnitsSystem: SI", "UnitsSystem: Metric")).find("SI, US or User"), std::string::npos);
   EXPECT_NE(first_error(with("[60, 0, 6]", "[60, 0]")).find("[x, y, z] in metres"), std::string::npos);
   EXPECT_NE(first_error(with("RAOYawPhase:", "RAOYawAngle:")).find("six degrees of freedom"), std::string::npos);
   EXPECT_NE(first_error(with("DisplacementRAOs", "LoadRAOs")).find("DisplacementRAOs"), std::string::npos);

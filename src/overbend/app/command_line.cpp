@@ -29,7 +29,8 @@ namespace {
 
 constexpr const char* kStrictHelp = "Exit code 4 if a code check is exceeded; the results are still written";
 /// Commands that print no results.
-const std::set<std::string> kWithoutResults = {"new", "schema", "licences", "completion", "check-results"};
+const std::set<std::string> kWithoutResults = {"new",      "import",     "export",       "schema",
+                                               "licences", "completion", "check-results"};
 constexpr const char* kStageHelp = "A single stage of the model's operation, by number or name";
 
 void add_check(CLI::App& program, int& code) {
@@ -267,6 +268,34 @@ void add_new(CLI::App& program, int& code) {
   command->callback([options, &code] { code = run_new(*options); });
 }
 
+void add_import(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "import",
+      "Translate an OrcaFlex text data file into a model; prints and writes an account of what was left out.");
+  auto arguments = std::make_shared<ImportArguments>();
+  command->add_option("FILE", arguments->file, "Text data file of OrcaFlex (.yml)")->required();
+  command->add_option("-o,--output", arguments->output, "Model to write; default: the name of the file, with .yaml");
+  command->add_option("--yield", arguments->yield_stress,
+                      "Yield stress of the steel, which such files seldom have: '450 MPa'");
+  command->add_flag("--force", arguments->force, "Overwrite existing files");
+  command->add_flag("--strict", arguments->strict,
+                    "Exit with code 4 if something was left out that results may depend on");
+  command->callback([arguments, &code] { code = run_import(*arguments); });
+}
+
+void add_export(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "export", "Write the lay of a model for another program; prints and writes an account of what was left out.");
+  auto arguments = std::make_shared<ExportArguments>();
+  command->add_option("MODEL", arguments->model_file, "Model file (YAML)")->required();
+  command->add_flag("--orcaflex", arguments->as_orcaflex, "As a text data file of OrcaFlex (.yml)")->required();
+  command->add_option("-o,--output", arguments->output, "File to write; default: the name of the model, with .yml");
+  command->add_flag("--force", arguments->force, "Overwrite existing files");
+  command->add_flag("--strict", arguments->strict,
+                    "Exit with code 4 if something was left out that results may depend on");
+  command->callback([arguments, &code] { code = run_export(*arguments); });
+}
+
 int print_completion(const CLI::App& program, const std::string& target) {
   const std::vector<DescribedCommand> commands = described(program);
   std::cout << (target == "bash"  ? bash_completion(commands)
@@ -327,6 +356,8 @@ int run_command_line(int count, const char* const* arguments) {
   add_report(program, code);
   add_check_results(program, code);
   add_new(program, code);
+  add_import(program, code);
+  add_export(program, code);
   add_serve(program, code);
   add_schema(program, code);
   add_licences(program, code);

@@ -119,4 +119,28 @@ int run_schema(SchemaForm form);
 int run_licences();
 int run_new(const NewOptions& options);
 
+struct ImportArguments {
+  std::string file;          ///< OrcaFlex text data file.
+  std::string output;        ///< Model to write; empty: "<stem>.yaml" in the current folder.
+  std::string yield_stress;  ///< With its unit, for pipes of which the file has none; may be empty.
+  bool force = false;        ///< Overwrite existing files.
+  bool strict = false;       ///< Return kCheckExceeded if something that matters was left out.
+};
+
+struct ExportArguments {
+  std::string model_file;
+  std::string output;       ///< OrcaFlex text data file; empty: "<stem>.yml" in the current folder.
+  bool as_orcaflex = true;  ///< The only format so far.
+  bool force = false;       ///< Overwrite existing files.
+  bool strict = false;      ///< Return kCheckExceeded if something that matters was left out.
+};
+
+/// Writes the lay of a model as an OrcaFlex file, with an account as run_import() does. Solves its statics for the
+/// length of the line where the model gives a tension.
+int run_export(const ExportArguments& arguments);
+
+/// Translates an OrcaFlex file into a model, with an account of what was translated, approximated and left out, printed
+/// and written next to the model as "<stem>.account.txt".
+int run_import(const ImportArguments& arguments);
+
 }  // namespace overbend

@@ -11,6 +11,8 @@ void add_errors(pybind11::module_& module);
 void add_results(pybind11::module_& module);
 /// Models.
 void add_model(pybind11::module_& module);
+/// Import of files of other programs.
+void add_imports(pybind11::module_& module);
 /// Static analysis.
 void add_statics(pybind11::module_& module);
 /// Controllers of machines, and their machine readings.

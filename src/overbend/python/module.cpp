@@ -38,6 +38,7 @@ PYBIND11_MODULE(_core, module) {
   overbend::add_errors(module);
   overbend::add_results(module);
   overbend::add_model(module);
+  overbend::add_imports(module);
   overbend::add_statics(module);
   overbend::add_controllers(module);
   overbend::add_dynamics(module);

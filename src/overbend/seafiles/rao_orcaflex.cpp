@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "base/yaml_document.h"
 #include "model/waves/rao_table.h"
+#include "orcaflex/unit_system.h"
 #include "seafiles/rao_formats.h"
 #include "seafiles/text_table.h"
 
@@ -57,7 +58,7 @@ class OrcaFlexReader {
   RaoFile read(const std::string& text) {
     const std::optional<YamlNode> root = parse_yaml(text, file_, diagnostics_);
     if (!root || diagnostics_.has_errors()) return {};
-    check_units(*root);
+    read_unit(*root);
     const YamlNode* type = choose(*root, "VesselTypes", user_settings_.vessel_type, "vessel_type");
     const YamlNode* draught = type != nullptr ? choose(*type, "Draughts", user_settings_.draught, "draught") : nullptr;
     if (draught == nullptr) return {};
@@ -79,12 +80,11 @@ class OrcaFlexReader {
     diagnostics_.add({Severity::error, file_, line, 0, key, found, expected, hint});
   }
 
-  void check_units(const YamlNode& root) {
+  /// Lengths of the file are in its unit, rotations per that unit of wave amplitude.
+  void read_unit(const YamlNode& root) {
     const YamlNode* general = member(root, "General");
-    const YamlNode* units = general != nullptr ? member(*general, "UnitsSystem") : nullptr;
-    if (units != nullptr && units->text != "SI") {
-      complain(units->line, "General.UnitsSystem", "'" + for_display(units->text) + "'", "'SI'");
-    }
+    if (general == nullptr) return;
+    length_unit_ = orcaflex::read_units(orcaflex::Object(*general, {file_, "General", &diagnostics_})).length;
   }
 
   /// Returns the selected item of a list of named groups, or the only item.
@@ -159,10 +159,11 @@ class OrcaFlexReader {
     const YamlNode* node = member(type, "Length");
     const std::optional<double> length = node != nullptr ? scalar(*node) : std::nullopt;
     if (!length || *length <= 0.0 || user_settings_.vessel_length <= 0.0) return;
-    if (std::abs(*length / user_settings_.vessel_length - 1.0) <= kSameLength) return;
+    if (std::abs(*length * length_unit_ / user_settings_.vessel_length - 1.0) <= kSameLength) return;
     diagnostics_.add({Severity::warning, file_, node->line, 0, "Length",
-                      "the vessel of the RAOs is " + format_number(*length) + " m long, the vessel of the model " +
-                          format_number(user_settings_.vessel_length) + " m; the RAOs are used without scaling",
+                      "the vessel of the RAOs is " + format_number(*length * length_unit_) +
+                          " m long, the vessel of the model " + format_number(user_settings_.vessel_length) +
+                          " m; the RAOs are used without scaling",
                       "", ""});
   }
 
@@ -183,7 +184,8 @@ class OrcaFlexReader {
   void read_rotation(const YamlNode& type) {
     const bool degrees = word(type, "RAOResponseUnits", {"degrees", "radians"}) == "degrees";
     const std::string per = word(type, "RAOWaveUnit", {"amplitude", "wave steepness", "max wave slope"});
-    if (per == "amplitude") {
+    is_per_length_ = per == "amplitude";
+    if (is_per_length_) {
       content_.stated.values["rotation"] = degrees ? "deg_per_m" : "rad_per_m";
     } else if (!degrees) {
       content_.stated.values["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
@@ -216,7 +218,7 @@ class OrcaFlexReader {
     for (std::size_t i = 0; right && i < 3; ++i) {
       const std::optional<double> value = scalar(node->items[i]);
       right = value && std::abs(*value) < 1e4;
-      if (right) p(static_cast<Eigen::Index>(i)) = *value;
+      if (right) p(static_cast<Eigen::Index>(i)) = *value * length_unit_;
     }
     if (right) return p;
     complain(node->line, key, "no point", "[x, y, z] in metres");
@@ -288,7 +290,8 @@ class OrcaFlexReader {
         complain(row.line, "RAOs", std::to_string(numbers.size()) + " numbers", "one for each name in the key above");
         return;
       }
-      content_.records.push_back({heading * kPi / 180.0, omega, static_cast<int>(k), numbers[columns[k][0]],
+      const double amplitude = numbers[columns[k][0]] / (k < 3 || !is_per_length_ ? 1.0 : length_unit_);
+      content_.records.push_back({heading * kPi / 180.0, omega, static_cast<int>(k), amplitude,
                                   numbers[columns[k][1]] * phase_unit_, row.line});
     }
   }
@@ -299,6 +302,8 @@ class OrcaFlexReader {
   RaoFile content_;
   std::string wave_;
   double phase_unit_ = kPi / 180.0;
+  double length_unit_ = 1.0;    ///< [m]
+  bool is_per_length_ = false;  ///< Rotations per wave amplitude.
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "serve/service.h"
 
 #include "serve/model/data_files.h"
+#include "serve/model/import_routes.h"
 #include "serve/model/library_hull.h"
 #include "serve/model/model_routes.h"
 #include "serve/model/seek_routes.h"
@@ -18,6 +19,7 @@ Service::Service(const ServiceOptions& options)
   if (!options.model.empty()) model_.open(options.model);
   add_model_routes(routes_, model_);
   add_data_routes(routes_, model_.folder().path());
+  add_import_routes(routes_, model_.folder().path());
   add_hull_routes(routes_, model_.folder().path());
   add_static_routes(routes_, model_, statics_);
   add_operation_routes(routes_, model_, operation_);

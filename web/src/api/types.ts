@@ -201,3 +201,6 @@ export type SensitivityAnswer =
   | { status: 'converged'; results: { name: string; text: string; value: string; inputs: SensitivityInput[] }[]; assumptions: string[]; elapsed_ms: number }
   | { status: 'failed'; what: string; where: string; why: string }
   | { status: 'invalid'; diagnostics: Diagnostic[] };
+
+/** What an import did with the data of another program. */
+export interface ImportAccount { translated: string[]; approximated: string[]; left_out: { text: string; matters: boolean }[] }

@@ -12,6 +12,7 @@ import type { WorkspaceParts } from '../workspaces/workspace';
 import { ChangedOutside } from './ChangedOutside';
 import { Dock, DockHandle, shownTabs } from './Dock';
 import { ConflictDialog, OpenDialog, OverwriteDialog, SaveAsDialog, UnsavedDialog } from './Files';
+import { ImportDialog } from './ImportDialog';
 import { Header } from './Header';
 import { KeySensitivity } from './KeySensitivity';
 import { Menu } from './Menu';
@@ -109,6 +110,7 @@ function Dialogs() {
     case 'start': return <StartDialog />;
     case 'open': return <OpenDialog />;
     case 'saveas': return <SaveAsDialog />;
+    case 'import': return <ImportDialog />;
     case 'spread': return <SpreadDialog />;
     case 'seek': return <SeekDialog />;
     default: return null;

@@ -26,7 +26,7 @@ export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 
 /** Arc length from the tensioner shared by pointer and diagrams; null if the pointer is elsewhere. */
 export const cursor = signal<number | null>(null);
 export const picked = signal<Picked>(null);
-export type DialogName = 'start' | 'open' | 'saveas' | 'spread' | 'seek' | null;
+export type DialogName = 'start' | 'open' | 'saveas' | 'spread' | 'seek' | 'import' | null;
 export const dialog = signal<DialogName>(null);
 /** The dialog to open after the decision on unsaved changes. */
 export const asking = signal<DialogName>(null);

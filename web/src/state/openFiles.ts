@@ -1,16 +1,37 @@
-// Files of the user's machine: a model is opened as new, data files are put into its folder.
+// Files of the user's machine: a model is opened as new, data files are put into its folder, models of other programs are
+// translated.
+import { signal } from '@preact/signals';
 import { post } from '../api/client';
+import type { ImportAccount } from '../api/types';
+import { isOrcaFlex, isYaml } from '../logic/fileKinds';
+import { dialog } from './look';
 import { openNew } from './model';
 import { say, sayError } from './notices';
 
-const isModel = (file: File): boolean => /\.ya?ml$/i.test(file.name);
+/** Account of the last import, for its dialog. */
+export const imported = signal<{ name: string; account: ImportAccount } | null>(null);
+
+interface Text { name: string; text: string }
+
+/** Translates the first of the files that no other one includes. */
+async function importFiles(files: readonly Text[]): Promise<void> {
+  const isIncluded = (file: Text): boolean => files.some((from) => from !== file && from.text.includes(file.name));
+  const first = files.find((file) => !isIncluded(file)) ?? files[0]!;
+  const answer = await post<{ text: string; account: ImportAccount }>('import', { files: [first, ...files.filter((file) => file !== first)] });
+  await openNew(answer.text);
+  imported.value = { name: first.name, account: answer.account };
+  dialog.value = 'import';
+}
 
 /** Data files first: the model names them. */
 export async function openFiles(files: readonly File[]): Promise<void> {
   try {
-    for (const file of files.filter((f) => !isModel(f))) await post('data', { name: file.name, text: await file.text() });
-    const model = files.find(isModel);
-    if (model) await openNew(await model.text());
+    const texts = await Promise.all(files.map(async (file): Promise<Text> => ({ name: file.name, text: await file.text() })));
+    const yaml = texts.filter((file) => isYaml(file.name));
+    for (const file of texts.filter((f) => !isYaml(f.name))) await post('data', file);
+    if (yaml.some((file) => isOrcaFlex(file.text))) { await importFiles(yaml); return; }
+    const model = yaml[0];
+    if (model) await openNew(model.text);
     say(model ? `${model.name} is open as a new, unsaved model.` : `${files.length} data file${files.length === 1 ? '' : 's'} added to the folder.`);
   } catch (error) { sayError(error); }
 }
