@@ -20,6 +20,8 @@ FEW = [None, -1, 2**70, math.nan, b"\xff", [None], {"tensioner": None}, object()
 LONG = ("run", "LayTable.__init__")  # slow calls unless rejected, called with few of them
 SECONDS = 30  # limit of a call, which is rejected in milliseconds or solves a small model
 
+ORCAFLEX = EXAMPLES.parent / "data" / "orcaflex" / "shallow-lay.yml"
+
 
 class TooLong(BaseException):
     """A call that does not end."""
@@ -118,7 +120,7 @@ def core_subjects():
         "Study.run": (["study"], {"threads": 1, "retry_failed": False, "checkpoint": 60.0, "progress": None}),
         "Study.run_case": (["study", 0], {}),
         "StudyTables.__init__": (["study"], {}), "StudyTables.tree": ([], {}), "StudyTables.content": ([], {}),
-        "flow_scalar": (["text"], {}), "has_operation": (["static/results.h5"], {}),
+        "import_orcaflex": ([str(ORCAFLEX), ".", None], {}), "flow_scalar": (["text"], {}), "has_operation": (["static/results.h5"], {}),
         "named_values": ([summary, "static.lay_back"], {}), "object_descriptions": ([], {}), "object_units": ([], {}),
         "lift_units": ([], {}), "lift_descriptions": ([], {}),
         "quantity": (["1 m", "m"], {}), "result_paths": ([], {}),
@@ -178,7 +180,7 @@ def package_subjects():
     until = {"static.lay_back": "180 m"}
     found = ob.seek(model, {"tensioner.tension": ("250 kN", "350 kN")}, until)
     sim = moving.simulation()
-    needed = {"path": str(EXAMPLES / "first-model.yaml"), "text": model.text, "key": "tensioner.tension", "seeds": [1],
+    needed = {"file": str(ORCAFLEX), "path": str(EXAMPLES / "first-model.yaml"), "text": model.text, "key": "tensioner.tension", "seeds": [1],
               "folder": "static", "folders": ["static", "run"], "name": "lay_back", "until": until, "machine": "tensioner",
               "command": 0.0, "tension": 3e5, "saved": sim.save(), "result": "static.lay_back", "input": "tensioner.tension",
               "number": 0, "study": model, "model": model, "vary": {"tensioner.tension": ("250 kN", "350 kN")},

@@ -9,7 +9,8 @@ import { chromium, type Browser, type Locator, type Page } from 'playwright-core
 import { preview, type PreviewServer } from 'vite';
 
 const thisFolder = dirname(fileURLToPath(import.meta.url));
-const root = process.env.OVERBEND_ROOT ?? resolve(thisFolder, '../..');
+/** Folder of examples, data and validation. */
+export const root = process.env.OVERBEND_ROOT ?? resolve(thisFolder, '../..');
 const program = resolve(root, process.env.OVERBEND_PROGRAM ?? 'build/release/overbend');
 const shots = process.env.OVERBEND_SHOTS ? resolve(thisFolder, '..', process.env.OVERBEND_SHOTS) : undefined;
 /** True if pictures are taken: only where OVERBEND_SHOTS names their folder. */

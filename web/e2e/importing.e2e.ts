@@ -1,11 +1,11 @@
 // A model of another program is opened: it is translated, solved, and the page says what was left out.
 import { readFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { reading, solved, start, type Bench } from './harness';
+import { reading, root, solved, start, type Bench } from './harness';
 
-const cases = join(process.env.OVERBEND_ROOT ?? resolve(import.meta.dirname, '../..'), 'validation', 'orcaflex_cases');
+const cases = join(root, 'validation', 'orcaflex_cases');
 let bench: Bench;
 let page: Page;
 beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); });
