@@ -1,12 +1,13 @@
 // A value of the form: as written in the model, and converted to the other unit system. A number is
 // varied by dragging its label or with the arrow keys, and has a menu.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
 import { label as fieldLabel, parts } from '../logic/formTree';
 import { diagnostics, newerChosen, setKeys } from '../state/model';
 import { openFieldMenu } from './FieldMenu';
+import { useUpdate } from './useUpdate';
 import { useVariation } from './variation';
 import '../styles/numbers.css';
 
@@ -22,7 +23,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const [problem, setProblem] = useState('');
   // Values sent to the model, in order, until the model shows them: their arrival must not overwrite text typed meanwhile.
   const sent = useRef<Sent[]>([]);
-  useEffect(() => {
+  useUpdate(() => {
     const index = sent.current.findIndex((s) => s.value === written);
     const arrived = sent.current[index];
     const later = arrived ? sent.current.slice(index + 1) : [];
@@ -30,7 +31,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
     setTyped((current) => (arrived && (later.length > 0 || current !== arrived.typed) ? current : written));
     setProblem('');
   }, [written, field.path]);
-  useEffect(() => { sent.current = []; setTyped(written); setProblem(''); }, [newerChosen.value]);
+  useUpdate(() => { sent.current = []; setTyped(written); setProblem(''); }, [newerChosen.value]);
 
   const variation = useVariation(field);
   const shownText = variation.text ?? typed;

@@ -1,6 +1,6 @@
 // The bar under the picture: every pinned key as a slider with live statics, and the commands for trial values.
 import { useComputed } from '@preact/signals';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { passSentence, type PassInterval } from '../logic/passRange';
 import { parseQuantity, sameFamily, toSi, twin } from '../logic/units';
 import { gridStep, onStep, pace, paceFactor, variableStep, variableText, type Variable } from '../logic/variables';
@@ -13,6 +13,7 @@ import { openSeek } from '../state/seek';
 import { openMenu, type MenuItem } from './Menu';
 import { openPinEnds, openPinSearch, PinEnds, PinSearch } from './PinDialogs';
 import '../styles/numbers.css';
+import { useUpdate } from './useUpdate';
 
 const isKey = (id: string): boolean => !id.includes(' ');
 
@@ -52,7 +53,7 @@ function PinSlider({ slider }: { slider: Slider }) {
   const value = live ?? variable.si, written = variableText(variable, value);
   const [typed, setTyped] = useState(written);
   const place = useRef<HTMLDivElement>(null);
-  useEffect(() => setTyped(written), [written]);
+  useUpdate(() => setTyped(written), [written]);
 
   const step = variableStep(variable);
   const low = Math.min(slider.low, value), high = Math.max(slider.high, value);

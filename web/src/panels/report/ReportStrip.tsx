@@ -20,6 +20,7 @@ import { busy, canMake, chooseSubject, files, leftOut, makeReport, outdated, pap
 import { runName, runs } from '../../state/runs';
 import { StripField } from '../study/StripField';
 import { printReport } from './print';
+import { useUpdate } from '../useUpdate';
 
 /** Headings of the report that is shown. */
 export const headings = signal<string[]>([]);
@@ -32,7 +33,7 @@ const control: [string, string, string][] = [
 function ControlField({ path, label, hint }: { path: string; label: string; hint: string }) {
   const written = String(byPath.value.get(path)?.value ?? '');
   const [typed, setTyped] = useState(written);
-  useEffect(() => setTyped(written), [written]);
+  useUpdate(() => setTyped(written), [written]);
   const send = (): void => { if (typed.trim() !== written) setKeys([{ path, value: typed.trim() || null }]).catch((error: unknown) => { setTyped(written); sayError(error); }); };
   return (
     <StripField id={`rp-${label}`} label={label} title={byPath.value.get(path)?.text}>

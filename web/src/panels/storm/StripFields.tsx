@@ -1,5 +1,5 @@
 // Popovers of the storm strip: the keys of the model, and a command for what is missing.
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { Change, Field } from '../../api/types';
 import { label, parts, tree, type Node } from '../../logic/formTree';
 import { askedOfWaves, motionKind } from '../../logic/motion';
@@ -9,6 +9,7 @@ import { sayError } from '../../state/notices';
 import { scaleHull, seeds } from '../../state/storm';
 import { FieldRow } from '../FieldRow';
 import { Motion } from '../Motion';
+import { useUpdate } from '../useUpdate';
 
 const write = (changes: Change[]): void => { void setKeys(changes).catch(sayError); };
 
@@ -107,7 +108,7 @@ export function DurationFields() {
 export function SeedsFields() {
   const present = seedsTyped(seeds.value);
   const [typed, setTyped] = useState(present);
-  useEffect(() => { setTyped(present); }, [present]);
+  useUpdate(() => { setTyped(present); }, [present]);
   const value = seedsValue(typed);
   const send = (): void => { if (value !== null && typed.trim() !== present) write([{ path: 'analysis.dynamic.seeds', value }]); };
   return (
