@@ -107,8 +107,9 @@ std::string period_text(const Object& train) {
   if (const std::optional<double> frequency = train.number("Wavefm"); frequency && *frequency > 0.0) {
     return fmt::format("tp: {} s", number_text(1.0 / *frequency));
   }
-  if (const std::optional<double> crossing = train.number("WaveTz"))
+  if (const std::optional<double> crossing = train.number("WaveTz")) {
     return fmt::format("tz: {} s", number_text(*crossing));
+  }
   train.reject("WaveTp", "nothing", "the peak period, or WaveTz");
   return "tp: 8 s";
 }

@@ -159,10 +159,12 @@ class SupportTypes {
       if (side.position != RollerPosition::port) continue;
       const double across = std::abs(side.face_middle_S().y()) + bottom.radius;
       // The clearance of inclined rollers is reduced to that of a U.
-      if (std::abs(side.axis_S.y()) > 1e-6)
+      if (std::abs(side.axis_S.y()) > 1e-6) {
         account.approximated.emplace_back("side rollers that lean: upright ones of a U");
-      if (std::abs(side.radius - bottom.radius) > 1e-9)
+      }
+      if (std::abs(side.radius - bottom.radius) > 1e-9) {
         account.approximated.emplace_back("side rollers of another radius: that of the bottom roller");
+      }
       geometry =
           fmt::format("    Geometry: U shaped\n    USupportHorizontalLength: {}\n    USupportVerticalLength: {}\n",
                       number_text(2.0 * across), number_text(side.face));
@@ -171,7 +173,7 @@ class SupportTypes {
                                          number_text(stiffness / 1e3), number_text(2.0 * bottom.radius), geometry);
     const auto known = names_.find(text);
     if (known != names_.end()) return known->second;
-    const std::string name = "Rollers " + std::to_string(names_.size() + 1);
+    std::string name = "Rollers " + std::to_string(names_.size() + 1);
     names_[text] = name;
     text_ += "  - Name: " + name + "\n" + text;
     return name;
@@ -201,8 +203,9 @@ std::string supports_text(const Model& model, SupportTypes& types, Account& acco
 std::string vessel_text(const Model& model, SupportTypes& types, Account& account) {
   const VesselDescription& vessel = model.description.vessel;
   if (vessel.trim != 0.0 || vessel.heel != 0.0) account.left_out.push_back({"trim and heel of the vessel", true});
-  if (vessel.motion != VesselMotion::fixed)
+  if (vessel.motion != VesselMotion::fixed) {
     account.left_out.push_back({"motion of the vessel: give its RAOs there", false});
+  }
   account.translated.emplace_back("vessel: length, heading");
   return fmt::format(
              "VesselTypes:\n  - Name: Vessel type\n    Length: {}\nVessels:\n  - Name: Vessel\n    VesselType: Vessel "

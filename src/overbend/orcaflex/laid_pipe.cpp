@@ -148,8 +148,7 @@ std::string tensioner_text(Translation& translation) {
   if (end.stiffness) {
     translation.left_out("spring against rotation at the upper end of the pipe: the end is free to rotate", true);
   }
-  const double height =
-      is_free ? point.z() + translation.vessel.position.z() : point.z() + translation.vessel.position.z();
+  const double height = point.z() + translation.vessel.position.z();
   std::string text = fmt::format("tensioner: {{x: {} m, z: {} m, incline: {} deg, guide: {}",
                                  number_text(translation.vessel.stern_shoe - point.x()), number_text(height),
                                  number_text(end.declination / kDegree - 90.0), end.is_clamped ? "clamped" : "pinned");

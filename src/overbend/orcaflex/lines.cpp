@@ -38,8 +38,9 @@ LineEnd read_end(const Translation& translation, const Object& line, const Table
 
 const LineType* find_type(Translation& translation, const Table& sections, std::size_t row, const Object& line) {
   const std::string name = sections.text(row, "LineType");
-  if (const auto known = translation.line_types.find(name); known != translation.line_types.end())
+  if (const auto known = translation.line_types.find(name); known != translation.line_types.end()) {
     return &known->second;
+  }
   for (const Object& object : translation.objects("LineTypes")) {
     if (object.name() == name) {
       return &translation.line_types.emplace(name, read_line_type(object, translation.units)).first->second;
@@ -257,7 +258,7 @@ std::string moorings_text(Translation& translation) {
   }
   if (count == 0) return "";
   std::string text = "moorings:\n  types:\n";
-  for (const auto& [key, numbers] : types) text += "    " + key + ": " + numbers + "\n";
+  for (const auto& [key, numbers] : types) text += fmt::format("    {}: {}\n", key, numbers);
   translation.translated(fmt::format("{} mooring line{} of {} type{}; AllowableTension is the breaking load", count,
                                      count > 1 ? "s" : "", types.size(), types.size() > 1 ? "s" : ""));
   return text + "  find: pose\n  lines:\n" + lines + "\n";
