@@ -24,7 +24,7 @@ std::string Account::text() const {
   add_lines(text, "Translated", translated);
   add_lines(text, "Approximated", approximated);
   add_lines(text, "Left out, and it matters", serious);
-  add_lines(text, "Left out, without effect on these results", harmless);
+  add_lines(text, "Left out; loads and motions do not depend on it", harmless);
   return text;
 }
 

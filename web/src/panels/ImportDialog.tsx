@@ -21,7 +21,7 @@ export function ImportDialog() {
         <Group title="Left out, and it matters" lines={texts(true)} />
         <Group title="Approximated" lines={approximated} />
         <Group title="Translated" lines={translated} />
-        <Group title="Left out, without effect on these results" lines={texts(false)} />
+        <Group title="Left out; loads and motions do not depend on it" lines={texts(false)} />
       </div>
       <footer><button type="button" class="main" onClick={close}>Close</button></footer>
     </Dialog>
