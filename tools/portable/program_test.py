@@ -184,6 +184,16 @@ class Program(unittest.TestCase):
         self.assertEqual(self.summary(f"{folder}/résultats")["status"], "converged")
         self.assertTrue((self.root / folder / "résultats" / "results.h5").exists())
 
+    @unittest.skipUnless(WINDOWS, "paths of Windows")
+    def test_paths_above_260_characters_work(self):
+        folder = "/".join(["a" * 60] * 5)
+        (self.root / folder).mkdir(parents=True)
+        text = (self.root / "examples/first-model.yaml").read_text(encoding="utf-8")
+        (self.root / folder / "model.yaml").write_text(text, encoding="utf-8")
+        for _ in range(2):  # the second run replaces the results of the first, which it lists
+            self.run_program("static", self.path(f"{folder}/model.yaml"), "-o", self.path(f"{folder}/results"))
+        self.assertEqual(self.summary(f"{folder}/results")["status"], "converged")
+
     @unittest.skipIf(KIND == "aarch64", "takes long under the emulator")
     def test_serve_answers_with_the_page_and_statics(self):
         process = self.start("serve", self.path("examples/bgl1.yaml"), "--no-browser")
