@@ -63,7 +63,7 @@ TEST_P(ImportedCase, solves_to_the_results_of_the_model_written_by_hand) {
 
 INSTANTIATE_TEST_SUITE_P(import_command, ImportedCase,
                          ::testing::Values("slay-simple", "slay-explicit", "jlay-coated", "slay-user-units",
-                                           "moored-chain-wire", "jumper-general", "slay-winch"));
+                                           "moored-chain-wire", "jumper-general", "slay-winch", "slay-two-seas"));
 
 class ExportedExample : public ::testing::TestWithParam<const char*> {};
 

@@ -69,13 +69,17 @@ TEST(import_orcaflex, damaged_files_are_rejected_with_line_what_was_found_and_wh
   expect("of-variable-data.yml", "101", "'Stiffening rollers'", "a number");
 }
 
-TEST(import_orcaflex, both_seas_of_a_file_in_parts_keep_their_directions) {
+TEST(import_orcaflex, of_two_seas_in_a_file_in_parts_the_lower_is_left_out_and_named_with_its_direction) {
   Diagnostics diagnostics;
   const std::optional<ImportedModel> model = import_orcaflex(case_file("slay-two-seas.yml"), {}, diagnostics);
   ASSERT_TRUE(model) << diagnostics.lines(Severity::error).front();
   EXPECT_NE(model->text.find("{type: jonswap, hs: 2.2 m, tp: 7.4 s, gamma: 3, from: 120 deg}"), std::string::npos)
       << model->text;
-  EXPECT_NE(model->text.find("{type: jonswap, hs: 1.1 m, tp: 13.5 s, gamma: 6, from: 65 deg}"), std::string::npos);
+  EXPECT_FALSE(model->account.is_complete());
+  EXPECT_NE(model->account.text().find("Swell, lower than those kept: {type: jonswap, hs: 1.1 m, tp: 13.5 s, gamma: 6, "
+                                       "from: 65 deg}"),
+            std::string::npos)
+      << model->account.text();
   EXPECT_NE(model->text.find("- {depth: 50 m, speed: 0.405 m/s, towards: 15 deg}"), std::string::npos);
 }
 
@@ -146,6 +150,32 @@ TEST(import_orcaflex, a_bed_that_slopes_has_its_depth_at_the_stern_shoe) {
   // The shoe is at X = 40 - 55 = -15 m, the bed rises astern.
   EXPECT_NE(attempt.model->text.find("water_depth: 77.4761884"), std::string::npos) << attempt.model->text;
   EXPECT_NE(attempt.model->text.find("slope: 2 deg, slope_towards: 90 deg"), std::string::npos);
+}
+
+TEST(import_orcaflex, a_bare_section_in_a_coated_pipe_stays_bare) {
+  std::string text = with(case_text("slay-explicit.yml"), "LineTypes:\n",
+                          "LineTypes:\n  - Name: Bare\n    Category: Homogeneous pipe\n    OD: 0.4064\n    ID: 0.37\n"
+                          "    MaterialDensity: 7.85\n    E: 207e6\n    Cdn: 0.9\n");
+  text = with(text, "- [Pipe 16 in, 130, 2]", "- [Bare, 130, 2]");
+  const Attempt attempt = import_texts({{"model.yml", text}});
+  ASSERT_TRUE(attempt.model) << attempt.message;
+  const std::string segment = attempt.model->text.substr(attempt.model->text.find("segments:"));
+  EXPECT_NE(segment.find("wall_thickness: 18.2 mm"), std::string::npos) << segment;
+  EXPECT_NE(segment.find("coatings: []"), std::string::npos) << segment;
+  EXPECT_NE(segment.find("drag_normal: 0.9"), std::string::npos) << segment;
+}
+
+TEST(import_orcaflex, spreading_keeps_its_first_circular_moment) {
+  const std::string text =
+      with(case_text("slay-simple.yml"), "WaveType: Airy\n      WaveDirection: 180\n      WaveHeight: 0",
+           "WaveType: JONSWAP\n      WaveDirection: 180\n      WaveJONSWAPParameters: Partially specified\n"
+           "      WaveHs: 2\n      WaveGamma: 3.3\n      WaveTz: 6\n      WaveNumberOfSpectralDirections: 7\n"
+           "      WaveDirectionSpreadingExponent: 2");
+  const Attempt attempt = import_texts({{"model.yml", text}});
+  ASSERT_TRUE(attempt.model) << attempt.message;
+  // The moment of cos^2 is 8 / (3 pi) = 0.848826; s = r / (1 - r). Tp = 1.2863 Tz.
+  EXPECT_NE(attempt.model->text.find("tp: 7.7178 s, gamma: 3.3, spreading: 5.61"), std::string::npos)
+      << attempt.model->text;
 }
 
 /// `text` with one change at random: a byte, a line cut out, doubled or moved, or a number replaced.

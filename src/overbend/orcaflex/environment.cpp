@@ -102,38 +102,52 @@ std::string current_text(Translation& translation, const Object& environment) {
   return text;
 }
 
-std::string period_text(const Object& train) {
-  if (const std::optional<double> peak = train.number("WaveTp")) return fmt::format("tp: {} s", number_text(*peak));
-  if (const std::optional<double> frequency = train.number("Wavefm"); frequency && *frequency > 0.0) {
-    return fmt::format("tp: {} s", number_text(1.0 / *frequency));
-  }
-  if (const std::optional<double> crossing = train.number("WaveTz")) {
-    return fmt::format("tz: {} s", number_text(*crossing));
-  }
-  train.reject("WaveTp", "nothing", "the peak period, or WaveTz");
-  return "tp: 8 s";
+/// Peak period of a train [s]; nothing if it has only a zero-crossing period whose ratio to the peak is not known here.
+std::optional<double> find_peak_period(const Object& train, double gamma) {
+  if (const std::optional<double> peak = train.number("WaveTp")) return peak;
+  const std::optional<double> frequency = train.number("Wavefm");
+  if (frequency && *frequency > 0.0) return 1.0 / *frequency;
+  const std::optional<double> crossing = train.number("WaveTz");
+  if (!crossing) train.reject("WaveTp", "nothing", "the peak period, or WaveTz");
+  if (!crossing || (gamma != 1.0 && gamma != 3.3)) return std::nullopt;
+  return *crossing * (gamma == 1.0 ? 1.4077 : 1.2863);  // of Pierson-Moskowitz and JONSWAP, over all frequencies
 }
 
-std::string spreading_text(const Object& train) {
+/// Exponent s of cos^2s(angle/2) with the first circular moment of the file's cos^n(angle).
+std::string spreading_text(Translation& translation, const Object& train) {
   if (train.number("WaveNumberOfSpectralDirections").value_or(1.0) <= 1.0) return "";
-  const std::optional<double> exponent = train.number("WaveDirectionSpreadingExponent");
-  return exponent ? fmt::format(", spreading: {}", number_text(*exponent)) : "";
+  const std::optional<double> n = train.number("WaveDirectionSpreadingExponent");
+  if (!n || !(*n > 0.0)) {
+    translation.left_out("directional spreading of the waves " + for_display(train.name()) + ": no exponent", true);
+    return "";
+  }
+  const double moment =
+      std::exp(2.0 * std::lgamma(0.5 * *n + 1.0) - std::lgamma(0.5 * (*n + 1.0)) - std::lgamma(0.5 * (*n + 3.0)));
+  const double s = moment / (1.0 - moment);
+  translation.approximated(fmt::format("waves {}: spreading cos^{} as cos^2s of half the angle, s = {:.4g}",
+                                       for_display(train.name()), number_text(*n), s));
+  return fmt::format(", spreading: {:.6g}", s);
 }
 
 std::string jonswap_text(Translation& translation, const Object& train, const std::string& from, bool is_jonswap) {
   const double hs = train.number("WaveHs").value_or(0.0) * translation.units.length;
   if (hs == 0.0) return "";
-  std::string text = fmt::format("{{type: {}, hs: {} m, {}", is_jonswap ? "jonswap" : "pierson_moskowitz",
-                                 number_text(hs), period_text(train));
-  const std::optional<double> gamma = train.number("WaveGamma");
-  const std::string parameters = train.text("WaveJONSWAPParameters", "Automatic");
-  if (is_jonswap && parameters == "Automatic") {
+  const bool is_automatic = is_jonswap && train.text("WaveJONSWAPParameters", "Automatic") == "Automatic";
+  const double gamma = is_automatic ? 0.0 : is_jonswap ? train.number("WaveGamma").value_or(3.3) : 1.0;
+  const std::optional<double> peak = find_peak_period(train, gamma);
+  if (!peak) {
+    translation.left_out("waves " + for_display(train.name()) + ": only Tz is given; give tp", true);
+    return "";
+  }
+  std::string text = fmt::format("{{type: {}, hs: {} m, tp: {} s", is_jonswap ? "jonswap" : "pierson_moskowitz",
+                                 number_text(hs), number_text(*peak));
+  if (is_automatic) {
     translation.approximated("waves " + for_display(train.name()) +
                              ": gamma by the rule of DNV-RP-C205 from Hs and Tp, in place of the file's Automatic");
-  } else if (is_jonswap && gamma) {
-    text += ", gamma: " + number_text(*gamma);
+  } else if (is_jonswap) {
+    text += ", gamma: " + number_text(gamma);
   }
-  return text + spreading_text(train) + ", " + from + "}";
+  return text + spreading_text(translation, train) + ", " + from + "}";
 }
 
 /// A wave train as a group of keys; empty for a train without waves and for one that is left out.
@@ -153,19 +167,30 @@ std::string train_text(Translation& translation, const Object& train) {
   return "";
 }
 
+/// A model has one sea: of several trains the highest, regular or irregular.
 std::string waves_text(Translation& translation, const Object& environment) {
-  std::vector<std::string> trains;
+  std::string kept, kept_name;
+  double kept_height = 0.0;
+  const auto leave_out = [&](const std::string& name, const std::string& text) {
+    translation.left_out("waves " + name + ", lower than those kept: " + text, true);
+  };
   for (const Object& train : environment.objects("WaveTrains")) {
-    const std::string text = train_text(translation, train);
+    const std::string text = train_text(translation, train), name = for_display(train.name());
     if (text.empty()) continue;
-    trains.push_back(text);
-    translation.translated("waves " + for_display(train.name()));
+    const bool is_regular = text.find(", height: ") != std::string::npos;
+    const double height = train.number(is_regular ? "WaveHeight" : "WaveHs").value_or(0.0);
+    if (height <= kept_height) {
+      leave_out(name, text);
+      continue;
+    }
+    if (!kept.empty()) leave_out(kept_name, kept);
+    kept = text;
+    kept_name = name;
+    kept_height = height;
   }
-  if (trains.empty()) return "";
-  if (trains.size() == 1) return "  waves: " + trains.front() + "\n";
-  std::string text = "  waves:\n";
-  for (const std::string& train : trains) text += "    - " + train + "\n";
-  return text;
+  if (kept.empty()) return "";
+  translation.translated("waves " + kept_name);
+  return "  waves: " + kept + "\n";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ExportedModel {
 /// Writes a lay: pipe, tensioner, supports one by one, vessel, water, seabed, current and waves, in SI units of
 /// OrcaFlex (m, te, kN). A tensioner of given tension becomes a winch on the free end of the pipe.
 ///
-/// Throws std::invalid_argument for a model without a pipe, and for stages.
+/// The lay of an operation is written, not its stages. Throws std::invalid_argument for a model without a pipe.
 ExportedModel export_orcaflex(const Model& model, const LineExtent& extent);
 
 }  // namespace overbend::orcaflex

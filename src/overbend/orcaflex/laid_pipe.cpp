@@ -32,9 +32,10 @@ std::string steel_text(Translation& translation, const LineType& type, const std
 }
 
 /// Contents and lining as one contents of the same mass in the bore of the steel.
-std::string contents_text(Translation& translation, const Line& line, const LineType& type, const std::string& indent) {
+std::string contents_text(Translation& translation, const Line& line, const LineType& type, const std::string& indent,
+                          bool is_segment = false) {
   const double mass = type.mass_inside(line.contents_density);
-  if (mass <= 0.0) return "";
+  if (mass <= 0.0) return is_segment ? indent + "contents: {weight_density: 0 kN/m^3}\n" : "";
   if (type.lining > 0.0) {
     translation.approximated(
         fmt::format("lining of {} m in {}, and contents in the bore within it: contents of the same mass in "
@@ -58,6 +59,9 @@ std::string segments_text(Translation& translation, const Line& line) {
     const Piece& piece = line.pieces[i];
     text += fmt::format("    - name: {}\n      length: {} m\n", name_text(piece.type->name), number_text(piece.length));
     text += steel_text(translation, *piece.type, "      ");
+    // A segment inherits missing keys from the main section.
+    if (piece.type->coating == 0.0) text += "      coatings: []\n";
+    text += contents_text(translation, line, *piece.type, "      ", true) + hydrodynamics_text(*piece.type, "      ");
   }
   return text;
 }
@@ -109,11 +113,13 @@ double winch_tension(Translation& translation, const Object& winch) {
 std::string pipe_text(Translation& translation) {
   const Line* line = translation.laid_pipe();
   if (line == nullptr) return "";
-  const LineType& main = *line->pieces.back().type;
-  if (!main.is_pipe) {
-    line->object->reject("LineType", "'" + for_display(main.name) + "' of category General", "a Homogeneous pipe");
+  for (const Piece& piece : line->pieces) {
+    if (piece.type->is_pipe) continue;
+    line->object->reject("LineType", "'" + for_display(piece.type->name) + "' of category General",
+                         "a Homogeneous pipe");
     return "";
   }
+  const LineType& main = *line->pieces.back().type;
   std::string text = "pipe:\n" + steel_text(translation, main, "  ") + contents_text(translation, *line, main, "  ") +
                      hydrodynamics_text(main, "  ") + segments_text(translation, *line);
   if (!main.yield_stress && !translation.options.yield_stress) {
