@@ -143,6 +143,7 @@ enum class FindingCode {
   // Input files
   unusual_input,
   unused_input,
+  input_converted,
   recorded_motion_leaps,
   recorded_yaw_is_heading,
   unknown,  ///< Code of results written by another version of the program.

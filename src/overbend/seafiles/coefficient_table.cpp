@@ -8,6 +8,7 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "seafiles/table_layout.h"
 #include "seafiles/text_table.h"
 
 namespace overbend {
@@ -109,7 +110,8 @@ class CoefficientReader {
 std::vector<CoefficientRow> read_coefficient_table(const std::string& path, Diagnostics& diagnostics) {
   const std::optional<std::string> text = read_text_file(path, diagnostics);
   if (!text) return {};
-  return CoefficientReader(path, diagnostics).read(split_table(*text, ','));
+  const std::optional<ExportedTable> table = read_exported_table(*text, path, diagnostics);
+  return table ? CoefficientReader(path, diagnostics).read(*table) : std::vector<CoefficientRow>{};
 }
 
 }  // namespace overbend

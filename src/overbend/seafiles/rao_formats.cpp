@@ -6,6 +6,7 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "model/waves/rao_table.h"
+#include "seafiles/table_layout.h"
 #include "seafiles/text_table.h"
 
 namespace overbend::rao_formats {
@@ -167,8 +168,10 @@ void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRec
 
 RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
   TableErrors problems(file, diagnostics);
-  const TextTable table = split_table(text, ',');
   RaoFile content;
+  const std::optional<ExportedTable> read = read_exported_table(text, file, diagnostics);
+  if (!read) return content;
+  const ExportedTable& table = *read;
   for (const TextRow& remark : table.remarks) read_remark(remark, content, problems);
   if (table.rows.empty()) return content;
   const std::optional<Columns> columns = find_columns(table.rows.front(), problems);

@@ -15,12 +15,33 @@ constexpr std::uintmax_t kMaxFileSize = 64U << 20U;
 constexpr int kLinesBetweenChecks = 10000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-std::vector<std::string_view> split_at(std::string_view line, char separator) {
+/// Returns the end of a quoted cell that starts at `from`: the separator after its closing quote, or the end of the
+/// line. Returns npos if the text there is not a quoted cell.
+std::size_t quoted_cell_end(std::string_view line, std::size_t from, char separator) {
+  std::size_t quote = line.find_first_not_of(" \t", from);
+  if (quote == std::string_view::npos || line[quote] != '"') return std::string_view::npos;
+  do {
+    quote = line.find('"', quote + 1);
+    if (quote == std::string_view::npos) return quote;
+    if (quote + 1 < line.size() && line[quote + 1] == '"') {
+      ++quote;  // a doubled quote is part of the text
+      continue;
+    }
+    const std::size_t end = line.find_first_not_of(" ", quote + 1);
+    if (end == std::string_view::npos) return line.size();
+    return line[end] == separator ? end : std::string_view::npos;
+  } while (true);
+}
+
+std::vector<std::string_view> split_at(std::string_view line, char separator, bool quoted) {
   std::vector<std::string_view> cells;
   std::size_t from = 0;
   while (from <= line.size()) {
-    const std::size_t to = std::min(line.find(separator, from), line.size());
-    cells.push_back(trim(line.substr(from, to - from)));
+    const std::size_t closed = quoted ? quoted_cell_end(line, from, separator) : std::string_view::npos;
+    const std::size_t to =
+        closed != std::string_view::npos ? closed : std::min(line.find(separator, from), line.size());
+    const std::string_view cell = trim(line.substr(from, to - from));
+    cells.push_back(closed != std::string_view::npos ? trim(cell.substr(1, cell.size() - 2)) : cell);
     from = to + 1;
   }
   return cells;
@@ -41,7 +62,20 @@ std::vector<std::string_view> split_at_white(std::string_view line) {
   return cells;
 }
 
-/// Splits "# key: value" into two cells.
+/// Returns why the bytes are not text that can be split into cells; null if they are.
+const char* container_error(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("PK\x03\x04"sv)) {
+    return "a spreadsheet (XLSX) or another zip archive, not text; save the sheet as CSV";
+  }
+  if (text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv)) {
+    return "text in UTF-16; save it as UTF-8 or as CSV";
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 std::vector<std::string_view> split_remark(std::string_view line) {
   const std::string_view content = trim(line.substr(1));
   const std::size_t colon = content.find(':');
@@ -49,7 +83,9 @@ std::vector<std::string_view> split_remark(std::string_view line) {
   return {trim(content.substr(0, colon)), trim(content.substr(colon + 1))};
 }
 
-}  // namespace
+std::vector<std::string_view> split_line(std::string_view line, char separator, bool quoted) {
+  return separator == ' ' ? split_at_white(line) : split_at(line, separator, quoted);
+}
 
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
   const auto reject = [&](const char* why) {
@@ -64,6 +100,7 @@ std::optional<std::string> read_text_file(const std::string& path, Diagnostics& 
   std::string text(static_cast<std::size_t>(size), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file) return reject("this file could not be read completely");
+  if (const char* why = container_error(text)) return reject(why);
   if (std::string_view(text).substr(0, 3) == kByteOrderMark) text.erase(0, 3);
   return text;
 }
@@ -81,7 +118,7 @@ TextTable split_table(std::string_view text, char separator) {
     if (line.front() == '#') {
       table.remarks.push_back({number, split_remark(line)});
     } else {
-      table.rows.push_back({number, separator == ' ' ? split_at_white(line) : split_at(line, separator)});
+      table.rows.push_back({number, split_line(line, separator, false)});
     }
   }
   return table;
