@@ -185,6 +185,8 @@ TEST_F(field_ranges, only_places_and_angles_may_be_negative) {
                                         "environment.seabed.profile[].depth",
                                         "operation.winch.depth",
                                         "environment.seabed.bathymetry_midship.east",
+                                        "environment.seabed.bathymetry_origin.east",
+                                        "environment.seabed.bathymetry_origin.north",
                                         "environment.seabed.bathymetry_midship.north",
                                         "route.points[].x",
                                         "route.points[].y",

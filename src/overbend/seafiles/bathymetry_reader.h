@@ -9,16 +9,25 @@
 
 namespace overbend {
 
-/// Reads CSV text: a header `east,north,depth` (with or without `_m`), then a row per point in m, in any order. Points
-/// at all crossings of a set of eastings and northings form a regular grid; any others are scattered. Every error is
-/// reported with its line.
-std::optional<Bathymetry> read_depth_table(const std::string& text, const std::string& path, Diagnostics& diagnostics);
+/// Position of the model in the file and meaning of its values, from the keys of the model.
+struct BathymetrySettings {
+  MapOrigin origin = {};
+  std::optional<BathymetryValues> values = {};
+};
 
-/// Reads an ESRI ASCII grid: depths, or heights if most values are negative. If cells lack data, the remaining points
-/// are scattered.
-std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::string& path, Diagnostics& diagnostics);
+/// Reads a table of soundings (seafiles/bathymetry_file.h) and returns it in the frame of the model. Points at all
+/// crossings of a set of eastings and northings form a regular grid; any others are scattered. Every error is reported
+/// with its line, and a notice for every conversion.
+std::optional<Bathymetry> read_depth_table(const std::string& text, const std::string& path, Diagnostics& diagnostics,
+                                           const BathymetrySettings& settings = {});
 
-/// Reads a file: an ESRI grid if its name ends in .asc, a CSV table otherwise. A GeoTIFF is rejected with a hint.
-std::optional<Bathymetry> read_bathymetry(const std::string& path, Diagnostics& diagnostics);
+/// The same of an ESRI ASCII grid.
+std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::string& path, Diagnostics& diagnostics,
+                                          const BathymetrySettings& settings = {});
+
+/// Reads a file, recognised by its content: an ESRI grid, a netCDF grid, or a table of soundings. A GeoTIFF is rejected
+/// with a hint.
+std::optional<Bathymetry> read_bathymetry(const std::string& path, Diagnostics& diagnostics,
+                                          const BathymetrySettings& settings = {});
 
 }  // namespace overbend

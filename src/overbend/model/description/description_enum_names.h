@@ -101,6 +101,12 @@ inline constexpr std::array kEnumNames<RollerFriction> = {
 };
 
 template <>
+inline constexpr std::array kEnumNames<BathymetryValues> = {
+    Word{BathymetryValues::depth, "depth"},
+    Word{BathymetryValues::elevation, "elevation"},
+};
+
+template <>
 inline constexpr std::array kEnumNames<SoilModel> = {
     Word{SoilModel::linear, "linear"},
     Word{SoilModel::hyperbolic, "hyperbolic"},

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.h"
 #include "base/units.h"
 #include "model/site/seabed_shape.h"
 #include "modelfile/checks/line_checks.h"
@@ -24,6 +25,28 @@ void check_one_shape(Checker& check) {
                   "each of them is the whole seabed");
     }
     first = first != nullptr ? first : shape;
+  }
+}
+
+std::vector<std::string> origin_keys(const FieldValue& origin) {
+  std::vector<std::string> keys;
+  for (const FieldValue& key : origin.children) {
+    if (key.given) keys.push_back(key.key);
+  }
+  return keys;
+}
+
+/// Checks that the position in the map is complete, in one kind of coordinates and of a bathymetry.
+void check_origin(Checker& check) {
+  const FieldValue* origin = check.root().find(std::string(kBed) + ".bathymetry_origin");
+  if (origin == nullptr || !origin->given) return;
+  const auto has = [&](const char* key) { return origin->mentions(key); };
+  const FieldValue* former = check.root().find(std::string(kBed) + ".bathymetry_midship");
+  if (former != nullptr && former->given) {
+    check.error(*origin, "bathymetry_origin and bathymetry_midship", "one of them");
+  } else if (has("east") != has("north") || has("lat") != has("lon") || (has("east") && has("lat"))) {
+    check.error(*origin, "keys " + join_items(origin_keys(*origin), "and"), "east and north, or lat and lon",
+                "lat and lon are for files in degrees");
   }
 }
 
@@ -73,6 +96,7 @@ std::optional<std::string> depth_disagrees(double bed_depth, double water_depth)
 void check_seabed(Checker& check) {
   check_one_shape(check);
   check_soil(check);
+  check_origin(check);
   const FieldValue* list = check.root().find(std::string(kBed) + ".profile");
   const FieldValue* depth = check.root().find("environment.water_depth");
   if (list == nullptr || list->kind != FieldValue::Kind::list || !list->given) return;

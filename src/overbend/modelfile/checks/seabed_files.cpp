@@ -13,6 +13,7 @@
 #include "model/model.h"
 #include "model/site/seabed_shape.h"
 #include "seafiles/bathymetry_reader.h"
+#include "seafiles/table_layout.h"
 
 namespace overbend {
 namespace {
@@ -110,10 +111,8 @@ void read_bathymetry_file(const FieldValue& root, Description& description, Diag
   if (!std::filesystem::exists(bed.bathymetry_file, code)) {
     return add_error("the file " + key->shown + ", which does not exist", "a file with depths", "");
   }
-  bed.bathymetry = read_bathymetry(bed.bathymetry_file, diagnostics);
+  bed.bathymetry = read_bathymetry(bed.bathymetry_file, diagnostics, {bed.bathymetry_origin, bed.bathymetry_values});
   if (!bed.bathymetry) return;
-  for (double& east : bed.bathymetry->east) east -= bed.midship_east;
-  for (double& north : bed.bathymetry->north) north -= bed.midship_north;
   const Vec3 shoe = stern_shoe(description.vessel);
   const Area area = extent(*bed.bathymetry);
   if (!reaches(area, shoe, -towards(description.vessel.heading))) {
@@ -122,18 +121,21 @@ void read_bathymetry_file(const FieldValue& root, Description& description, Diag
         "an area " + format_number(away > 1e4 ? std::round(1e-3 * away) : away, 6) + (away > 1e4 ? " km" : " m") +
             " from the stern shoe: " + area_label(area),
         "an area in which the pipe is laid, with east and north measured from midship",
-        "environment.seabed.bathymetry_midship gives the position of midship in the coordinates of the file");
+        "environment.seabed.bathymetry_origin (formerly bathymetry_midship) gives the position of midship in the "
+        "coordinates of the file");
   }
   const double wanted = description.environment.water_depth;
   double depth = depth_under(*bed.bathymetry, shoe);
   // heights instead of depths; near a coast most of a grid may be land
-  if (depth_disagrees(depth, wanted) && !depth_disagrees(-depth, wanted)) {
+  if (!bed.bathymetry_values && depth_disagrees(depth, wanted) && !depth_disagrees(-depth, wanted)) {
     for (double& value : bed.bathymetry->depth) value = -value;
     depth = -depth;
+    add_notice(diagnostics, bed.bathymetry_file, 0,
+               "its values have the opposite sign: with it the depth at the stern shoe is environment.water_depth");
   }
   if (const auto found = depth_disagrees(depth, wanted)) {
     add_error(*found, "environment.water_depth, " + format_quantity(wanted, "m", "m") + ", within 0.1 m",
-              "east and north are measured from midship, or from environment.seabed.bathymetry_midship");
+              "east and north are measured from midship, or from environment.seabed.bathymetry_origin");
   }
 }
 

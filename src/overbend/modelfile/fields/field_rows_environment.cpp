@@ -90,6 +90,64 @@ std::vector<Field> waves() {
   };
 }
 
+namespace {
+
+Field map_coordinate(const std::string& path, double MapOrigin::*member, const char* text) {
+  return {.path = path,
+          .member = fills(member),
+          .kind = FieldKind::quantity,
+          .text = text,
+          .unit = "m",
+          .show = "m",
+          .range = {.low = -1e8, .high = 1e8}};
+}
+
+Field map_angle(const std::string& path, const Member& member, const char* text, double low, double high) {
+  return {.path = path,
+          .member = member,
+          .kind = FieldKind::quantity,
+          .text = text,
+          .unit = "rad",
+          .show = "deg",
+          .range = {.low = low * kDegree, .high = high * kDegree}};
+}
+
+/// Position of the model in the bathymetry, and meaning of its values. `bathymetry_midship` is the former form.
+std::vector<Field> bathymetry_position() {
+  const std::string origin = "environment.seabed.bathymetry_origin", midship = "environment.seabed.bathymetry_midship";
+  std::vector<Field> rows = {
+      {.path = origin,
+       .member = enters(&SeabedDescription::bathymetry_origin),
+       .text =
+           "Position of midship in the coordinates of the bathymetry: east and north of a map, or lat and lon for a "
+           "file in degrees, which are converted to metres in the plane that touches the ellipsoid of WGS 84 there.",
+       .fallback_text = "at their origin"},
+      map_coordinate(origin + ".east", &MapOrigin::east, "Easting."),
+      map_coordinate(origin + ".north", &MapOrigin::north, "Northing."),
+      map_angle(origin + ".lat", fills(&MapOrigin::lat), "Latitude, north positive.", -89.0, 89.0),
+      map_angle(origin + ".lon", fills(&MapOrigin::lon), "Longitude, east positive.", -180.0, 360.0),
+      map_angle(origin + ".azimuth", defaults(&MapOrigin::azimuth),
+                "Azimuth, in the map, of the model's north, clockwise from the map's north.", -360.0, 360.0),
+      {.path = midship,
+       .member = enters(&SeabedDescription::bathymetry_origin),
+       .text = "Position of midship in the coordinates of the bathymetry: the former form of bathymetry_origin.",
+       .fallback_text = "at their origin"},
+      map_coordinate(midship + ".east", &MapOrigin::east, "Easting."),
+      map_coordinate(midship + ".north", &MapOrigin::north, "Northing."),
+      {.path = "environment.seabed.bathymetry_values",
+       .member = fills(&SeabedDescription::bathymetry_values),
+       .kind = FieldKind::choice,
+       .text =
+           "Meaning of the values of the bathymetry. depth: positive below the water; elevation: negative below the "
+           "water, and land is left out of tables and netCDF grids.",
+       .fallback_text = "as the file states, or by the sign that all its values have"},
+  };
+  for (Field& row : rows) row.required = row.path == midship + ".east" || row.path == midship + ".north";
+  return rows;
+}
+
+}  // namespace
+
 std::vector<Field> environment() {
   std::vector<Field> rows = {
       {.path = "environment",
@@ -128,90 +186,77 @@ std::vector<Field> environment() {
   };
   append(rows, friction<SeabedDescription>("environment.seabed.friction", "Coulomb friction of the pipe on the seabed",
                                            &SeabedDescription::friction_axial, &SeabedDescription::friction_lateral));
+  append(
+      rows,
+      {
+          {.path = "environment.seabed.damping",
+           .member = defaults(&SeabedDescription::damping),
+           .kind = FieldKind::quantity,
+           .text = "Normal damping per length of pipe while the penetration increases.",
+           .unit = "N*s/m^2",
+           .show = "kN*s/m^2",
+           .range = {.low = 0.0}},
+          {.path = "environment.seabed.soil", .text = "How the normal force grows with penetration."},
+          {.path = "environment.seabed.soil.model",
+           .member = defaults(&SeabedDescription::soil),
+           .kind = FieldKind::choice,
+           .text = "linear: by the stiffness; hyperbolic: softens towards bearing_force; bilinear: a tenth of the "
+                   "stiffness beyond bearing_force."},
+          {.path = "environment.seabed.soil.bearing_force",
+           .member = fills(&SeabedDescription::bearing_force),
+           .kind = FieldKind::quantity,
+           .text = "Force per length of pipe at which soil that is not linear softens.",
+           .unit = "N/m",
+           .show = "kN/m",
+           .fallback_text = "linear soil",
+           .range = {.low = 0.0, .low_open = true}},
+          {.path = "environment.seabed.slope",
+           .member = defaults(&SeabedDescription::slope),
+           .kind = FieldKind::quantity,
+           .text = "Slope of the seabed, which falls towards slope_towards.",
+           .unit = "rad",
+           .show = "deg",
+           .range = {.low = 0.0, .high = 45.0 * kDegree, .high_open = true}},
+          {.path = "environment.seabed.slope_towards",
+           .member = defaults(&SeabedDescription::slope_towards),
+           .kind = FieldKind::quantity,
+           .text = "Azimuth towards which the seabed falls, clockwise from north.",
+           .unit = "rad",
+           .show = "deg",
+           .range = azimuth()},
+          {.path = "environment.seabed.profile",
+           .member = enters(&SeabedDescription::profile),
+           .kind = FieldKind::list,
+           .text = "Depths of an uneven seabed along the vessel's axis as drawn, by increasing x, at least two: the "
+                   "monotone piecewise cubic through them, level beyond the ends and across.",
+           .fallback_text = "a plane"},
+          {.path = "environment.seabed.profile[]", .member = appends<ProfilePoint>(), .text = "Depth at one point."},
+          {.path = "environment.seabed.profile[].x",
+           .member = fills(&ProfilePoint::x),
+           .kind = FieldKind::quantity,
+           .text = "Astern of the stern shoe.",
+           .unit = "m",
+           .show = "m",
+           .required = true},
+          {.path = "environment.seabed.profile[].depth",
+           .member = fills(&ProfilePoint::depth),
+           .kind = FieldKind::quantity,
+           .text = "Water depth there, negative on land.",
+           .unit = "m",
+           .show = "m",
+           .required = true,
+           .range = {.low = -200.0, .high = 12e3}},
+          {.path = "environment.seabed.bathymetry",
+           .member = fills(&SeabedDescription::bathymetry_file),
+           .kind = FieldKind::text,
+           .file = true,
+           .text = "File of depths over an area, recognised by its content: a table of soundings (east, north, depth "
+                   "in m, by commas, semicolons, tabs or blanks), an ESRI ASCII grid or a netCDF grid; positions from "
+                   "midship, or from the origin of bathymetry_origin."},
+      });
+  append(rows, bathymetry_position());
   append(rows,
          {
-             {.path = "environment.seabed.damping",
-              .member = defaults(&SeabedDescription::damping),
-              .kind = FieldKind::quantity,
-              .text = "Normal damping per length of pipe while the penetration increases.",
-              .unit = "N*s/m^2",
-              .show = "kN*s/m^2",
-              .range = {.low = 0.0}},
-             {.path = "environment.seabed.soil", .text = "How the normal force grows with penetration."},
-             {.path = "environment.seabed.soil.model",
-              .member = defaults(&SeabedDescription::soil),
-              .kind = FieldKind::choice,
-              .text = "linear: by the stiffness; hyperbolic: softens towards bearing_force; bilinear: a tenth of the "
-                      "stiffness beyond bearing_force."},
-             {.path = "environment.seabed.soil.bearing_force",
-              .member = fills(&SeabedDescription::bearing_force),
-              .kind = FieldKind::quantity,
-              .text = "Force per length of pipe at which soil that is not linear softens.",
-              .unit = "N/m",
-              .show = "kN/m",
-              .fallback_text = "linear soil",
-              .range = {.low = 0.0, .low_open = true}},
-             {.path = "environment.seabed.slope",
-              .member = defaults(&SeabedDescription::slope),
-              .kind = FieldKind::quantity,
-              .text = "Slope of the seabed, which falls towards slope_towards.",
-              .unit = "rad",
-              .show = "deg",
-              .range = {.low = 0.0, .high = 45.0 * kDegree, .high_open = true}},
-             {.path = "environment.seabed.slope_towards",
-              .member = defaults(&SeabedDescription::slope_towards),
-              .kind = FieldKind::quantity,
-              .text = "Azimuth towards which the seabed falls, clockwise from north.",
-              .unit = "rad",
-              .show = "deg",
-              .range = azimuth()},
-             {.path = "environment.seabed.profile",
-              .member = enters(&SeabedDescription::profile),
-              .kind = FieldKind::list,
-              .text = "Depths of an uneven seabed along the vessel's axis as drawn, by increasing x, at least two: the "
-                      "monotone piecewise cubic through them, level beyond the ends and across.",
-              .fallback_text = "a plane"},
-             {.path = "environment.seabed.profile[]", .member = appends<ProfilePoint>(), .text = "Depth at one point."},
-             {.path = "environment.seabed.profile[].x",
-              .member = fills(&ProfilePoint::x),
-              .kind = FieldKind::quantity,
-              .text = "Astern of the stern shoe.",
-              .unit = "m",
-              .show = "m",
-              .required = true},
-             {.path = "environment.seabed.profile[].depth",
-              .member = fills(&ProfilePoint::depth),
-              .kind = FieldKind::quantity,
-              .text = "Water depth there, negative on land.",
-              .unit = "m",
-              .show = "m",
-              .required = true,
-              .range = {.low = -200.0, .high = 12e3}},
-             {.path = "environment.seabed.bathymetry",
-              .member = fills(&SeabedDescription::bathymetry_file),
-              .kind = FieldKind::text,
-              .file = true,
-              .text = "CSV file of depths over an area, with the columns east,north,depth in m, or an ESRI ASCII grid "
-                      "(.asc); east and north from midship, or from the origin of bathymetry_midship."},
-             {.path = "environment.seabed.bathymetry_midship",
-              .text = "Position of midship in the coordinates of the bathymetry, such as those of a map.",
-              .fallback_text = "at their origin"},
-             {.path = "environment.seabed.bathymetry_midship.east",
-              .member = fills(&SeabedDescription::midship_east),
-              .kind = FieldKind::quantity,
-              .text = "Easting.",
-              .unit = "m",
-              .show = "m",
-              .required = true,
-              .range = {.low = -1e8, .high = 1e8}},
-             {.path = "environment.seabed.bathymetry_midship.north",
-              .member = fills(&SeabedDescription::midship_north),
-              .kind = FieldKind::quantity,
-              .text = "Northing.",
-              .unit = "m",
-              .show = "m",
-              .required = true,
-              .range = {.low = -1e8, .high = 1e8}},
              {.path = "environment.current",
               .member = enters(&EnvironmentDescription::current),
               .kind = FieldKind::list,
