@@ -40,7 +40,8 @@ TEST(motion_history_reader, errors_are_reported_with_file_line_what_was_found_an
   };
   const std::vector<BadInput> errors = {
       {"", 0, "no rows"},
-      {"time_s,heave\n0,1\n", 1, "a column 'heave', expected one of time_s, surge_m"},
+      {"time_s,heave\n0,1\n", 1, "a column without a unit: heave"},
+      {"time_s,wind\n0,1\n", 1, "a column 'wind', expected one of time_s, surge_m"},
       {"heave_m\n1\n", 1, "without time_s"},
       {"time_s,heave_m,heave_m\n0,1,1\n", 1, "twice"},
       {"time_s,heave_m\n0,1\n1,x\n", 3, "'x', expected a number for heave_m"},
@@ -48,6 +49,11 @@ TEST(motion_history_reader, errors_are_reported_with_file_line_what_was_found_an
       {"time_s,heave_m\n0,1\n1\n", 3, "1 cells, expected 2"},
       {"time_s,heave_m\n1,1\n1,2\n", 3, "a later time than in the previous row"},
       {"time_s,heave_m\n0,1\n", 2, "at least two"},
+      {"time,heave_m\n0,1\n1,1\n", 2, "a time of '0' without a unit"},
+      {"time_s,heave_deg\n0,1\n1,1\n", 1, "the unit 'deg' of heave_deg"},
+      {"time_s,heave_m\ns,cm\n0,1\n1,1\n", 1, "two units of heave_m: m and cm"},
+      {"time,heave_m\n59:40.5,1\n59:41.0,1\n", 2, "with hours, minutes and seconds"},
+      {"time,heave_m\n06/01/2026 09:00:00,1\n", 2, "write the year first"},
   };
   for (const BadInput& damage : errors) {
     const WrittenFile file("motion.csv", damage.text);

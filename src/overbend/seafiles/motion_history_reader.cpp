@@ -3,8 +3,12 @@
 #include <algorithm>
 
 #include "base/constants.h"
+#include "base/ranges.h"
 #include "base/text.h"
+#include "seafiles/motion_columns.h"
 #include "seafiles/motion_record_checks.h"
+#include "seafiles/record_clock.h"
+#include "seafiles/table_layout.h"
 #include "seafiles/text_table.h"
 
 namespace overbend {
@@ -12,108 +16,90 @@ namespace {
 
 constexpr int kMaxErrors = 10;
 
-std::vector<std::string> column_names() {
-  std::vector<std::string> names = {"time_s"};
-  names.insert(names.end(), kMotionColumns.begin(), kMotionColumns.end());
-  return names;
-}
-
 class HistoryReader {
  public:
-  HistoryReader(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+  HistoryReader(const std::string& file, const MotionColumns& keys, Diagnostics& diagnostics)
+      : file_(file), keys_(keys), diagnostics_(diagnostics), errors_before_(diagnostics.error_count()) {}
 
   std::optional<MotionRecord> read(const std::string& text) {
-    const TextTable table = split_table(text, ',');
-    if (table.rows.empty()) {
+    const std::optional<ExportedTable> table = read_exported_table(text, file_, diagnostics_);
+    if (!table) return std::nullopt;
+    if (table->rows.empty()) {
       complain(0, "no rows", "a header such as time_s,surge_m,sway_m,heave_m,roll_deg,pitch_deg,yaw_deg and numbers");
       return std::nullopt;
     }
-    read_header(table.rows.front());
-    if (complaints_ > 0) return std::nullopt;
-    for (std::size_t i = 1; i < table.rows.size() && complaints_ < kMaxErrors; ++i) read_row(table.rows[i]);
-    const std::size_t instants = record_.history.time.size();
-    if (complaints_ == 0 && instants < 2) {
-      complain(table.rows.back().line, std::to_string(instants) + " instants", "at least two");
+    std::optional<std::vector<MotionColumn>> columns = find_motion_columns(*table, keys_, file_, diagnostics_);
+    if (!columns) return std::nullopt;
+    columns_ = std::move(*columns);
+    read_rows(*table);
+    if (errors() > 0) return std::nullopt;
+    for (const MotionColumn& column : columns_) {
+      if (column.quantity == MotionColumn::Quantity::freedom) record_.given[column.freedom] = true;
     }
-    if (complaints_ > 0) return std::nullopt;
     record_.history.source = file_;
     return std::move(record_);
   }
 
  private:
-  void complain(int line, const std::string& found, const std::string& expected) {
-    ++complaints_;
-    diagnostics_.add({Severity::error, file_, line, 0, "", found, expected, ""});
+  int errors() const { return diagnostics_.error_count() - errors_before_; }
+
+  void complain(int line, const std::string& found, const std::string& expected, const std::string& hint = {}) {
+    diagnostics_.add({Severity::error, file_, line, 0, "", found, expected, hint});
   }
 
-  void read_header(const TextRow& header) {
-    for (const std::string_view cell : header.cells) {
-      const auto known = std::find(names_.begin(), names_.end(), cell);
-      if (known == names_.end()) {
-        complain(header.line, "a column '" + for_display(cell) + "'", join_choices(names_));
-        return;
-      }
-      const auto column = static_cast<std::size_t>(known - names_.begin());
-      if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
-        complain(header.line, "the column '" + *known + "' twice", "each column once");
-      }
-      columns_.push_back(column);
-      if (column > 0) record_.given[column - 1] = true;
+  void read_rows(const ExportedTable& table) {
+    const auto time = static_cast<std::size_t>(
+        ranges::find(columns_, MotionColumn::Quantity::time, &MotionColumn::quantity) - columns_.begin());
+    RecordClock clock(file_, columns_[time].unit, columns_[time].unix, diagnostics_);
+    for (std::size_t i = 1; i < table.rows.size() && errors() < kMaxErrors; ++i) {
+      read_row(table, table.rows[i], time, clock);
+      if (errors() > 0 && !clock.is_recognised()) return;
     }
-    if (std::find(columns_.begin(), columns_.end(), 0U) == columns_.end()) {
-      complain(header.line, "a header without time_s", "time_s and the degrees of freedom");
+    const std::size_t instants = record_.history.time.size();
+    if (errors() == 0 && instants < 2) {
+      complain(table.rows.back().line, std::to_string(instants) + " instants", "at least two");
     }
+    if (errors() == 0) clock.finish(record_.history.time);
   }
 
-  void read_row(const TextRow& row) {
+  void read_row(const ExportedTable& table, const TextRow& row, std::size_t time_column, RecordClock& clock) {
     if (row.cells.size() != columns_.size()) {
       complain(row.line, std::to_string(row.cells.size()) + " cells",
-               std::to_string(columns_.size()) + ", as many as in the header");
+               std::to_string(columns_.size()) + ", as many as in the header", row_width_hint(table, row));
       return;
     }
-    double time = 0.0;
     std::array<double, 6> freedoms{};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].quantity != MotionColumn::Quantity::freedom) continue;
       const std::optional<double> value = cell_number(row.cells[i]);
       if (!value) {
-        complain(row.line, "'" + for_display(row.cells[i]) + "'", "a number for " + names_[columns_[i]]);
+        complain(row.line, "'" + for_display(row.cells[i]) + "'", "a number for " + columns_[i].label);
         return;
       }
-      if (columns_[i] == 0) {
-        time = *value;
-      } else {
-        freedoms[columns_[i] - 1] = columns_[i] > 3 ? *value * kDegree : *value;
-      }
+      freedoms[columns_[i].freedom] = columns_[i].factor * *value;
     }
-    MotionHistory& history = record_.history;
-    if (!history.time.empty() && time <= history.time.back()) {
-      complain(row.line, "a time of " + for_display(row.cells[time_column()]) + " s",
-               "a later time than in the previous row");
-      return;
-    }
-    history.time.push_back(time);
-    history.freedoms.push_back(freedoms);
+    const std::optional<double> time = clock.read(row.line, row.cells[time_column]);
+    if (!time) return;
+    record_.history.time.push_back(*time);
+    record_.history.freedoms.push_back(freedoms);
     record_.lines.push_back(row.line);
   }
 
-  std::size_t time_column() const {
-    return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), 0U) - columns_.begin());
-  }
-
-  std::string file_;
+  const std::string& file_;
+  const MotionColumns& keys_;
   Diagnostics& diagnostics_;
-  const std::vector<std::string> names_ = column_names();
-  std::vector<std::size_t> columns_;  ///< Index in `names_` for each column of the file.
+  int errors_before_;
+  std::vector<MotionColumn> columns_;
   MotionRecord record_;
-  int complaints_ = 0;
 };
 
 }  // namespace
 
-std::optional<MotionHistory> read_motion_history(const std::string& file, double heading, Diagnostics& diagnostics) {
+std::optional<MotionHistory> read_motion_history(const std::string& file, double heading, Diagnostics& diagnostics,
+                                                 const MotionColumns& columns) {
   const std::optional<std::string> text = read_text_file(file, diagnostics);
   if (!text) return std::nullopt;
-  std::optional<MotionRecord> record = HistoryReader(file, diagnostics).read(*text);
+  std::optional<MotionRecord> record = HistoryReader(file, columns, diagnostics).read(*text);
   if (!record) return std::nullopt;
   const int errors = diagnostics.error_count();
   check_motion_values(*record, diagnostics);

@@ -59,6 +59,12 @@ void check_motion_source(Checker& check, const FieldValue& motion) {
                 "1 of " + join_items(known, "or"));
     return;
   }
+  const FieldValue* columns = motion.find("columns");
+  if (columns != nullptr && columns->given && !given_sources.empty() &&
+      given_sources.front() != enum_name(VesselMotion::history)) {
+    check.warn(*columns, "has no effect for a motion by " + given_sources.front() + " and is not used",
+               FindingCode::unused_input);
+  }
   if (!stated || given_sources.empty() || given_sources.front() == enum_name(VesselMotion::raos)) return;
   for (const FieldValue& key : convention->children) {
     if (key.given && (key.key != "reference" || given_sources.front() == enum_name(VesselMotion::coupled))) {

@@ -142,15 +142,26 @@ std::vector<Field> vessel() {
        .text = "fixed, or a group with one of the keys below. Only dynamic analysis uses it.",
        .choices = {enum_name(VesselMotion::fixed)}},
       {.path = "vessel.motion",
-       .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention if needed.",
+       .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention and columns if needed.",
        .min_items = 1,
-       .max_items = 2},
+       .max_items = 3},
       motion_file(VesselMotion::raos,
                   "File of response amplitude operators, in the folder of the model file: .csv, .4 (WAMIT) or .yml "
                   "(OrcaFlex)."),
-      motion_file(
-          VesselMotion::history,
-          "CSV file of the motion history, in the folder of the model file: time_s and any of surge_m to yaw_deg."),
+      motion_file(VesselMotion::history,
+                  "Table of the motion history, in the folder of the model file: time and any of surge to yaw, with "
+                  "units in the "
+                  "titles (time_s, heave_m, roll_deg) or in a line below them."),
+      {.path = "vessel.motion.columns",
+       .member = read_elsewhere(),
+       .text = "Meaning of columns of the motion history by their titles in the file.",
+       .fallback_text = "by their titles",
+       .min_items = 1,
+       .max_items = 50},
+      {.path = "vessel.motion.columns.*",
+       .member = read_elsewhere(),
+       .kind = FieldKind::text,
+       .text = "Quantity with its unit, such as time, time_ms, heave_m or roll_rad, or `unused`."},
   };
   append(rows, harmonic_motion());
   return rows;

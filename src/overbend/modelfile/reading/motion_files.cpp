@@ -18,6 +18,15 @@ RaoSettings read_settings(const FieldValue& group, const std::string& source_fil
   return settings;
 }
 
+/// Returns the meaning of columns of a recorded motion, from the keys in `group`.
+MotionColumns read_columns(const FieldValue& group) {
+  MotionColumns columns;
+  if (const FieldValue* keys = group.find("motion.columns")) {
+    for (const FieldValue& key : keys->children) columns.emplace(key.key, key.text);
+  }
+  return columns;
+}
+
 void read_file(const FieldValue& group, const Description& description, VesselDescription& body,
                Diagnostics& diagnostics) {
   RaoSettings settings = read_settings(group, description.source_file);
@@ -29,7 +38,7 @@ void read_file(const FieldValue& group, const Description& description, VesselDe
   if (body.motion == VesselMotion::raos) {
     body.raos = read_raos(body.motion_file, settings, description.environment.water_depth, diagnostics);
   } else if (body.motion == VesselMotion::history) {
-    body.history = read_motion_history(body.motion_file, body.heading, diagnostics);
+    body.history = read_motion_history(body.motion_file, body.heading, diagnostics, read_columns(group));
   }
 }
 
