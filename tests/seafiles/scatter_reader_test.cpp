@@ -38,8 +38,7 @@ TEST(scatter_reader, counts_become_fractions_of_the_time) {
   const auto diagram = taken("# a field\nhs_m,5,7,9\n0.25,10,20,\n0.75,5,10,5\n");
   ASSERT_TRUE(diagram);
   ASSERT_EQ(diagram->seas.size(), 6U);
-  EXPECT_DOUBLE_EQ(diagram->hs_step, 0.5);
-  EXPECT_DOUBLE_EQ(diagram->tp_step, 2.0);
+  EXPECT_DOUBLE_EQ(diagram->seas[1].hs_width, 0.5);
   EXPECT_DOUBLE_EQ(diagram->seas[1].fraction.at(0), 0.4);
   EXPECT_DOUBLE_EQ(diagram->seas[1].hs, 0.25);
   EXPECT_DOUBLE_EQ(diagram->seas[1].tp, 7.0);
@@ -61,7 +60,7 @@ TEST(scatter_reader, takes_ranges_and_passes_over_totals) {
   ASSERT_EQ(diagram->seas.size(), 4U);
   EXPECT_DOUBLE_EQ(diagram->seas[3].hs, 0.75);
   EXPECT_DOUBLE_EQ(diagram->seas[3].tp, 7.0);
-  EXPECT_DOUBLE_EQ(diagram->hs_step, 0.5);
+  EXPECT_DOUBLE_EQ(diagram->seas[3].hs_width, 0.5);
   EXPECT_DOUBLE_EQ(diagram->seas[3].fraction[0], 0.25);
 }
 
@@ -86,7 +85,14 @@ TEST(scatter_reader, says_line_column_and_reason_of_an_error) {
   expect_part("hs_m,5,long\n", "column 3: found 'long'");
   expect_part("hs_m,5,7,10\n0.5,1,1,1\n", "not even");
   expect_part("hs_m,5,7\n0.5,1\n", "seas.csv:2: found 2 columns");
-  expect_part("hs_m,5,7\n0.5,1,-1\n", "seas.csv:2: column 3: found '-1'");
+  expect_part("hs_m,5,7\n0.5,1,-1\n", "seas.csv:2: column 3: found '-1' under 7");
+  expect_part("Hs (m),5,7\n0.5,1,1\n1,1,1\n", "whether the periods are Tp or Tz");
+  expect_part("Tz (s) / Hs (m),5,7\n0.5,1,1\n", "seas.csv:1: found 'Tz (s) / Hs (m)'");
+  expect_part("hs_m,2-4,5-7\n0.5,1,1\n1,1,1\n", "with 5-7 after 2-4");
+  expect_part("hs_m,2-4,5\n0.5,1,1\n1,1,1\n", "some are ranges and some are not");
+  expect_part("hs_m,5,7\n0.5,10%,20\n1,1%,1%\n", "with and without a per cent sign");
+  expect_part("hs_m,5,7,total\n0.5,1,1,3\n1,1,1,2\n", "seas.csv:2: total: found '3' for values that add up to 2");
+  expect_part("hs_m,5,7\n0.5,1,1\n1,1,1\ntotal,2,3\n", "seas.csv:4: total: found '3' for values that add up to 2");
   expect_part("hs_m,5,7\n0.5,1,1\n1.5,1,1\n2,1,1\n", "wave heights that are not even");
   expect_part("hs_m,5,7\n0.5,1,1\n0.5,1,1\n", "twice");
   expect_part("hs_m,5,7\n", "a header without rows");

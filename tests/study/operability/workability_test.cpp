@@ -30,7 +30,8 @@ OperabilityResults chart() {
 }
 
 ScatterDiagram diagram(std::vector<ScatterDiagram::Sea> seas) {
-  return {std::move(seas), 1.0, 2.0};
+  for (ScatterDiagram::Sea& sea : seas) sea.hs_width = 1.0;
+  return {std::move(seas)};
 }
 
 Workability of(const ScatterDiagram& seas, const OperabilityResults& limits, double factor = 1.0) {

@@ -44,15 +44,22 @@ struct StudySample {
   std::vector<SampledKey> keys;
 };
 
+/// Period of the seas of a scatter diagram.
+enum class ScatterPeriod {
+  tp,  ///< Peak period.
+  tz,  ///< Mean zero up-crossing period, 2 pi sqrt(m0 / m2).
+};
+
 /// Scatter diagram: frequency of sea states by month.
 struct ScatterDiagram {
   struct Sea {
     double hs = 0.0, tp = 0.0;     ///< Centre of the cell [m], [s].
     std::optional<double> from;    ///< Direction from which the waves come [rad]; empty: all directions.
     std::vector<double> fraction;  ///< Fraction of time by month from January; one entry: whole year.
+    double hs_width = 0.0;         ///< Height of the cell [m].
   };
   std::vector<Sea> seas;
-  double hs_step = 0.0, tp_step = 0.0;  ///< Widths of the cells [m], [s].
+  std::string remark = {};  ///< How the file was read: periods, values, conversion to Tp; empty for a plain file.
 };
 
 /// Maximum value of one axis that satisfies a criterion, for every combination of the other axes.

@@ -17,6 +17,12 @@ inline constexpr std::array kEnumNames<StudyAnalysis> = {
 };
 
 template <>
+inline constexpr std::array kEnumNames<ScatterPeriod> = {
+    Word{ScatterPeriod::tp, "tp"},
+    Word{ScatterPeriod::tz, "tz"},
+};
+
+template <>
 inline constexpr std::array kEnumNames<Distribution> = {
     Word{Distribution::uniform, "uniform"},     Word{Distribution::normal, "normal"},
     Word{Distribution::lognormal, "lognormal"}, Word{Distribution::triangular, "triangular"},

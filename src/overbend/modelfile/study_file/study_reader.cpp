@@ -128,7 +128,8 @@ class StudyBinder {
     const auto scatter = group.get_text("scatter");
     if (!scatter) return;
     wanted.scatter_file = resolved_file(*scatter, study_.file);
-    wanted.scatter = read_scatter(wanted.scatter_file, diagnostics_);
+    wanted.scatter = read_scatter(wanted.scatter_file, diagnostics_,
+                                  {group.get_word<ScatterPeriod>("scatter_period"), &base_.environment.waves});
   }
 
   /// Default resolution: 0.25 m for lengths, such as wave heights, otherwise a hundredth of the range.

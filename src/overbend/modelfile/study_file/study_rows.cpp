@@ -134,9 +134,13 @@ std::vector<Field> operability() {
       group(p + ".criterion[]", "A condition."),
   };
   append(rows, condition(p + ".criterion[]"));
-  Field scatter = text_row(p + ".scatter", "Scatter diagram of the sea (CSV), for workability.", "none");
+  Field scatter = text_row(p + ".scatter", "Scatter diagram of the sea (a table), for workability.", "none");
   scatter.file = true;
   rows.push_back(std::move(scatter));
+  rows.push_back(otherwise(
+      word_row(p + ".scatter_period", enum_names<ScatterPeriod>(), "",
+               "Periods of the scatter diagram: tp, or tz, which becomes Tp by the spectrum of the base model."),
+      "as its header states"));
   rows.push_back(otherwise(
       row_of_kind(FieldKind::number, p + ".alpha", read_elsewhere(),
                   "alpha factor of DNV-ST-N001 applied to the limit.", {.low = 0.0, .high = 1.0, .low_open = true}),

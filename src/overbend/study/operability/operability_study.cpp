@@ -161,6 +161,7 @@ OperabilityCell make_cell(const SearchedCell& found, const OperabilityPlan& plan
 
 void add_workability(const OperabilityDescription& wanted, OperabilityResults& results) {
   if (!wanted.scatter) return;
+  if (!wanted.scatter->remark.empty()) results.remarks.push_back(wanted.scatter->remark);
   const auto of_limits = workability(*wanted.scatter, results);
   if (const auto* why = std::get_if<std::string>(&of_limits)) {
     results.remarks.push_back("no workability: " + *why);

@@ -128,7 +128,7 @@ std::variant<Workability, std::string> workability(const ScatterDiagram& diagram
   for (const ScatterDiagram::Sea& sea : diagram.seas) {
     const std::optional<Limit> limit = limits.limit(sea);
     if (!limit) continue;
-    const double lowest = std::max(0.0, sea.hs - 0.5 * diagram.hs_step), highest = sea.hs + 0.5 * diagram.hs_step;
+    const double lowest = std::max(0.0, sea.hs - 0.5 * sea.hs_width), highest = sea.hs + 0.5 * sea.hs_width;
     const double below = std::clamp((limit->height - lowest) / (highest - lowest), 0.0, 1.0);
     for (std::size_t i = 0; i < months; ++i) {
       result.months[i] += below * sea.fraction[i];
