@@ -134,6 +134,36 @@ TEST_F(bathymetry_file, in_map_coordinates_is_placed_by_those_of_midship) {
   EXPECT_NEAR(depths.north.back(), 975.0, 1e-6);
 }
 
+TEST_F(bathymetry_file, in_a_map_may_be_turned_and_hold_heights) {
+  // the model's north points to the map's east: the rows of the grid, from west to east, are at increasing y
+  put("grid.asc", grid_around(431250.0, 6182100.0, "-89", "-95"));
+  const std::string keys =
+      "    bathymetry: grid.asc\n    bathymetry_origin: {east: 431250 m, north: 6182100 m, azimuth: 90 deg}\n"
+      "    bathymetry_values: elevation\n";
+  const ModelReading reading = read_model_text(with_bed(keys), (folder_ / "model.yaml").string());
+  ASSERT_TRUE(reading.description) << reading.diagnostics.lines(Severity::error)[0];
+  const Bathymetry& depths = *reading.description->environment.seabed.bathymetry;
+  for (std::size_t i = 0; i < depths.depth.size(); ++i) {
+    EXPECT_EQ(depths.depth[i], depths.north[i] < -950.0 ? 95.0 : 89.0) << depths.north[i];
+  }
+  EXPECT_TRUE(has_code(reading.description->findings, FindingCode::input_converted));
+}
+
+TEST_F(bathymetry_file, needs_a_complete_origin_in_one_kind_of_coordinates) {
+  put("bed.csv", "east,north,depth\n-300,-300,89\n300,-300,89\n-300,300,89\n300,300,89\n");
+  const auto error = [&](const std::string& keys) {
+    return first_error(with_bed("    bathymetry: bed.csv\n" + keys), folder_);
+  };
+  EXPECT_EQ(error("    bathymetry_origin: {azimuth: 10 deg}\n"), "");
+  EXPECT_NE(error("    bathymetry_origin: {east: 1 m}\n").find("east and north, or lat and lon"), std::string::npos);
+  EXPECT_NE(
+      error("    bathymetry_origin: {east: 1 m, north: 1 m, lat: 1 deg, lon: 1 deg}\n").find("east and north, or"),
+      std::string::npos);
+  EXPECT_NE(error("    bathymetry_origin: {east: 1 m, north: 1 m}\n    bathymetry_midship: {east: 1 m, north: 1 m}\n")
+                .find("one of them"),
+            std::string::npos);
+}
+
 TEST_F(bathymetry_file, of_a_coast_serves_where_the_lay_is_in_the_water) {
   put("grid.asc", grid_around(0.0, 0.0, "89", "0"));
   put("land.asc", grid_around(0.0, 0.0, "-89", "12"));

@@ -11,8 +11,8 @@ struct PlanPoint {
 };
 
 /// Returns the position of a point of the ellipsoid of WGS 84 in the plane that touches it at the origin; angles are
-/// geodetic [rad]. Differences of geocentric coordinates turned into the local axes, Hofmann-Wellenhof et al., GNSS
-/// (2008), section 8.4; a = 6378137 m, 1/f = 298.257223563.
+/// geodetic [rad]. Geographic to topocentric conversion, IOGP guidance note 7-2, EPSG method 9837, without heights;
+/// a = 6378137 m, 1/f = 298.257223563.
 PlanPoint tangent_plane_point(double lat, double lon, double origin_lat, double origin_lon);
 
 /// Turns depths from the axes of a map, about its origin, into those of the model, whose north has this azimuth in the

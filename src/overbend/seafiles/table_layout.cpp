@@ -174,6 +174,7 @@ std::vector<TextRow> split_rows(const std::vector<Line>& lines, char separator) 
   std::vector<TextRow> rows;
   rows.reserve(lines.size());
   for (const Line& line : lines) {
+    if (line.number % kLinesBetweenChecks == 0) check_interruption();
     TextRow row{line.number, split_line(line.text, separator, true)};
     if (!is_empty_row(row)) rows.push_back(std::move(row));
   }

@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 
 #include "base/constants.h"
 #include "modelfile/model_texts.h"
+#include "support/rao_files.h"
 
 namespace overbend {
 namespace {
@@ -154,6 +156,25 @@ TEST(yaml_reader, vessel_motion_takes_all_its_forms) {
   const Description history = with_motion("  motion: {history: ../h.csv}");
   EXPECT_EQ(history.vessel.motion, VesselMotion::history);
   EXPECT_EQ(history.vessel.motion_file, "h.csv");
+}
+
+TEST(yaml_reader, columns_of_a_recorded_motion_are_named_by_their_titles) {
+  const std::size_t start = kGoodModel.find("  motion:"), end = kGoodModel.find('\n', start);
+  const auto read_with = [&](const std::string& motion) {
+    const testing::WrittenFile record("h.csv", "Zeit,Rollen,Wind\n0,0.01,3\n1,0.02,4\n2,0.01,4\n");
+    const std::string model = (std::filesystem::path(record.path()).parent_path() / "model.yaml").string();
+    return read_model_text(kGoodModel.substr(0, start) + motion + kGoodModel.substr(end), model);
+  };
+  const ModelReading reading =
+      read_with("  motion: {history: h.csv, columns: {Zeit: time_s, Rollen: roll_rad, Wind: unused}}");
+  ASSERT_TRUE(reading.description) << reading.diagnostics.lines(Severity::error)[0];
+  EXPECT_DOUBLE_EQ(reading.description->vessel.history->freedoms[1][3], 0.02);
+  EXPECT_NE(read_with("  motion: {history: h.csv}").diagnostics.lines(Severity::error)[0].find("motion.columns"),
+            std::string::npos);
+  const ModelReading harmonic =
+      read_with("  motion: {harmonic: {heave: {amplitude: 1 m, period: 8 s}}, columns: {Zeit: time_s}}");
+  ASSERT_TRUE(harmonic.description);
+  EXPECT_TRUE(has_code(harmonic.description->findings, FindingCode::unused_input));
 }
 
 TEST(yaml_reader, a_stored_text_is_read_without_the_files_that_it_names) {

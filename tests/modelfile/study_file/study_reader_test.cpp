@@ -201,6 +201,16 @@ TEST(study_reader, operability_reads_its_criterion_and_resolution) {
                   "the key of an axis"));
 }
 
+TEST(study_reader, mean_periods_of_a_scatter_diagram_become_peak_periods_of_the_base_model) {
+  const std::string text =
+      "analysis: dynamic\naxes: [{key: environment.waves.hs, values: [0.5 m, 3 m]}]\n"
+      "operability: {scatter: seas.csv, scatter_period: tz}\n";
+  const StudyDescription study = read_valid_study(text);
+  ASSERT_TRUE(study.operability && study.operability->scatter);
+  EXPECT_GT(study.operability->scatter->seas[0].tp, 1.2 * 5.0);
+  EXPECT_NE(study.operability->scatter->remark.find("Tz"), std::string::npos);
+}
+
 TEST(study_reader, limits_are_found_to_a_quarter_metre_or_a_hundredth_of_the_range) {
   EXPECT_EQ(read_valid_study("axes: [{key: environment.water_depth, values: [15 m, 30 m]}]\n"
                              "operability: {over: environment.water_depth}\n")

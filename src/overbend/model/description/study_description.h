@@ -59,7 +59,7 @@ struct ScatterDiagram {
     double hs_width = 0.0;         ///< Height of the cell [m].
   };
   std::vector<Sea> seas;
-  std::string remark = {};  ///< How the file was read: periods, values, conversion to Tp; empty for a plain file.
+  std::string remark = {};  ///< Interpretation of the file: periods, values, conversion to Tp; empty for a plain file.
 };
 
 /// Maximum value of one axis that satisfies a criterion, for every combination of the other axes.

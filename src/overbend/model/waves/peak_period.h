@@ -6,7 +6,8 @@
 namespace overbend {
 
 /// Returns Tp / Tz of the JONSWAP spectrum with this peak enhancement over all frequencies, where
-/// Tz = 2 pi sqrt(m0 / m2): 1.4077 for gamma 1 (Pierson-Moskowitz), 1.2863 for gamma 3.3.
+/// Tz = 2 pi sqrt(m0 / m2), by integration of its density [dnvc205]: 1.4077 for gamma 1 (Pierson-Moskowitz), 1.2863 for
+/// gamma 3.3.
 double tp_over_tz(double gamma);
 
 /// Returns the peak period [s] of a JONSWAP sea with significant height `hs` [m] and zero up-crossing period `tz` [s].

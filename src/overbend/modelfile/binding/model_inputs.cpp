@@ -12,10 +12,22 @@
 namespace overbend {
 namespace {
 
-/// Keys without effect on the static equilibrium of a lay with a held vessel.
-constexpr std::array kExcludedKeys = {
-    "overbend", "analysis", "environment.waves", "seek",          "sensitivities", "moorings",
-    "lines",    "bodies",   "station_keeping",   "vessel.motion", "vessel.loads",  "vessel.hydrostatics"};
+/// Keys without effect on the static equilibrium of a lay with a held vessel, and the position of a bathymetry, whose
+/// depths are read once.
+constexpr std::array kExcludedKeys = {"overbend",
+                                      "analysis",
+                                      "environment.waves",
+                                      "environment.seabed.bathymetry_origin",
+                                      "environment.seabed.bathymetry_midship",
+                                      "seek",
+                                      "sensitivities",
+                                      "moorings",
+                                      "lines",
+                                      "bodies",
+                                      "station_keeping",
+                                      "vessel.motion",
+                                      "vessel.loads",
+                                      "vessel.hydrostatics"};
 
 /// Keys without effect on a lay whose stinger is held at its equilibrium angle, below the stinger or one of its
 /// sections.

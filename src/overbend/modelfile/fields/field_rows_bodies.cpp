@@ -40,7 +40,7 @@ std::vector<Field> as_of_vessel(const std::vector<Field>& rows) {
     if (!below_another) row.member = through(&Body::hull, row.member);
     if (const std::optional<double> size = default_size(row.path)) row.member.standard = *size;
     if (row.path == kBody + ".motion" && row.kind == FieldKind::map) {
-      row.text = "Source of the motion: one of raos, history, harmonic; with convention if needed.";
+      row.text = "Source of the motion: one of raos, history, harmonic; with convention and columns if needed.";
     }
     shared.push_back(std::move(row));
   }
