@@ -1,6 +1,7 @@
 /// The program's import of OrcaFlex files, as a user runs it: import, then solve.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -90,6 +91,10 @@ TEST(import_command, of_a_lay_gives_the_top_tension_of_the_reference) {
   ASSERT_EQ(run_program("import " + reference_case("slay-simple.yml") + " -o " + model).code, 0);
   const Json ours = statics(scratch, model, "out");
   EXPECT_NEAR(ours.at("top_tension").get<double>(), 224998.53867170805, 0.3);
+  // The file has no yield stress.
+  const Json& findings = ours.at("findings");
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
+                          [](const Json& finding) { return finding.at("code") == "yield-assumed"; }));
 }
 
 TEST(import_command, never_overwrites_unasked_and_takes_a_yield_stress) {
@@ -102,6 +107,7 @@ TEST(import_command, never_overwrites_unasked_and_takes_a_yield_stress) {
   EXPECT_EQ(scratch.read("model.yaml"), "mine");
   ASSERT_EQ(run_program(command + " --force --yield '450 MPa'").code, 0);
   EXPECT_NE(scratch.read("model.yaml").find("yield_stress: 450 MPa"), std::string::npos);
+  EXPECT_EQ(scratch.read("model.yaml").find("yield_assumed"), std::string::npos);
   EXPECT_EQ(run_program(command + " --force --yield '450 m'").code, 2);
 }
 

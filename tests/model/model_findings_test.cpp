@@ -50,6 +50,18 @@ TEST(model_findings, raos_that_disagree_with_long_waves_are_reported) {
   EXPECT_TRUE(says(d, "check the conventions (vessel.motion.convention)"));
 }
 
+TEST(model_findings, an_assumed_yield_stress_reserves_the_verdict) {
+  Description d = first_model();
+  EXPECT_FALSE(has_code(model_findings(build_model(d)), FindingCode::yield_assumed));
+  d.pipe.segments.push_back({"thick", 20.0, d.pipe.section});
+  d.pipe.segments.back().section.steel.yield_assumed = true;
+  d.pipe.segments.back().section.steel.yield_stress = 415e6;
+  const Findings findings = serious_findings(model_findings(build_model(d)));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].object, "segment thick");
+  EXPECT_NE(findings[0].message.find("assumption, 415 MPa"), std::string::npos) << findings[0].message;
+}
+
 TEST(model_findings, a_mooring_line_that_is_to_be_pulled_beyond_its_strength_is_reported) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
   const std::string message = "is more than its breaking load";

@@ -240,6 +240,10 @@ constexpr std::array kKinds = {
     FindingKind{tensioner_never_moves, "tensioner-never-moves", kSerious,
                 "A controlled tensioner has no velocity: in dynamic analysis it is a locked brake.",
                 "Give `tensioner.velocity`, or choose `mode: locked` or `constant`."},
+    FindingKind{yield_assumed, "yield-assumed", kSerious,
+                "The yield stress of the steel is an assumption: comparisons of stress, strain and moment with it mean "
+                "nothing.",
+                "Give `pipe.steel.yield_stress` of the pipe and remove `yield_assumed`."},
     FindingKind{
         tensioner_mode_assumed, "tensioner-mode-assumed", kCaution,
         "Neither mode nor range of the tensioner is given: in dynamic analysis it keeps the set tension, an ideal "

@@ -104,6 +104,7 @@ enum class FindingCode {
   pipe_end_past_first_box,
   nothing_moves,
   tensioner_never_moves,
+  yield_assumed,
   tensioner_mode_assumed,
   tensioner_locked_in_move,
   tensioner_slower_than_vessel,

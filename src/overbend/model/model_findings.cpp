@@ -1,8 +1,10 @@
 #include "model/model_findings.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/shown_unit.h"
 #include "model/vessel/rao_limits.h"
@@ -60,6 +62,26 @@ void warn_of_breaking_lines(Findings& findings, const MooringsDescription& moori
   }
 }
 
+/// Reports the sections whose yield stress is assumed, in one finding: their checks mean nothing.
+void report_assumed_yield(Findings& findings, const PipeDescription& pipe) {
+  std::vector<std::string> names;
+  double min_yield = HUGE_VAL;
+  const auto note = [&](const std::string& name, const SteelDescription& steel) {
+    if (!steel.yield_assumed) return;
+    names.push_back(name);
+    min_yield = std::min(min_yield, steel.yield_stress);
+  };
+  note("pipe", pipe.section.steel);
+  for (const SegmentDescription& segment : pipe.segments) note("segment " + segment.name, segment.section.steel);
+  if (names.empty()) return;
+  findings.push_back(Finding{FindingCode::yield_assumed,
+                             fmt::format("the yield stress of {} is an assumption, {}: its checks of stress, strain "
+                                         "and moment mean nothing until pipe.steel.yield_stress is that of the steel",
+                                         fmt::join(names, ", "), shown_digits(min_yield, "N/m^2", 4))}
+                         .on(names.front())
+                         .with("yield_stress", min_yield, "N/m^2"));
+}
+
 }  // namespace
 
 Findings model_findings(const Model& model) {
@@ -70,6 +92,7 @@ Findings model_findings(const Model& model) {
         long_wave_limits(*d.vessel.raos, d.vessel.length, d.vessel.draught, d.environment.water_depth);
     append(findings, limit_findings(limits));
   }
+  if (d.has_pipe) report_assumed_yield(findings, d.pipe);
   if (d.moorings) warn_of_breaking_lines(findings, *d.moorings);
   if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !has_moving_equipment(d)) {
     findings.push_back({FindingCode::nothing_moves,

@@ -11,18 +11,21 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 constexpr double kAssumedYield = 415e6;  ///< Yield stress if neither file nor user gives one [Pa].
 
-std::string steel_text(Translation& translation, const LineType& type, const std::string& indent) {
+/// A segment inherits missing keys from the main section.
+std::string steel_text(Translation& translation, const LineType& type, const std::string& indent,
+                       bool is_segment = false) {
+  const bool is_assumed = !type.yield_stress && !translation.options.yield_stress;
   const double yield = type.yield_stress.value_or(translation.options.yield_stress.value_or(kAssumedYield));
   std::string text = fmt::format(
       "{}steel: {{outside_diameter: {} mm, wall_thickness: {} mm, youngs_modulus: {} GPa, poissons_ratio: {}, "
-      "yield_stress: {} MPa, weight_density: {} kN/m^3}}",
+      "yield_stress: {} MPa{}, weight_density: {} kN/m^3}}\n",
       indent, number_text(type.outside_diameter * 1e3),
       number_text((type.outside_diameter - type.inside_diameter) * 500.0), number_text(type.youngs_modulus / 1e9),
       number_text(type.poissons_ratio), number_text(yield / 1e6),
+      is_assumed   ? ", yield_assumed: yes"
+      : is_segment ? ", yield_assumed: no"
+                   : "",
       number_text(type.density * translation.units.gravity / 1e3));
-  const bool is_assumed = !type.yield_stress && !translation.options.yield_stress;
-  if (is_assumed) text += "  # yield_stress is not in the file";
-  text += "\n";
   if (type.coating > 0.0) {
     text += fmt::format("{}coatings:\n{}  - {{name: coating, thickness: {} mm, weight_density: {} kN/m^3}}\n", indent,
                         indent, number_text(type.coating * 1e3),
@@ -58,8 +61,7 @@ std::string segments_text(Translation& translation, const Line& line) {
   for (std::size_t i = 0; i + 1 < line.pieces.size(); ++i) {
     const Piece& piece = line.pieces[i];
     text += fmt::format("    - name: {}\n      length: {} m\n", name_text(piece.type->name), number_text(piece.length));
-    text += steel_text(translation, *piece.type, "      ");
-    // A segment inherits missing keys from the main section.
+    text += steel_text(translation, *piece.type, "      ", true);
     if (piece.type->coating == 0.0) text += "      coatings: []\n";
     text += contents_text(translation, line, *piece.type, "      ", true) + hydrodynamics_text(*piece.type, "      ");
   }
@@ -124,8 +126,8 @@ std::string pipe_text(Translation& translation) {
                      hydrodynamics_text(main, "  ") + segments_text(translation, *line);
   if (!main.yield_stress && !translation.options.yield_stress) {
     translation.left_out(
-        "yield stress of the steel: the file has none, the model has 415 MPa; code checks mean nothing until it is "
-        "given");
+        "yield stress of the steel: the file has none, the model has 415 MPa and says so (yield_assumed); code checks "
+        "mean nothing until it is given");
   }
   translation.left_out("segment lengths: the program meshes by itself");
   if (line->ends[0].kind == LineEnd::Kind::free) return text + "\n";

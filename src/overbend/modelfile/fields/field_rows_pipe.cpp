@@ -48,6 +48,11 @@ std::vector<Field> section(const std::string& p) {
        .required = true,
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 100e6, .high = 2000e6}},
+      {.path = p + ".steel.yield_assumed",
+       .member = defaults(&SteelDescription::yield_assumed),
+       .kind = FieldKind::choice,
+       .text = "yes: yield_stress is an assumption, as after an import of a file without one. Stresses and strains are "
+               "compared with it, and the verdict is reserved."},
       {.path = p + ".steel.tensile_strength",
        .member = fills(&SteelDescription::tensile_strength),
        .kind = FieldKind::quantity,
