@@ -92,9 +92,19 @@ TEST(import_command, of_a_lay_gives_the_top_tension_of_the_reference) {
   const Json ours = statics(scratch, model, "out");
   EXPECT_NEAR(ours.at("top_tension").get<double>(), 224998.53867170805, 0.3);
   // The file has no yield stress.
-  const Json& findings = ours.at("findings");
+  const Json findings = read_json(scratch.read("out/summary.json")).at("findings");
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
                           [](const Json& finding) { return finding.at("code") == "yield-assumed"; }));
+}
+
+TEST(import_command, of_supports_along_a_path_lays_the_pipe_at_its_radius) {
+  const Scratch scratch;
+  const std::string model = scratch.file("model.yaml");
+  ASSERT_EQ(run_program("import " + reference_case("stinger-shape.yml") + " -o " + model).code, 0);
+  const Json ours = statics(scratch, model, "out");
+  // Radius of the path, offset of the supports, radius of their cylinders.
+  EXPECT_NEAR(ours.at("stinger_fitted_radius").get<double>(), 150.0 + 1.0 + 0.2, 1e-6);
+  EXPECT_GT(ours.at("bottom_tension").get<double>(), 0.0);
 }
 
 TEST(import_command, never_overwrites_unasked_and_takes_a_yield_stress) {
