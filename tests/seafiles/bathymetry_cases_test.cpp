@@ -81,14 +81,14 @@ TEST(bathymetry_cases, soundings_by_tabs) {
 
 TEST(bathymetry_cases, an_esri_grid_with_oblong_cells_and_nan) {
   const std::string messages = expect_depths("esri-dx-dy-nan.asc", {}, kSurface, 0.002);
-  expect_part(messages, "8 cells without data are left out");
+  expect_part(messages, "left out: 8 cells without data");
 }
 
 TEST(bathymetry_cases, a_grid_of_gebco_in_degrees) {
   const std::string messages =
       expect_depths("gebco-like.nc", {.origin = geographic(58.25, 3.125)},
                     {{0.0, 0.0, 118.0}, {1500.0, -900.0, 140.8}, {-2600.0, 2200.0, 74.0}}, 0.6);
-  expect_part(messages, "cells of land are left out");
+  expect_part(messages, "cells of land; the seabed there continues");
   expect_part(messages, "the plane that touches the ellipsoid of WGS 84 at latitude 58.25, longitude 3.125");
   expect_part(reading_error("beds/gebco-like.nc"),
               "coordinates in degrees, expected environment.seabed.bathymetry_origin");
@@ -108,7 +108,7 @@ TEST(bathymetry_cases, a_key_states_what_values_of_both_signs_are) {
   const auto heights = read_table(text, diagnostics, {.values = BathymetryValues::elevation});
   ASSERT_TRUE(heights) << testing::all_messages(diagnostics);
   EXPECT_EQ(heights->depth, (std::vector<double>{50, 60, 50}));
-  expect_part(testing::all_messages(diagnostics), "1 points of land are left out");
+  expect_part(testing::all_messages(diagnostics), "left out: 1 point of land");
   Diagnostics none;
   const auto depths =
       read_table(testing::case_text("bad/xyz-mixed-signs.xyz"), none, {.values = BathymetryValues::depth});
@@ -149,7 +149,7 @@ TEST(bathymetry_cases, longitude_and_latitude_need_an_origin_in_degrees) {
   ASSERT_TRUE(bed) << testing::all_messages(placed);
   EXPECT_EQ(bed->depth.size(), 3U);
   EXPECT_NEAR(bed->north[1], 1114.1, 0.5);
-  expect_part(testing::all_messages(placed), "1 points more than 50 km away are left out");
+  expect_part(testing::all_messages(placed), "left out: 1 point more than 50 km away");
   Diagnostics metres;
   EXPECT_FALSE(read_table("x,y,z\n512340,5934120,60\n512360,5934120,61\n512340,5934140,62\n", metres,
                           {.origin = geographic(58.25, 3.125)}));

@@ -12,6 +12,9 @@ namespace overbend {
 /// Largest number of cells of a grid.
 inline constexpr double kMaxBathymetryCells = 4'000'000;
 
+/// End of the notice on land that is left out.
+inline constexpr const char* kLand = "of land; the seabed there continues from the nearest depths";
+
 enum class MapUnit {
   unstated,  ///< Metres, or degrees if the origin of the model is given in degrees.
   metres,
@@ -30,6 +33,8 @@ class BathymetryMessages {
   BathymetryMessages(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
   void error(int line, std::string key, std::string found, std::string expected, std::string hint = {});
   void notice(std::string message);
+  /// Reports what was left out, nothing if the count is 0: "left out: 8 cells without data".
+  void left_out(std::size_t count, const std::string& noun, const std::string& rest);
   bool good() const { return good_; }
   const std::string& path() const { return path_; }
   Diagnostics& diagnostics() { return diagnostics_; }

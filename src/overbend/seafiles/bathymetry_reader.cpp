@@ -115,8 +115,8 @@ void project(Bathymetry& depths, const MapOrigin& origin, BathymetryMessages& me
   const std::size_t far = depths.depth.size() - near.depth.size();
   messages.notice("degrees converted to metres in the plane that touches the ellipsoid of WGS 84 at latitude " +
                   format_number(*origin.lat * kToDegrees, 8) + ", longitude " +
-                  format_number(*origin.lon * kToDegrees, 8) +
-                  (far > 0 ? "; " + std::to_string(far) + " points more than 50 km away are left out" : ""));
+                  format_number(*origin.lon * kToDegrees, 8));
+  messages.left_out(far, "point", "more than 50 km away");
   if (near.depth.size() < 3) {
     return messages.error(0, "", std::to_string(near.depth.size()) + " depths within 50 km of the origin",
                           "a bathymetry around environment.seabed.bathymetry_origin");
@@ -190,6 +190,10 @@ void BathymetryMessages::error(int line, std::string key, std::string found, std
 
 void BathymetryMessages::notice(std::string message) {
   add_notice(diagnostics_, path_, 0, std::move(message));
+}
+
+void BathymetryMessages::left_out(std::size_t count, const std::string& noun, const std::string& rest) {
+  if (count > 0) notice("left out: " + std::to_string(count) + " " + noun + (count > 1 ? "s " : " ") + rest);
 }
 
 void check_bathymetry_depth(double depth, int line, BathymetryMessages& messages) {

@@ -167,7 +167,7 @@ std::optional<BathymetryFile> read_esri_grid(const std::string& text, std::optio
     if (messages.good()) check_bathymetry_depth(depth, 0, messages);
   }
   const std::size_t missing = cells.size() - file.depths.depth.size();
-  if (missing > 0) messages.notice(std::to_string(missing) + " cells without data are left out");
+  messages.left_out(missing, "cell", "without data");
   if (heights) messages.notice("its values are heights, negative below the mean water level");
   return file;
 }

@@ -100,11 +100,8 @@ void add_cells(const Grid& grid, bool heights, BathymetryFile& file, BathymetryM
       file.depths.depth.push_back(depth);
     }
   }
-  if (missing > 0) messages.notice(std::to_string(missing) + " cells without data are left out");
-  if (land > 0) {
-    messages.notice(std::to_string(land) +
-                    " cells of land are left out; the seabed there continues from the nearest depths");
-  }
+  messages.left_out(missing, "cell", "without data");
+  messages.left_out(land, "cell", kLand);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class SoundingsReader {
     }
     if (!messages_.good()) return std::nullopt;
     settle_signs();
-    if (missing_ > 0) messages_.notice(std::to_string(missing_) + " rows without a value are left out");
+    messages_.left_out(missing_, "row", "without a value");
     return messages_.good() ? std::optional(std::move(file_)) : std::nullopt;
   }
 
@@ -189,9 +189,7 @@ class SoundingsReader {
       water.depth.push_back(file_.depths.depth[i]);
     }
     const std::size_t land = file_.depths.depth.size() - water.depth.size();
-    if (land == 0) return;
-    messages_.notice(std::to_string(land) +
-                     " points of land are left out; the seabed there continues from the nearest depths");
+    messages_.left_out(land, "point", kLand);
     file_.depths = std::move(water);
   }
 
