@@ -24,6 +24,7 @@ double deep_wavenumber(double omega) {
 double written(WaveColumn column, double omega) {
   if (column == WaveColumn::periods) return kTurn / omega;
   if (column == WaveColumn::rad_per_s) return omega;
+  if (column == WaveColumn::hz) return omega / kTurn;
   // The files' gravity, 9.81 m/s2, is not that of the wave theory.
   const double slower = omega * std::sqrt(9.80665 / 9.81);
   return column == WaveColumn::wavenumbers ? linear_wave_number(slower, kDepth) : deep_wavenumber(omega);
@@ -62,7 +63,8 @@ HydrodynamicsSource make_source(const std::string& stem) {
 
 TEST(wave_column, each_kind_gives_the_same_coefficients) {
   const HydrodynamicData& given = testing::bgl1_data();
-  for (const WaveColumn column : {WaveColumn::rad_per_s, WaveColumn::deep_wavenumbers, WaveColumn::wavenumbers}) {
+  for (const WaveColumn column :
+       {WaveColumn::rad_per_s, WaveColumn::hz, WaveColumn::deep_wavenumbers, WaveColumn::wavenumbers}) {
     HydrodynamicsSource source = make_source(rewritten_files(column));
     source.frequencies = column;
     Diagnostics diagnostics;
@@ -83,7 +85,7 @@ TEST(wave_column, each_kind_gives_the_same_coefficients) {
 }
 
 TEST(wave_column, frequencies_that_are_not_said_to_be_some_are_rejected) {
-  for (const WaveColumn column : {WaveColumn::rad_per_s, WaveColumn::deep_wavenumbers}) {
+  for (const WaveColumn column : {WaveColumn::rad_per_s, WaveColumn::hz, WaveColumn::deep_wavenumbers}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_hydrodynamics(make_source(rewritten_files(column)), diagnostics));
     ASSERT_TRUE(diagnostics.has_errors());

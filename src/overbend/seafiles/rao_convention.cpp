@@ -45,7 +45,7 @@ const std::vector<ConventionKey>& convention_keys() {
        "steepness (height over length).",
        {"deg_per_m", "rad_per_m", "per_slope", "rad_per_steepness", "deg_per_steepness"}},
       {"frequencies",
-       "First column of a WAMIT file, set by IPEROUT: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) or "
+       "First column of a WAMIT file, set by IPEROUT: periods, rad_per_s, hz, deep_wavenumbers (omega^2 L/g) or "
        "wavenumbers (k L).",
        enum_names<WaveColumn>()},
       {"positive.surge", "Positive surge.", {"forward", "aft"}},

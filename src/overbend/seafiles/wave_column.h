@@ -14,13 +14,14 @@ namespace overbend {
 enum class WaveColumn {
   periods,           ///< [s]; 0: infinite frequency, -1: zero frequency.
   rad_per_s,         ///< 0: zero frequency, -1: infinite frequency, also below.
+  hz,                ///< Cycles per second.
   deep_wavenumbers,  ///< omega^2 L / g.
   wavenumbers        ///< k L in the water depth.
 };
 
 template <>
 inline constexpr std::array kEnumNames<WaveColumn> = {
-    Word{WaveColumn::periods, "periods"}, Word{WaveColumn::rad_per_s, "rad_per_s"},
+    Word{WaveColumn::periods, "periods"}, Word{WaveColumn::rad_per_s, "rad_per_s"}, Word{WaveColumn::hz, "hz"},
     Word{WaveColumn::deep_wavenumbers, "deep_wavenumbers"}, Word{WaveColumn::wavenumbers, "wavenumbers"}};
 
 /// Settings for reading the column.
