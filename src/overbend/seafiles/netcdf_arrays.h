@@ -49,6 +49,7 @@ class NetcdfFile {
   /// Throws std::runtime_error if the file cannot be read.
   explicit NetcdfFile(const std::string& path);
 
+  /// True if a variable of this name exists; those in groups of an HDF5 file are named "body1/properties/cg".
   bool has(const std::string& name) const { return contents_.contains(name); }
   /// Returns a variable of real numbers; nothing if there is none. Throws std::runtime_error if it is damaged.
   std::optional<NetcdfArray> numbers(const std::string& name) const;

@@ -175,24 +175,35 @@ herr_t keep_name(hid_t, const char* name, const H5L_info_t* link, void* names) {
   return 0;
 }
 
-NetcdfContents read_contents(hid_t file) {
+constexpr int kMaxGroupDepth = 8;
+constexpr std::size_t kMaxVariables = 100'000;
+
+/// Reads the variables of a group and of the groups in it; `path` precedes their names: "body1/properties/".
+void read_group(hid_t group, const std::string& path, int depth, NetcdfContents& contents) {
   std::vector<std::string> names;
-  if (H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name, &names) < 0) {
+  if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name, &names) < 0) {
     throw std::runtime_error("a damaged netCDF-4 file: its variables cannot be listed");
   }
-  NetcdfContents contents;
   for (const std::string& name : names) {
-    const Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
+    if (contents.size() >= kMaxVariables) throw std::runtime_error("a netCDF-4 file of too many variables");
+    const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
     NetcdfVariable variable;
     if (!object) variable.error = "cannot be opened";
-    if (object && H5Iget_type(object.get()) != H5I_DATASET) continue;
+    const H5I_type_t type = object ? H5Iget_type(object.get()) : H5I_DATASET;
+    if (type == H5I_GROUP && depth < kMaxGroupDepth) read_group(object.get(), path + name + "/", depth + 1, contents);
+    if (type != H5I_DATASET) continue;
     try {
       if (object) read_values(object.get(), variable);
     } catch (const std::runtime_error& error) {
       variable.error = error.what();
     }
-    contents.emplace(name, std::move(variable));
+    contents.emplace(path + name, std::move(variable));
   }
+}
+
+NetcdfContents read_contents(hid_t file) {
+  NetcdfContents contents;
+  read_group(file, "", 0, contents);
   return contents;
 }
 

@@ -7,8 +7,9 @@
 
 namespace overbend {
 
-/// Reads all variables of the root group. HDF5 1.10 crashes on some damaged files, so a child process reads them
-/// (base/child_work.h). Throws std::runtime_error if the file cannot be read, also if the child process crashes.
+/// Reads all variables; names of those in groups begin with the path of the group, "body1/properties/cg". HDF5 1.10
+/// crashes on some damaged files, so a child process reads them (base/child_work.h). Throws std::runtime_error if the
+/// file cannot be read, also if the child process crashes.
 NetcdfContents read_netcdf_hdf5(const std::string& path);
 
 }  // namespace overbend
