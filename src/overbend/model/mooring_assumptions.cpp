@@ -56,6 +56,9 @@ void assume_coupled(Assumptions& list, const Model& model) {
                                 "{} to the centre of gravity.",
                                 length_number(p.x()), length_number(p.y()), length_number(p.z()), shown_name("m"))});
   }
+  if (hull.data) {
+    for (const std::string& note : hull.data->notes) list.push_back({AssumptionRank::other, note});
+  }
   if (!model.current.z.empty()) list.push_back(current_assumption(hull.current));
   if (hull.wind.speed <= 0.0) {
     list.push_back({AssumptionRank::other, "There is no wind."});

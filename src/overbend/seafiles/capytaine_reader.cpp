@@ -8,20 +8,14 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/heading_table_builder.h"
+#include "seafiles/hull_file_error.h"
+#include "seafiles/hull_statements.h"
 #include "seafiles/netcdf_arrays.h"
-#include "seafiles/reference_point.h"
 
 namespace overbend {
 namespace {
 
 constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
-
-/// Error in the file; the first one ends the reading.
-struct ReadError : std::runtime_error {
-  ReadError(std::string found_, std::string expected_, std::string hint_ = {})
-      : std::runtime_error(found_), found(std::move(found_)), expected(std::move(expected_)), hint(std::move(hint_)) {}
-  std::string found, expected, hint;
-};
 
 /// A variable addressed by the names of its dimensions, independent of their order in the file.
 class Variable {
@@ -40,13 +34,13 @@ class Variable {
         counts_[static_cast<std::size_t>(found - dimensions.begin())] = array_.sizes[k];
         ++known;
       } else if (array_.sizes[k] != 1) {
-        throw ReadError("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
-                        "only " + join_items(dimensions, "and"));
+        throw HullFileError("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
+                            "only " + join_items(dimensions, "and"));
       }
       stride *= array_.sizes[k];
     }
     if (known != dimensions.size()) {
-      throw ReadError(std::to_string(known) + " of the dimensions of " + name, join_items(dimensions, "and"));
+      throw HullFileError(std::to_string(known) + " of the dimensions of " + name, join_items(dimensions, "and"));
     }
   }
   /// Returns the value at `indices`, in the order of the dimension names passed to the constructor.
@@ -54,8 +48,8 @@ class Variable {
     std::size_t place = 0, k = 0;
     for (const std::size_t index : indices) {
       if (index >= counts_[k]) {
-        throw ReadError(std::to_string(counts_[k]) + " values of " + name_ + " along " + dimensions_[k],
-                        "one for each entry of that dimension");
+        throw HullFileError(std::to_string(counts_[k]) + " values of " + name_ + " along " + dimensions_[k],
+                            "one for each entry of that dimension");
       }
       place += index * strides_[k++];
     }
@@ -72,9 +66,9 @@ class Variable {
 NetcdfArray require_numbers(const NetcdfFile& file, const std::string& name) {
   auto array = file.numbers(name);
   if (!array && file.has(name)) {
-    throw ReadError(name + " without real numbers", "a Capytaine file with complex values separated");
+    throw HullFileError(name + " without real numbers", "a Capytaine file with complex values separated");
   }
-  if (!array) throw ReadError("no variable " + name, "a Capytaine file with this variable");
+  if (!array) throw HullFileError("no variable " + name, "a Capytaine file with this variable");
   return *array;
 }
 
@@ -91,12 +85,12 @@ std::vector<int> read_modes(const NetcdfFile& file, const std::string& name) {
     const auto found = std::find(std::begin(kModes), std::end(kModes), plain);
     const int mode = static_cast<int>(found - std::begin(kModes));
     if (found == std::end(kModes) || std::find(modes.begin(), modes.end(), mode) != modes.end()) {
-      throw ReadError("'" + for_display(word) + "' in " + name, "surge to yaw of one body, each once");
+      throw HullFileError("'" + for_display(word) + "' in " + name, "surge to yaw of one body, each once");
     }
     modes.push_back(mode);
   }
   if (modes.empty()) {
-    throw ReadError("no text in " + name, "names of degrees of freedom");
+    throw HullFileError("no text in " + name, "names of degrees of freedom");
   }
   return modes;
 }
@@ -104,12 +98,10 @@ std::vector<int> read_modes(const NetcdfFile& file, const std::string& name) {
 void check_constant(const NetcdfFile& file, const std::string& name, double expected) {
   const auto array = file.numbers(name);
   if (array && array->values.size() == 1 && std::abs(array->values[0] / expected - 1.0) > 1e-3) {
-    throw ReadError(name + " = " + format_number(array->values[0]), "that of the model, " + format_number(expected));
+    throw HullFileError(name + " = " + format_number(array->values[0]),
+                        "that of the model, " + format_number(expected));
   }
 }
-
-constexpr double kSameDepth = 0.05, kSameMass = 0.02;  // relative
-constexpr double kSamePoint = 0.05;                    // [m]
 
 /// Returns a variable that holds a single number.
 std::optional<double> single(const NetcdfFile& file, const std::string& name) {
@@ -142,77 +134,49 @@ class CapytaineReader {
     data_.origin_V = source_.origin_V;
     data_.water_density = source_.water_density;
     data_.gravity = source_.gravity;
-    check_condition();
+    read_statements();
     read_radiation();
     read_excitation();
-    read_hydrostatics();
-    refer_to_centre_of_gravity();
+    const bool stiffness = file_.has("hydrostatic_stiffness");
+    if (stiffness) read_hydrostatics();
+    check_same_frequencies(data_, source_.path, source_.path, diagnostics_);
+    complete_hull(data_, statements_, source_, diagnostics_);
+    if (!stiffness) use_stated_stiffness(data_, source_);
     return std::move(data_);
   }
 
  private:
-  /// Checks forward speed, water depth and mass of the file against the model.
-  void check_condition() {
+  /// Checks the forward speed, and collects the statements about the hull.
+  void read_statements() {
     if (const auto speed = single(file_, "forward_speed"); speed && std::abs(*speed) > 1e-6) {
-      throw ReadError("forward_speed = " + format_number(*speed) + " m/s", "a hull without forward speed");
+      throw HullFileError("forward_speed = " + format_number(*speed) + " m/s", "a hull without forward speed");
     }
-    const auto depth = single(file_, "water_depth");
-    if (depth && source_.water_depth > 0.0 && !deep(*depth, source_.water_depth) &&
-        std::abs(*depth / source_.water_depth - 1.0) > kSameDepth) {
-      warn("the file is for a water depth of " + format_number(*depth) + " m, the model has " +
-           format_number(source_.water_depth) + " m; the response to long waves depends on the depth");
+    statements_.water_depth = single(file_, "water_depth");
+    statements_.mass = mass();
+    const auto rotation = point(file_, "rotation_center"), centre = point(file_, "center_of_mass");
+    if (centre) {
+      statements_.centre_of_gravity = source_.file_origin + *centre;
+      statements_.centre_in_file =
+          "center_of_mass " + point_text(*centre) + (rotation ? " and rotation_center " + point_text(*rotation) : "");
     }
-    check_mass();
+    if (rotation) {
+      statements_.reference = source_.file_origin + *rotation;
+      statements_.wave_origin = source_.file_origin;
+    } else if (stated_reference(source_)) {
+      statements_.wave_origin = source_.file_origin;
+    }
   }
 
-  void check_mass() {
+  std::optional<double> mass() const {
     const auto heave = std::find(influenced_.begin(), influenced_.end(), 2);
-    if (source_.mass <= 0.0 || heave == influenced_.end() || !file_.numbers("inertia_matrix")) return;
+    const auto radiating = std::find(radiating_.begin(), radiating_.end(), 2);
+    if (heave == influenced_.end() || radiating == radiating_.end() || !file_.numbers("inertia_matrix")) {
+      return std::nullopt;
+    }
     const Variable inertia = variable(file_, "inertia_matrix", {"influenced_dof", "radiating_dof"});
-    const auto row = static_cast<std::size_t>(heave - influenced_.begin());
-    const auto column =
-        static_cast<std::size_t>(std::find(radiating_.begin(), radiating_.end(), 2) - radiating_.begin());
-    if (column == radiating_.size()) return;
-    const double mass = inertia.at({row, column});
-    if (std::isfinite(mass) && std::abs(mass / source_.mass - 1.0) > kSameMass) {
-      warn("the file is for a mass of " + format_quantity(mass, "kg", "t") + ", the model has " +
-           format_quantity(source_.mass, "kg", "t"));
-    }
-  }
-
-  void warn(std::string remark) {
-    diagnostics_.add({Severity::warning, source_.path, 0, 0, "", std::move(remark), "", ""});
-  }
-
-  /// True if the longest waves of a sea are deep-water waves in both depths [m].
-  static bool deep(double a, double b) {
-    constexpr double kMinFrequency = 2.0 * kPi / 20.0;  // [rad/s]
-    return std::min(a, b) * kMinFrequency * kMinFrequency / 9.81 > kPi;
-  }
-
-  /// Moves coefficients from the file's rotation centre to the centre of gravity of the model. The stiffness includes
-  /// the weight at the file's centre of mass, which therefore must be the model's.
-  void refer_to_centre_of_gravity() {
-    const auto rotation = point(file_, "rotation_center"), mass = point(file_, "center_of_mass");
-    const Vec3& gravity = source_.origin_V;
-    if (mass && (source_.file_origin + *mass - gravity).norm() > kSamePoint) {
-      throw ReadError(
-          "center_of_mass " + point_text(*mass) + (rotation ? " and rotation_center " + point_text(*rotation) : "") +
-              " in the axes of the file, whose origin is at " + point_text(source_.file_origin) + " of the vessel",
-          "the model's centre_of_gravity, " + point_text(gravity) +
-              ": the file's stiffness includes the weight at this point",
-          "if the axes of the file have another origin, set convention.file_origin");
-    }
-    if (!rotation && !source_.reference) return;
-    const Vec3 reference = source_.reference ? *source_.reference : Vec3(source_.file_origin + *rotation);
-    if ((reference - gravity).norm() < kSamePoint && (gravity - source_.file_origin).head<2>().norm() < kSamePoint) {
-      return;
-    }
-    move_coefficients(data_, {reference, source_.file_origin}, source_.water_depth);
-  }
-
-  static std::string point_text(const Vec3& p) {
-    return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ") m";
+    const double mass = inertia.at({static_cast<std::size_t>(heave - influenced_.begin()),
+                                    static_cast<std::size_t>(radiating - radiating_.begin())});
+    return std::isfinite(mass) && mass > 0.0 ? std::optional(mass) : std::nullopt;
   }
 
   void read_radiation() {
@@ -231,14 +195,14 @@ class CapytaineReader {
       sort_in(point);
     }
     if (data_.radiation.size() < 4) {
-      throw ReadError(std::to_string(data_.radiation.size()) + " finite frequencies", "four or more");
+      throw HullFileError(std::to_string(data_.radiation.size()) + " finite frequencies", "four or more");
     }
     std::sort(data_.radiation.begin(), data_.radiation.end(),
               [](const RadiationPoint& a, const RadiationPoint& b) { return a.omega < b.omega; });
     for (std::size_t k = 1; k < data_.radiation.size(); ++k) {
       const double before = data_.radiation[k - 1].omega, omega = data_.radiation[k].omega;
       if (omega - before < 1e-5 * omega) {
-        throw ReadError("omega " + format_number(omega, 9) + " twice", "each frequency once");
+        throw HullFileError("omega " + format_number(omega, 9) + " twice", "each frequency once");
       }
     }
   }
@@ -253,10 +217,10 @@ class CapytaineReader {
     } else if (point.omega > 0.0 && point.added_mass.allFinite() && point.damping.allFinite()) {
       data_.radiation.push_back(point);
     } else if (point.omega < 0.0) {
-      throw ReadError("omega " + format_number(point.omega), "frequencies of 0 or more");
+      throw HullFileError("omega " + format_number(point.omega), "frequencies of 0 or more");
     } else {
-      throw ReadError("added mass or damping that is not finite at omega " + format_number(point.omega),
-                      "finite numbers");
+      throw HullFileError("added mass or damping that is not finite at omega " + format_number(point.omega),
+                          "finite numbers");
     }
   }
 
@@ -284,7 +248,8 @@ class CapytaineReader {
             force += std::complex<double>(part.at({0, k, b, i}), -part.at({1, k, b, i}));
           }
           if (!std::isfinite(force.real()) || !std::isfinite(force.imag())) {
-            throw ReadError("an excitation that is not finite at omega " + format_number(omega_[k]), "finite numbers");
+            throw HullFileError("an excitation that is not finite at omega " + format_number(omega_[k]),
+                                "finite numbers");
           }
           values.add(omega_[k], headings[b], influenced_[i], force);
         }
@@ -293,22 +258,21 @@ class CapytaineReader {
     std::string error;
     auto built = values.build(source_.mirror_headings, error);
     if (!built) {
-      throw ReadError(error, "one value for every pair of frequency and heading");
+      throw HullFileError(error, "one value for every pair of frequency and heading");
     }
     data_.excitation = std::move(built->table);
     data_.force = std::move(built->values);
   }
 
   void read_hydrostatics() {
-    if (!file_.has("hydrostatic_stiffness")) {
-      throw ReadError("no hydrostatic_stiffness",
-                      "a file with hydrostatics: run Capytaine with fill_dataset(..., hydrostatics=True)");
-    }
     const Variable stiffness = variable(file_, "hydrostatic_stiffness", {"influenced_dof", "radiating_dof"});
     for (std::size_t i = 0; i < influenced_.size(); ++i) {
       for (std::size_t j = 0; j < radiating_.size(); ++j) {
         data_.hydrostatic_stiffness(influenced_[i], radiating_[j]) = stiffness.at({i, j});
       }
+    }
+    if (!data_.hydrostatic_stiffness.allFinite()) {
+      throw HullFileError("a stiffness that is not finite", "finite numbers");
     }
   }
 
@@ -317,23 +281,21 @@ class CapytaineReader {
   NetcdfFile file_;
   std::vector<double> omega_;
   std::vector<int> radiating_, influenced_;
+  HullStatements statements_;
   HydrodynamicData data_;
 };
 
 }  // namespace
 
 std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  const auto reject = [&](const std::string& found, const std::string& expected, const std::string& hint = {}) {
-    diagnostics.add({Severity::error, source.path, 0, 0, "", found, expected, hint});
-    return std::nullopt;
-  };
   try {
     return CapytaineReader(source, diagnostics).read();
-  } catch (const ReadError& error) {
-    return reject(error.found, error.expected, error.hint);
+  } catch (const HullFileError& error) {
+    add_error(error, source.path, diagnostics);
   } catch (const std::runtime_error& error) {
-    return reject(error.what(), "a netCDF file from Capytaine");
+    add_error(HullFileError(error.what(), "a netCDF file from Capytaine"), source.path, diagnostics);
   }
+  return std::nullopt;
 }
 
 }  // namespace overbend

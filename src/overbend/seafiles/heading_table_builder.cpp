@@ -74,6 +74,12 @@ std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror
   }
   built.table.omega = distinct(std::move(built.table.omega), 0.0);
   built.table.heading = distinct(std::move(built.table.heading), kSameHeading);
+  constexpr std::size_t kMaxPairs = 4'000'000;
+  if (built.table.omega.size() > kMaxPairs / std::max<std::size_t>(built.table.heading.size(), 1)) {
+    error = std::to_string(built.table.omega.size()) + " periods and " + std::to_string(built.table.heading.size()) +
+            " headings, more than a table of 4 million pairs";
+    return std::nullopt;
+  }
   built.values.assign(built.table.omega.size() * built.table.heading.size(), CVec6::Zero());
   const Vec6 repeated = tolerances(kSameValue, kSameValue), alike = tolerances(kSameSide, kSameValue);
   std::vector<std::array<bool, 6>> given(built.values.size(), std::array<bool, 6>{}), mirrored = given;

@@ -30,6 +30,11 @@ void move_excitation(HydrodynamicData& data, const Mat6& motion, const Vec3& fro
 
 }  // namespace
 
+void move_matrix(Mat6& matrix, const Vec3& from, const Vec3& to) {
+  const Mat6 motion = motion_of_point(from - to);
+  matrix = (motion.transpose() * matrix * motion).eval();
+}
+
 void move_coefficients(HydrodynamicData& data, const FilePoints& from, double depth) {
   const Mat6 motion = motion_of_point(from.reference - data.origin_V);
   const auto move = [&](Mat6& matrix) { matrix = (motion.transpose() * matrix * motion).eval(); };

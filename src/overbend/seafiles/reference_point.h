@@ -16,4 +16,7 @@ struct FilePoints {
 /// The water `depth` [m] determines the wave number that shifts the phases.
 void move_coefficients(HydrodynamicData& data, const FilePoints& from, double depth);
 
+/// Transforms a matrix of force over motion (stiffness, added mass) from the reference point `from` to `to` [m].
+void move_matrix(Mat6& matrix, const Vec3& from, const Vec3& to);
+
 }  // namespace overbend

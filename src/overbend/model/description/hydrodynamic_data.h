@@ -37,6 +37,7 @@ struct HydrodynamicData {
   /// Reference point of the file's values if it differs; the values were transferred from it. Frame V [m].
   std::optional<Vec3> file_origin_V;
   double water_density = 0.0, gravity = 0.0;  ///< Used to make the values dimensional [kg/m3, m/s2].
+  std::vector<std::string> notes;             ///< Conversions, assumptions and omissions of the reader: sentences.
 
   std::vector<RadiationPoint> radiation;  ///< By ascending, finite and positive frequency.
   Mat6 added_mass_infinite = Mat6::Zero();
