@@ -50,18 +50,19 @@ class RadiationReader {
   }
 
  private:
-  bool reject(int line, std::string found, std::string expected) {
-    diagnostics_.add({Severity::error, file_, line, 0, "", std::move(found), std::move(expected), ""});
+  bool reject(int line, std::string found, std::string expected, std::string hint = {}) {
+    diagnostics_.add({Severity::error, file_, line, 0, "", std::move(found), std::move(expected), std::move(hint)});
     return false;
   }
 
   bool take(const Row& row) {
     const double omega = column_frequency(column_, row.values[0]);
     const bool finite = omega > 0.0 && std::isfinite(omega);
-    const int i = mode_index(row.values[1]), j = mode_index(row.values[2]);
+    const int i = mode_index(row.values[1], source_.body), j = mode_index(row.values[2], source_.body);
+    if (i == kOtherBody || j == kOtherBody) return true;
     if (i < 0 || j < 0) {
       return reject(row.line, format_number(row.values[1]) + " " + format_number(row.values[2]),
-                    "two modes from 1 to 6, of one body");
+                    "two modes from 1 to 6, of one body", kBodyHint);
     }
     if (finite && row.columns != 5) {
       return reject(row.line, "4 columns", "5 columns at a finite frequency: PER I J A B");
@@ -163,10 +164,12 @@ bool read_hydrostatics(const std::string& file, const HydrodynamicsSource& sourc
   }
   const double weight_density = source.water_density * source.gravity;
   for (const Row& row : table->rows) {
-    const int i = mode_index(row.values[0]), j = mode_index(row.values[1]);
+    const int i = mode_index(row.values[0], source.body), j = mode_index(row.values[1], source.body);
+    if (i == kOtherBody || j == kOtherBody) continue;
     if (i < 0 || j < 0) {
       diagnostics.add({Severity::error, file, row.line, 0, "",
-                       format_number(row.values[0]) + " " + format_number(row.values[1]), "two modes from 1 to 6", ""});
+                       format_number(row.values[0]) + " " + format_number(row.values[1]), "two modes from 1 to 6",
+                       kBodyHint});
       return false;
     }
     data.hydrostatic_stiffness(i, j) = weight_density * length_power(source.length_scale, 2, i, j) * row.values[2];

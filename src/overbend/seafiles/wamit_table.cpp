@@ -67,9 +67,13 @@ std::vector<double> first_column(const Table& table) {
   return values;
 }
 
-int mode_index(double number) {
-  const int mode = number >= 1.0 && number <= 6.0 ? static_cast<int>(number) : 0;
-  return static_cast<double>(mode) == number ? mode - 1 : -1;
+int mode_index(double number, const std::optional<int>& body) {
+  constexpr double kMaxMode = 600.0;
+  const int mode = number >= 1.0 && number <= kMaxMode ? static_cast<int>(number) : 0;
+  if (mode == 0 || static_cast<double>(mode) != number) return -1;
+  const int local = mode - 6 * (body.value_or(1) - 1);
+  if (local >= 1 && local <= 6) return local - 1;
+  return body ? kOtherBody : -1;
 }
 
 }  // namespace overbend::wamit

@@ -31,7 +31,10 @@ std::optional<Table> read_table(const std::string& file, std::size_t min_columns
 /// Returns the values of the first column.
 std::vector<double> first_column(const Table& table);
 
-/// Returns the index 0 (surge) to 5 (yaw) of a mode from 1 to 6; -1 for another number.
-int mode_index(double number);
+/// Returns the index 0 (surge) to 5 (yaw) of a mode from 1 to 6; -1 for another number. With `body`, modes from 7 on
+/// are those of the following bodies: returns kOtherBody for those of another one.
+int mode_index(double number, const std::optional<int>& body);
+inline constexpr int kOtherBody = -2;
+inline constexpr const char* kBodyHint = "vessel.motion.coupled.convention.body selects one of several bodies";
 
 }  // namespace overbend::wamit

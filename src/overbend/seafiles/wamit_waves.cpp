@@ -11,8 +11,9 @@
 namespace overbend::wamit {
 namespace {
 
-bool reject(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics) {
-  diagnostics.add({Severity::error, file, line, 0, "", std::move(found), std::move(expected), ""});
+bool reject(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics,
+            std::string hint = {}) {
+  diagnostics.add({Severity::error, file, line, 0, "", std::move(found), std::move(expected), std::move(hint)});
   return false;
 }
 
@@ -28,9 +29,9 @@ bool check_row(const Table& table, const Row& row, std::size_t mode_column, cons
                     diagnostics);
     }
   }
-  if (mode_index(std::abs(row.values[mode_column])) < 0) {
+  if (mode_index(std::abs(row.values[mode_column]), source.body) == -1) {
     return reject(table.file, row.line, "the mode " + format_number(row.values[mode_column]),
-                  "a mode from 1 to 6, of one body", diagnostics);
+                  "a mode from 1 to 6, of one body", diagnostics, kBodyHint);
   }
   return true;
 }
@@ -59,7 +60,8 @@ bool read_excitation(const std::string& file, const HydrodynamicsSource& source,
     if (!check_row(*table, row, 2, source, diagnostics)) {
       return false;
     }
-    const int mode = mode_index(std::abs(row.values[2]));
+    const int mode = mode_index(std::abs(row.values[2]), source.body);
+    if (mode == kOtherBody) continue;
     const double arm = mode > 2 ? source.length_scale : 1.0;
     values.add(column_frequency(wave_column(source), row.values[0]), row.values[1] * kDegree, mode,
                unit * arm * std::complex<double>(row.values[5], row.values[6]));
@@ -84,7 +86,7 @@ bool read_drift(const std::string& file, const HydrodynamicsSource& source, Hydr
     if (!check_row(*table, row, 3, source, diagnostics)) {
       return false;
     }
-    const int mode = mode_index(std::abs(row.values[3]));
+    const int mode = mode_index(std::abs(row.values[3]), source.body);
     const bool horizontal = mode == 0 || mode == 1 || mode == 5;
     if (!horizontal || std::abs(row.values[1] - row.values[2]) > 1e-6) {
       continue;
