@@ -52,21 +52,30 @@ constexpr double kSameLength = 0.02;
 
 class OrcaFlexReader {
  public:
-  OrcaFlexReader(std::string file, const RaoSettings& user_settings, Diagnostics& diagnostics)
-      : file_(std::move(file)), user_settings_(user_settings), diagnostics_(diagnostics) {}
+  OrcaFlexReader(std::string file, const RaoSettings& user_settings, OrcaFlexRaos kind, Diagnostics& diagnostics)
+      : file_(std::move(file)), user_settings_(user_settings), kind_(kind), diagnostics_(diagnostics) {}
+
+  bool has_table(const std::string& text) {
+    const std::optional<YamlNode> root = parse_yaml(text, file_, diagnostics_);
+    if (!root || diagnostics_.has_errors()) return false;
+    const YamlNode* draught = find_draught(*root);
+    const YamlNode* raos = draught != nullptr ? member(*draught, group_name()) : nullptr;
+    const YamlNode* list = raos != nullptr ? member(*raos, "RAOs") : nullptr;
+    return list != nullptr && !list->items.empty();
+  }
 
   RaoFile read(const std::string& text) {
     const std::optional<YamlNode> root = parse_yaml(text, file_, diagnostics_);
     if (!root || diagnostics_.has_errors()) return {};
     read_unit(*root);
-    const YamlNode* type = choose(*root, "VesselTypes", user_settings_.vessel_type, "vessel_type");
-    const YamlNode* draught = type != nullptr ? choose(*type, "Draughts", user_settings_.draught, "draught") : nullptr;
+    const YamlNode* draught = find_draught(*root);
     if (draught == nullptr) return {};
-    read_settings(*type);
-    const YamlNode* raos = member(*draught, "DisplacementRAOs");
+    read_settings(*type_);
+    const YamlNode* raos = member(*draught, group_name());
     const YamlNode* list = raos != nullptr ? member(*raos, "RAOs") : nullptr;
     if (list == nullptr || list->items.empty()) {
-      complain(draught->line, "Draughts.DisplacementRAOs.RAOs", "nothing", "a list of RAODirection with its table");
+      complain(draught->line, std::string("Draughts.") + group_name() + ".RAOs", "nothing",
+               "a list of RAODirection with its table");
       return {};
     }
     read_points(*raos);
@@ -80,11 +89,23 @@ class OrcaFlexReader {
     diagnostics_.add({Severity::error, file_, line, 0, key, found, expected, hint});
   }
 
+  const char* group_name() const {
+    return kind_ == OrcaFlexRaos::displacement ? "DisplacementRAOs"
+           : kind_ == OrcaFlexRaos::load       ? "LoadRAOs"
+                                               : "WaveDrift";
+  }
+
+  const YamlNode* find_draught(const YamlNode& root) {
+    type_ = choose(root, "VesselTypes", user_settings_.vessel_type, "vessel_type");
+    return type_ != nullptr ? choose(*type_, "Draughts", user_settings_.draught, "draught") : nullptr;
+  }
+
   /// Lengths of the file are in its unit, rotations per that unit of wave amplitude.
   void read_unit(const YamlNode& root) {
     const YamlNode* general = member(root, "General");
     if (general == nullptr) return;
-    length_unit_ = orcaflex::read_units(orcaflex::Object(*general, {file_, "General", &diagnostics_})).length;
+    units_ = orcaflex::read_units(orcaflex::Object(*general, {file_, "General", &diagnostics_}));
+    length_unit_ = units_.length;
   }
 
   /// Returns the selected item of a list of named groups, or the only item.
@@ -104,7 +125,9 @@ class OrcaFlexReader {
       if (name != nullptr && !wanted.empty() && name->text == wanted) return &item;
     }
     complain(list->line, key, wanted.empty() ? "several" : "none called '" + for_display(wanted) + "'",
-             join_choices(names), "select with vessel.motion.convention." + asked_by);
+             join_choices(names),
+             std::string("select with vessel.motion.") +
+                 (kind_ == OrcaFlexRaos::displacement ? "convention." : "coupled.convention.") + asked_by);
     return nullptr;
   }
 
@@ -122,7 +145,7 @@ class OrcaFlexReader {
   void read_settings(const YamlNode& type) {
     if (member(type, "RAOPhaseConvention") == nullptr && user_settings_.values.count("phase") == 0) {
       complain(type.line, "RAOPhaseConvention", "nothing (the key is missing)", "lags or leads",
-               "set vessel.motion.convention.phase");
+               kind_ == OrcaFlexRaos::displacement ? "set vessel.motion.convention.phase" : "");
     }
     for (const Setting& setting : settings()) {
       std::vector<std::string> known;
@@ -182,6 +205,7 @@ class OrcaFlexReader {
   }
 
   void read_rotation(const YamlNode& type) {
+    if (kind_ != OrcaFlexRaos::displacement) return read_wave_unit(type);
     const bool degrees = word(type, "RAOResponseUnits", {"degrees", "radians"}) == "degrees";
     const std::string per = word(type, "RAOWaveUnit", {"amplitude", "wave steepness", "max wave slope"});
     is_per_length_ = per == "amplitude";
@@ -193,6 +217,14 @@ class OrcaFlexReader {
       complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per, "per amplitude, or radians",
                "set vessel.motion.convention.rotation");
     }
+  }
+
+  /// Loads are per wave amplitude; the unit of rotations is of no matter to them.
+  void read_wave_unit(const YamlNode& type) {
+    content_.stated.values["rotation"] = "rad_per_m";
+    const std::string per = word(type, "RAOWaveUnit", {"amplitude", "wave steepness", "max wave slope"});
+    if (per == "amplitude" || kind_ == OrcaFlexRaos::drift) return;
+    complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "loads per " + per, "loads per amplitude");
   }
 
   static std::optional<double> scalar(const YamlNode& node) {
@@ -232,16 +264,22 @@ class OrcaFlexReader {
   }
 
   /// Returns the columns of amplitude and phase of each degree of freedom, from the key above the rows.
-  static std::array<std::array<std::size_t, 2>, 6> find_response_columns(const std::string& key, bool& complete) {
+  std::array<std::array<std::size_t, 2>, 6> find_response_columns(const std::string& key, bool& complete) const {
     constexpr std::array<const char*, 6> kTheirs = {"Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"};
     const TextTable names = split_table(key, ',');
     std::array<std::array<std::size_t, 2>, 6> columns{};
     complete = names.rows.size() == 1;
     for (std::size_t k = 0; complete && k < 6; ++k) {
       for (std::size_t part = 0; part < 2; ++part) {
-        const std::string wanted = std::string("RAO") + kTheirs[k] + (part == 0 ? "Amp" : "Phase");
+        const std::string name = std::string("RAO") + kTheirs[k];
+        const std::string wanted = name + (part == 0 ? "Amp" : "Phase");
         const auto& cells = names.rows[0].cells;
-        const auto found = std::find(cells.begin(), cells.end(), wanted);
+        auto found = std::find(cells.begin(), cells.end(), wanted);
+        // Drift has no phases: both parts are the same column.
+        if (kind_ == OrcaFlexRaos::drift) {
+          found = std::find(cells.begin(), cells.end(), name);
+          if (found == cells.end()) found = std::find(cells.begin(), cells.end(), name + "Amp");
+        }
         complete = complete && found != cells.end();
         columns[k][part] = static_cast<std::size_t>(found - cells.begin());
       }
@@ -261,8 +299,11 @@ class OrcaFlexReader {
       bool complete = false;
       const auto columns = find_response_columns(entry.key, complete);
       if (!complete) {
-        complain(entry.line, "RAOPeriodOrFrequency", "not all of RAOSurgeAmp, RAOSurgePhase to RAOYawPhase",
-                 "amplitude and phase of the six degrees of freedom");
+        complain(entry.line, "RAOPeriodOrFrequency",
+                 kind_ == OrcaFlexRaos::drift ? "not all of RAOSurge to RAOYaw"
+                                              : "not all of RAOSurgeAmp, RAOSurgePhase to RAOYawPhase",
+                 kind_ == OrcaFlexRaos::drift ? "a column for each of the six degrees of freedom"
+                                              : "amplitude and phase of the six degrees of freedom");
         return;
       }
       for (const YamlNode& row : entry.value.items) read_row(row, *heading, columns);
@@ -290,15 +331,26 @@ class OrcaFlexReader {
         complain(row.line, "RAOs", std::to_string(numbers.size()) + " numbers", "one for each name in the key above");
         return;
       }
-      const double amplitude = numbers[columns[k][0]] / (k < 3 || !is_per_length_ ? 1.0 : length_unit_);
-      content_.records.push_back({heading * kPi / 180.0, omega, static_cast<int>(k), amplitude,
-                                  numbers[columns[k][1]] * phase_unit_, row.line});
+      const double phase = kind_ == OrcaFlexRaos::drift ? 0.0 : numbers[columns[k][1]] * phase_unit_;
+      content_.records.push_back(
+          {heading * kPi / 180.0, omega, static_cast<int>(k), numbers[columns[k][0]] * scale(k), phase, row.line});
     }
+  }
+
+  /// Factor that turns the values of a degree of freedom into SI, except angles.
+  double scale(std::size_t freedom) const {
+    const double moment = freedom < 3 ? 1.0 : length_unit_;
+    if (kind_ == OrcaFlexRaos::load) return units_.force * moment / length_unit_;
+    if (kind_ == OrcaFlexRaos::drift) return units_.force * moment / (length_unit_ * length_unit_);
+    return 1.0 / (freedom < 3 || !is_per_length_ ? 1.0 : length_unit_);
   }
 
   std::string file_;
   const RaoSettings& user_settings_;
+  OrcaFlexRaos kind_;
   Diagnostics& diagnostics_;
+  const YamlNode* type_ = nullptr;
+  orcaflex::UnitSystemOfFile units_;
   RaoFile content_;
   std::string wave_;
   double phase_unit_ = kPi / 180.0;
@@ -309,8 +361,13 @@ class OrcaFlexReader {
 }  // namespace
 
 RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& user_settings,
-                      Diagnostics& diagnostics) {
-  return OrcaFlexReader(file, user_settings, diagnostics).read(text);
+                      Diagnostics& diagnostics, OrcaFlexRaos raos) {
+  return OrcaFlexReader(file, user_settings, raos, diagnostics).read(text);
+}
+
+bool has_orcaflex_raos(const std::string& text, const RaoSettings& user_settings, OrcaFlexRaos raos) {
+  Diagnostics ignored;
+  return OrcaFlexReader("", user_settings, raos, ignored).has_table(text);
 }
 
 }  // namespace overbend::rao_formats
