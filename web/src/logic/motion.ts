@@ -9,9 +9,14 @@ export const motionLabels: Record<MotionKind, string> = {
 export type FileKind = 'raos' | 'history' | 'coupled';
 
 /** File extensions of each kind; for a floating hull the one that represents WAMIT's four. */
-export const fileKinds: Record<FileKind, string[]> = { raos: ['.csv', '.4', '.yml'], history: ['.csv'], coupled: ['.hst', '.nc'] };
-/** Extensions accepted for upload. */
-export const sentKinds: Record<FileKind, string[]> = { ...fileKinds, coupled: ['.1', '.3', '.8', '.hst'] };
+export const fileKinds: Record<FileKind, string[]> = {
+  raos: ['.csv', '.4', '.out', '.lis', '.rao', '.yml'], history: ['.csv'], coupled: ['.hst', '.out', '.lis', '.ah1', '.cal', '.dat', '.yml', '.nc', '.h5'],
+};
+/** Extensions accepted for upload: text files. */
+export const sentKinds: Record<FileKind, string[]> = { ...fileKinds, coupled: ['.1', '.3', '.8', '.hst', '.out', '.lis', '.ah1', '.dat', '.yml'] };
+
+/** True if the name ends as files of the kind do, in any case. */
+export const isOfKind = (file: string, kind: FileKind): boolean => fileKinds[kind].some((end) => file.toLowerCase().endsWith(end));
 
 /** Name of hydrodynamic files in the model: WAMIT's common stem, or the file. */
 export const hydrodynamics = (file: string): string => file.replace(/\.hst$/, '');

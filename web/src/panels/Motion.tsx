@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { get, post } from '../api/client';
 import type { Field } from '../api/types';
 import type { Node } from '../logic/formTree';
-import { fileKinds, hydrodynamics, motionKind, motionValue, motionLabels, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
+import { fileKinds, hydrodynamics, isOfKind, motionKind, motionValue, motionLabels, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
 import { byPath, setKeys } from '../state/model';
 import { sayError } from '../state/notices';
 
@@ -20,7 +20,7 @@ function FileRow({ kind, present }: { kind: FileKind; present: string }) {
   const list = (): void => { get<{ files: string[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
   useEffect(list, []);
   const named = (file: string): string => (kind === 'coupled' ? hydrodynamics(file) : file);
-  const fitting = (files ?? []).filter((f) => fileKinds[kind].some((end) => f.endsWith(end))).map(named);
+  const fitting = (files ?? []).filter((f) => isOfKind(f, kind)).map(named);
   const choose = (name: string): void => {
     if (!name) return;
     // other data of a floating hull are kept
@@ -31,7 +31,7 @@ function FileRow({ kind, present }: { kind: FileKind; present: string }) {
     try {
       for (const file of sent) await post<{ name: string }>('data', { name: file.name, text: await file.text() });
       list();
-      const first = sent.find((file) => fileKinds[kind].some((end) => file.name.endsWith(end)));
+      const first = sent.find((file) => isOfKind(file.name, kind));
       if (first) choose(named(first.name));
     } catch (error) { sayError(error); }
   };
@@ -45,7 +45,7 @@ function FileRow({ kind, present }: { kind: FileKind; present: string }) {
           {fitting.map((f) => <option key={f} value={f}>{f}</option>)}
         </select>
       </div>
-      <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind === 'coupled'} accept={sentKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
+      <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind !== 'history'} accept={sentKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
       {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} files found in this folder.</p> : null}
     </>
   );

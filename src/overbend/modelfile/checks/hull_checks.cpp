@@ -8,7 +8,7 @@
 #include "modelfile/binding/binding.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
-#include "seafiles/hydrodynamics_reader.h"
+#include "seafiles/hull_file_kind.h"
 
 namespace overbend {
 namespace {
@@ -117,18 +117,27 @@ void check_wind(Checker& check, const FieldValue& hull, const std::string& file)
   }
 }
 
+/// Checks that the reference point is given in one way.
+void check_origin(Checker& check, const FieldValue& hull) {
+  const FieldValue* origin = hull.find("convention.origin");
+  const FieldValue* reference = hull.find("convention.reference");
+  if (origin == nullptr || !origin->given || reference == nullptr || !reference->given) return;
+  check.error(*origin, "an origin and a reference, which mean the same", "one of them");
+}
+
 /// Checks that the radiation file of a stem, or the file itself, exists.
 void check_hydrodynamics(Checker& check, const FieldValue& hull, const std::string& file) {
   const FieldValue* stem = hull.find("hydrodynamics");
   if (stem == nullptr) return;
   const std::string path = resolved_file(stem->text, file);
   std::error_code code;
-  const bool exists = std::filesystem::is_regular_file(path, code);
-  const bool known = hydrodynamics_stem(path) != path || std::filesystem::path(path).extension() == ".nc";
-  if ((exists && known) || std::filesystem::is_regular_file(path + ".1", code)) return;
+  const auto kind = find_hull_file_kind(path);
+  const bool exists = std::filesystem::exists(path, code);
+  if (kind && (exists || kind == HullFileKind::wamit_files)) return;
   if (exists) {
     return check.error(*stem, "the file " + stem->shown + ", whose type is not supported",
-                       "the common stem of WAMIT files .1, .3, .8 and .hst, or a netCDF file of Capytaine (.nc)");
+                       "the common stem of WAMIT files .1, .3, .8 and .hst, or a file of WAMIT (.out), AQWA (.LIS, "
+                       ".AH1), Nemoh (Nemoh.cal), BEMIO (.h5), Capytaine (.nc), HydroDyn or OrcaFlex (.yml)");
   }
   check.error(*stem, "the stem " + stem->shown + ", but there is no file '" + stem->text + ".1'",
               "the common stem of files .1, .3, .8 and .hst in the folder of the model file");
@@ -164,6 +173,7 @@ void check_hull(Checker& check, const std::string& file) {
   check_hull_current(check, *hull, file);
   check_wind(check, *hull, file);
   check_hydrodynamics(check, *hull, file);
+  check_origin(check, *hull);
   check_mass(check, *hull);
 }
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "base/shown_unit.h"
 #include "base/units.h"
 #include "model/pipe/section.h"
+#include "model/waves/wave_theory.h"
 #include "seafiles/displaced_volume.h"
 
 namespace overbend {
@@ -33,6 +35,7 @@ class HullChecker {
     check_metacentres();
     check_flotation();
     check_density();
+    check_long_waves();
   }
 
  private:
@@ -166,12 +169,63 @@ class HullChecker {
                        file, water_density_, 100.0 * std::abs(file / water_density_ - 1.0)));
   }
 
+  /// Checks the forces of the longest wave, if it is much longer than the hull: heave towards the heave stiffness, and
+  /// surge and sway down the slope of the wave, a quarter period before the crest for waves from behind.
+  void check_long_waves() {
+    constexpr double kMaxPhase = 0.6;  // k L / 2
+    const HydrodynamicData& data = *hull_.data;
+    if (data.excitation.omega.empty()) return;
+    const double omega = data.excitation.omega.front();
+    const double k = linear_wave_number(omega, description_.environment.water_depth);
+    if (!(vessel_.length > 0.0) || 0.5 * k * std::max(vessel_.length, vessel_.beam) > kMaxPhase) return;
+    for (std::size_t j = 0; j < data.excitation.heading.size(); ++j) {
+      const CVec6& force = data.force[data.excitation.index(0, j)];
+      check_long_wave_heave(force(2), k, omega);
+      check_long_wave_push(force, data.excitation.heading[j], omega);
+    }
+  }
+
+  void check_long_wave_heave(std::complex<double> force, double k, double omega) {
+    // The orbital pressure decreases over the draught, and over half the length by at most the cosine of kMaxPhase.
+    constexpr double kImpossibleLow = -0.3, kImpossibleHigh = 1.5;
+    const double low = 0.7 * std::exp(-1.5 * k * vessel_.draught) - 0.1, high = 1.1;
+    const double ratio = force.real() / hull_.data->hydrostatic_stiffness(2, 2);
+    if (heave_reported_ || (ratio > low && ratio < high)) return;
+    heave_reported_ = true;
+    const std::string found = fmt::format(
+        "a heave force of {:.2g} times the heave stiffness in waves of {:.3g} s period", ratio, kTurn / omega);
+    const std::string expected =
+        fmt::format("{:.2g} to {:.2g} times, as for ships and barges in long waves", low, high);
+    if (ratio > kImpossibleLow && ratio < kImpossibleHigh) {  // columns on pontoons may do so
+      return report(Severity::warning, "hydrodynamics", found + "; usual are " + expected);
+    }
+    report(Severity::error, "hydrodynamics", found, expected,
+           "are the phases, the length scale and the gravity of the files as stated in convention?");
+  }
+
+  /// The hull slides down the slope: force leads the crest by 90 deg in the direction of travel.
+  void check_long_wave_push(const CVec6& force, double heading, double omega) {
+    constexpr double kMinForce = 0.02;  // of the heave force: small forces have no reliable phase
+    const std::complex<double> push = std::cos(heading) * force(0) + std::sin(heading) * force(1);
+    if (push_reported_ || std::abs(push) < kMinForce * std::abs(force(2)) || push.imag() > -0.7 * std::abs(push)) {
+      return;
+    }
+    push_reported_ = true;
+    report(
+        Severity::error, "hydrodynamics",
+        fmt::format("forces of waves of {:.3g} s period towards {:.4g} deg that push the hull up the slope of the wave",
+                    kTurn / omega, heading * kToDegrees),
+        "forces down the slope, a quarter period before the crest passes",
+        "do phases of the files have the other sense, or do headings state where waves come from?");
+  }
+
   const FieldValue& root_;
   const Description& description_;
   const VesselDescription& vessel_;
   const CoupledHullDescription& hull_;
   double water_density_;
   Diagnostics& diagnostics_;
+  bool heave_reported_ = false, push_reported_ = false;
 };
 
 }  // namespace

@@ -31,9 +31,12 @@ std::vector<Field> body() {
   const auto choice = [](const char* key, const Member& member, const char* text) {
     return row_of_kind(FieldKind::choice, kHull + "." + key, member, text);
   };
-  Field files = required(row_of_kind(FieldKind::text, kHull + ".hydrodynamics", fills(&Hull::hydrodynamics),
-                                     "Hydrodynamic files of the hull in the folder of the model file: the common stem "
-                                     "of WAMIT's .1, .3, .8 and .hst."));
+  Field files =
+      required(row_of_kind(FieldKind::text, kHull + ".hydrodynamics", fills(&Hull::hydrodynamics),
+                           "Hydrodynamic data of the hull, in the folder of the model file: the common stem of "
+                           "WAMIT's .1, .3, .8 and .hst, or a file of another program. The contents decide how "
+                           "it is read: WAMIT's .out, AQWA's .LIS or .AH1, Nemoh.cal, HDF5 of BEMIO, netCDF of "
+                           "Capytaine, HydroDyn's input file, or an OrcaFlex text data file (.yml)."));
   files.file = true;
   std::vector<Field> rows = {
       group_row(kHull, opened_by<VesselDescription>(take_coupled),
@@ -84,6 +87,18 @@ std::vector<Field> release() {
   return rows;
 }
 
+/// Stiffness of a hull whose files have none.
+std::vector<Field> missing_stiffness() {
+  const std::string h = kHull + ".hydrostatics";
+  return {otherwise(group_row(h, read_elsewhere(),
+                              "Hydrostatic stiffness, weight included, about the centre of gravity, for files without "
+                              "any."),
+                    "that of the files"),
+          required(quantity_row(h + ".heave", component(0), "Vertical force over heave.", {"N/m", "kN/m"}, kPositive)),
+          required(quantity_row(h + ".roll", component(1), "Moment over roll, per radian.", kMoment, kPositive)),
+          required(quantity_row(h + ".pitch", component(2), "Moment over pitch, per radian.", kMoment, kPositive))};
+}
+
 /// Points of the files in the vessel's frame.
 void add_file_points(std::vector<Field>& rows, const std::string& convention) {
   using Source = HydrodynamicsSource;
@@ -94,6 +109,15 @@ void add_file_points(std::vector<Field>& rows, const std::string& convention) {
                                                          "Reference point of the files' values, moments and motions; "
                                                          "they are transferred from it to the centre of gravity."),
                                                "as stated in the file, otherwise the centre of gravity"),
+                            .shown = kLength,
+                            .texts = vessel_axis_texts()}));
+  rows.push_back(
+      otherwise(row_of_kind(FieldKind::choice, convention + ".origin", fills(&Source::origin),
+                            "Reference point of the files' values: waterline, the origin of their axes on the "
+                            "water line; gravity_centre; or a group with a point, as reference."),
+                "as stated in the file, otherwise the centre of gravity"));
+  append(rows, vector_rows({.group = group_row(convention + ".origin", opened_by<Source>(reference),
+                                               "Reference point in the vessel's frame, such as the keel."),
                             .shown = kLength,
                             .texts = vessel_axis_texts()}));
   append(rows, vector_rows({.group = otherwise(group_row(convention + ".file_origin", enters(&Source::file_origin),
@@ -118,8 +142,8 @@ std::vector<Field> file_convention() {
   Field frequencies = otherwise(
       row_of_kind(
           FieldKind::choice, c + ".frequencies", fills(&Source::frequencies),
-          "First column of WAMIT's files, as IPEROUT has it: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) "
-          "or wavenumbers (k L). In all but periods 0 is zero and -1 infinite frequency."),
+          "First column of WAMIT's files, as IPEROUT has it: periods, rad_per_s, hz, deep_wavenumbers (omega^2 L/g) "
+          "or wavenumbers (k L). In all but periods 0 is zero and -1 infinite frequency; in periods the reverse."),
       "periods");
   std::vector<Field> rows = {
       group_row(c, read_elsewhere(), "Conventions of the files."),
@@ -133,6 +157,19 @@ std::vector<Field> file_convention() {
                    {.low = 9.0, .high = 11.0}),
       headings,
       frequencies,
+      otherwise(row_of_kind(FieldKind::choice, c + ".stiffness", fills(&Source::stiffness),
+                            "Stiffness in the files: with_weight (C44 = M g GM); hydrostatic_only, without the weight, "
+                            "which is then added."),
+                "with_weight; hydrostatic_only for HydroDyn"),
+      otherwise(row_of_kind(FieldKind::integer, c + ".body", fills(&Source::body),
+                            "Number of the body in a file of several.", {.low = 1.0, .high = 100.0}),
+                "the only one"),
+      otherwise(row_of_kind(FieldKind::text, c + ".vessel_type", fills(&Source::vessel_type),
+                            "Name, if an OrcaFlex file has several vessel types."),
+                "the only one"),
+      otherwise(row_of_kind(FieldKind::text, c + ".draught", fills(&Source::draught),
+                            "Name, if the vessel type has several draughts."),
+                "the only one"),
       quantity_row(c + ".drift_from", defaults(&Source::drift_from),
                    "Frequency below which the mean drift is set to zero; panel programs give noise there.",
                    {"rad/s", "rad/s"}, {.low = 0.0, .high = 10.0})};
@@ -316,6 +353,7 @@ std::vector<Field> vessel_load_rows(const std::string& p) {
 
 std::vector<Field> hull() {
   std::vector<Field> rows = body();
+  append(rows, missing_stiffness());
   append(rows, file_convention());
   append(rows, damping());
   append(rows, release());

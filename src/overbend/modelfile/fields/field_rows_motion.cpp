@@ -82,7 +82,7 @@ std::vector<Field> motion_convention() {
   rows.push_back(group(kPath, read_elsewhere(), "Conventions of the motion file."));
   rows.push_back(text_choice_row("set", fills(&RaoSettings::set),
                                  "Conventions of a program, used for all keys not given.", convention_sets(),
-                                 "house for .csv, wamit for .4, orcaflex for .yml"));
+                                 "house for .csv, wamit for .4 and .out, aqwa for .LIS, orcaflex for .yml"));
   bool signs = false;
   for (const ConventionKey& key : convention_keys()) {
     if (!signs && key.key.rfind("positive.", 0) == 0) {
@@ -103,6 +103,14 @@ std::vector<Field> motion_convention() {
   rows.push_back(length("length_scale", defaults(&RaoSettings::length_scale),
                         "ULEN of a WAMIT file: rotations are angle times this length per amplitude."));
   rows.back().range = {.low = 0.0, .high = 1000.0, .low_open = true};
+  Field body;
+  body.path = kPath + ".body";
+  body.member = fills(&RaoSettings::body);
+  body.kind = FieldKind::integer;
+  body.text = "Number of the body in a file of several.";
+  body.fallback_text = "the only one";
+  body.range = {.low = 1.0, .high = 100.0};
+  rows.push_back(body);
   rows.push_back(name("vessel_type", &RaoSettings::vessel_type, "Name, if an OrcaFlex file has several vessel types."));
   rows.push_back(name("draught", &RaoSettings::draught, "Name, if the vessel type has several draughts."));
   return rows;

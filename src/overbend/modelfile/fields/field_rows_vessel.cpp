@@ -145,9 +145,10 @@ std::vector<Field> vessel() {
        .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention and columns if needed.",
        .min_items = 1,
        .max_items = 3},
-      motion_file(VesselMotion::raos,
-                  "File of response amplitude operators, in the folder of the model file: .csv, .4 (WAMIT) or .yml "
-                  "(OrcaFlex)."),
+      motion_file(
+          VesselMotion::raos,
+          "File of response amplitude operators, in the folder of the model file: .csv, .4 or .out (WAMIT), .LIS "
+          "(AQWA), .yml (OrcaFlex), or one of the six .rao of HydroStar."),
       motion_file(VesselMotion::history,
                   "Table of the motion history, in the folder of the model file: time and any of surge to yaw, with "
                   "units in the "

@@ -29,6 +29,11 @@ HydrodynamicsSource read_source(const FieldValue& root, const Description& descr
   const std::string path = kHull + ".convention";
   const FieldValue* convention = root.find(path);
   if (convention != nullptr) bind_members(field_node(path), *convention, &source, description.source_file);
+  const FieldValue* stiffness = root.find(kHull + ".hydrostatics");
+  if (stiffness != nullptr && stiffness->given) {
+    Vec3& values = source.stated_stiffness.emplace(Vec3::Zero());
+    bind_members(field_node(kHull + ".hydrostatics"), *stiffness, &values, description.source_file);
+  }
   return source;
 }
 
@@ -72,10 +77,10 @@ class HullFileChecks {
     for (const auto& [freedom, i] : {std::pair{"roll", 3}, std::pair{"pitch", 4}}) {
       const double stiffness = data.hydrostatic_stiffness(i, i);
       if (stiffness > 0.0) continue;
-      add_warning(Severity::error,
-                  "a " + std::string(freedom) + " stiffness of " + format_number(1e-3 * stiffness, 4) + " kN*m",
-                  "more than 0",
-                  "the files' origin must be the centre of gravity, and their stiffness include the weight");
+      add_warning(
+          Severity::error,
+          "a " + std::string(freedom) + " stiffness of " + format_number(1e-3 * stiffness, 4) + " kN*m", "more than 0",
+          "is the stiffness without weight (convention.stiffness), or about another point (convention.origin)?");
     }
   }
 

@@ -1,13 +1,14 @@
 #include "serve/model/data_files.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <iterator>
 
 #include "base/ranges.h"
+#include "base/text.h"
 #include "resultfiles/static/results_writer.h"
 #include "runstore/append_file.h"
+#include "seafiles/hull_file_kind.h"
 
 namespace overbend {
 namespace fs = std::filesystem;
@@ -16,14 +17,13 @@ namespace {
 /// Maximum depth of subfolders that are searched.
 constexpr int kMaxFolderDepth = 3;
 
-/// True for text files that the page may upload: tables, RAOs, hydrodynamics of a hull in WAMIT format.
+/// True for text files that the page may upload: tables, RAOs, hydrodynamics of a hull.
 bool text_data(const fs::path& file) {
-  constexpr std::array kEndings = {".csv", ".4", ".yml", ".1", ".3", ".8", ".hst"};
-  return ranges::find(kEndings, file.extension().string()) != kEndings.end();
+  return has_hull_text_ending(file.string());
 }
 
 bool data_name(const fs::path& file) {
-  return text_data(file) || file.extension() == ".nc";
+  return text_data(file) || has_hull_binary_ending(file.string());
 }
 
 /// True for hidden files and folders of run results, which are skipped.
@@ -54,13 +54,14 @@ std::string file_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Returns the path of a data file. Only plain names are accepted, so that nothing outside the folder is written.
-fs::path place(const fs::path& folder, const std::string& name) {
+/// Returns the path of a data file. Only plain names are accepted, so that nothing outside the folder is written; other
+/// endings than the usual ones only if the text shows which program wrote it.
+fs::path place(const fs::path& folder, const std::string& name, const std::string& text) {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
                     ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
-  if (bare && text_data(name)) return folder / name;
+  if (bare && (text_data(name) || find_text_kind(text))) return folder / name;
   throw HttpError(422, "'" + name + "' is not a valid name for a data file",
-                  "a plain name that ends in .csv, .4, .yml, .1, .3, .8 or .hst");
+                  "a plain name that ends in " + join_items(hull_text_endings(), "or"));
 }
 
 HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {
@@ -73,7 +74,7 @@ HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {
 }  // namespace
 
 void write_data_file(const fs::path& folder, const std::string& name, const std::string& text) {
-  const fs::path file = place(folder, name);
+  const fs::path file = place(folder, name, text);
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error)) && file_text(file) != text) {
     throw HttpError(409, "the folder already contains a different file " + name, "choose another name");

@@ -52,9 +52,7 @@ std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> read_hul
     const auto size = absent ? 0 : std::filesystem::file_size(file, absent);
     stamps.emplace_back(absent ? std::filesystem::file_time_type() : written, absent ? 0 : size);
   };
-  for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
-    add(hydrodynamics_stem(hull.hydrodynamics) + ending);
-  }
+  for (const std::string& file : hydrodynamic_files(hull.hydrodynamics)) add(file);
   add(hull.current.table_file);
   add(hull.wind.table_file);
   return stamps;

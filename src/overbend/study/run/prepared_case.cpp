@@ -42,10 +42,7 @@ std::vector<std::string> named_files(const Description& d) {
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);
     files.push_back(d.vessel.coupled->wind.table_file);
-    const std::string stem = hydrodynamics_stem(d.vessel.coupled->hydrodynamics);
-    for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
-      files.push_back(stem + ending);
-    }
+    for (std::string& file : hydrodynamic_files(d.vessel.coupled->hydrodynamics)) files.push_back(std::move(file));
   }
   std::error_code error;
   std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, error); });
