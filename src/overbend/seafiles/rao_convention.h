@@ -52,6 +52,7 @@ struct RaoSettings {
   double length_scale = 1.0;         ///< ULEN of WAMIT [m].
   double vessel_length = 0.0;        ///< Length of the model's vessel, compared with the file; 0: unknown [m].
   std::string vessel_type, draught;  ///< Names to select if a file holds several.
+  std::optional<int> body;           ///< Number of the body, from 1, if a file holds several.
 };
 
 /// One response as given in a file; angles in rad.

@@ -10,13 +10,14 @@
 
 namespace overbend {
 
-/// Reads an RAO file by its ending:
+/// Reads an RAO file. Its contents decide how (seafiles/hull_file_kind.h), or else its ending:
 ///
 /// - `.csv`: columns heading_deg, one of omega_rad_s, frequency_hz, period_s, then dof (surge to yaw, or 1 to 6),
 ///   amplitude, one of phase_deg, phase_rad; comments "# key: value" in its header may define any key of the convention
 ///   and "# reference: x y z", "# wave_origin: x y" in metres of frame V; "# assumption: SENTENCE" is reported with the
 ///   results;
 /// - `.4`: WAMIT motion file (PER BETA I MOD PHA RE IM) with periods; rows with PER <= 0 are skipped;
+/// - formatted output of WAMIT (`.out`), listing of AQWA (`.LIS`), motions of HydroStar (`.rao`);
 /// - `.yml`, `.yaml`: OrcaFlex text data file with displacement RAOs of a vessel type.
 ///
 /// `user_settings` override the statements of the file, which override the named set. The water `depth` [m] determines
