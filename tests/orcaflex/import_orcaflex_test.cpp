@@ -228,5 +228,21 @@ TEST(import_orcaflex, a_file_with_random_damage_is_translated_or_rejected) {
   }
 }
 
+TEST(import_orcaflex, a_vessel_type_with_loads_alone_is_offered_as_hull_data) {
+  const std::string hull =
+      read_file_text(std::string(OVERBEND_SOURCE_DIR) + "/validation/hull_files/orcaflex-loads/barge.yml").value();
+  const std::size_t from = hull.find("        Mass: 12915"), to = hull.find("\n...", from);
+  const std::string lay = case_text("slay-simple.yml");
+  const std::size_t raos = lay.find("        DisplacementRAOs:"), after = lay.find("\nSupportTypes:", raos);
+  ASSERT_TRUE(from != std::string::npos && raos != std::string::npos && after != std::string::npos);
+  const Attempt attempt =
+      import_texts({{"model.yml", lay.substr(0, raos) + hull.substr(from, to - from) + lay.substr(after)}});
+  ASSERT_TRUE(attempt.model) << attempt.message;
+  for (const char* line :
+       {"  #     hydrodynamics: model.yml", "  #     mass: 12915 t", "z: 1.5 m}", "gyration: {roll: 9.79999"}) {
+    EXPECT_NE(attempt.model->text.find(line), std::string::npos) << line;
+  }
+}
+
 }  // namespace
 }  // namespace overbend::orcaflex

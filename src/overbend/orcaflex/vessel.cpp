@@ -3,6 +3,7 @@
 
 #include "base/constants.h"
 #include "base/text.h"
+#include "orcaflex/hull_data_text.h"
 #include "orcaflex/translation.h"
 
 namespace overbend::orcaflex {
@@ -48,6 +49,15 @@ std::optional<Object> draught_with_raos(const Object& type, const std::string& n
   return std::nullopt;
 }
 
+/// Draught of the type that the vessel uses, if it has hull data and no displacement RAOs.
+std::optional<Object> draught_with_hull_data(const Object& type, const std::string& name) {
+  if (draught_with_raos(type, name)) return std::nullopt;
+  for (const Object& draught : type.objects("Draughts")) {
+    if ((name.empty() || draught.name() == name) && has_hull_data(draught)) return draught;
+  }
+  return std::nullopt;
+}
+
 /// Name by which the model finds a file.
 std::string name_from_model(const ImportOptions& options, const std::filesystem::path& file) {
   if (options.is_one_folder) return file.filename().string();
@@ -62,6 +72,16 @@ std::string name_from_model(const ImportOptions& options, const std::filesystem:
 std::string motion_text(Translation& translation) {
   const Object& type = *translation.vessel_type;
   const std::string draught = translation.vessel_object->text("Draught");
+  if (const auto data = draught_with_hull_data(type, draught)) {
+    const std::string named = name_from_model(translation.options, type.origin().file);
+    const std::string names = "vessel_type: " + name_text(type.name()) + ", draught: " + name_text(data->name());
+    translation.left_out(
+        "motions of the vessel: its type has load RAOs, added mass, damping and stiffness. The model "
+        "has vessel.motion.coupled with them as a comment: a floating hull also needs beam, depth and "
+        "draught",
+        true);
+    return hull_data_text(translation, *data, named, names);
+  }
   if (!draught_with_raos(type, draught)) {
     translation.left_out("motions of the vessel: its type has no displacement RAOs; a run in time needs them", true);
     return "";
