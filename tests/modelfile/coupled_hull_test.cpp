@@ -248,5 +248,75 @@ TEST(coupled_hull, a_file_of_a_kind_that_is_not_read_is_named_as_it_is) {
   EXPECT_EQ(said(doubt, Severity::error).front().find(".h5.1"), std::string::npos);
 }
 
+/// The box barge of validation/hull_files with the hull data of one of its files.
+std::string barge_model(const std::string& file, const std::string& more = "convention: {headings: mirrored}") {
+  const std::string path = std::string(OVERBEND_SOURCE_DIR) + "/validation/hull_files/" + file;
+  return "overbend: 1\nenvironment:\n  water_depth: 2000 m\n  seabed: {stiffness: 100 kN/m^2}\nvessel:\n  length: 90 "
+         "m\n"
+         "  beam: 28 m\n  depth: 8 m\n  draught: 5 m\n  motion:\n    coupled:\n      hydrodynamics: " +
+         path +
+         "\n      mass: 12915 t\n      centre_of_gravity: {x: 0 m, y: 0 m, z: 1.5 m}\n"
+         "      gyration: {roll: 9.8 m, pitch: 25.2 m, yaw: 26 m}\n      wave_drift: none\n      " +
+         more + "\n";
+}
+
+ModelReading read_barge(const std::string& file, const std::string& more = "convention: {headings: mirrored}") {
+  return read_model_text(barge_model(file, more), "barge.yaml");
+}
+
+std::string first_error(const ModelReading& reading) {
+  const std::vector<std::string> lines = reading.diagnostics.lines(Severity::error);
+  return lines.empty() ? "" : lines.front();
+}
+
+TEST(coupled_hull, files_of_every_program_are_read_by_their_contents) {
+  for (const char* file : {"wamit-out/barge.out", "aqwa/barge.LIS", "aqwa/barge.AH1", "nemoh/Nemoh.cal", "nemoh",
+                           "bemio/barge.h5", "hydrodyn/HydroDyn.dat", "orcaflex-loads/barge.yml"}) {
+    const ModelReading reading = read_barge(file);
+    ASSERT_TRUE(reading.description) << file << ": " << first_error(reading);
+    const HydrodynamicData& data = *reading.description->vessel.coupled->data;
+    EXPECT_NEAR(data.hydrostatic_stiffness(3, 3), 1.1483195e9, 1e-3 * 1.1483195e9) << file;
+    EXPECT_EQ(data.excitation.heading.size(), 8U) << file;
+    for (const std::string& warning : reading.diagnostics.lines(Severity::warning)) {
+      EXPECT_EQ(warning.find("hydrodynamics"), std::string::npos) << warning;
+    }
+  }
+}
+
+TEST(coupled_hull, keys_state_what_files_do_not) {
+  const ModelReading stated =
+      read_barge("hydrodyn/barge", "convention: {headings: mirrored, origin: waterline, stiffness: hydrostatic_only}");
+  ASSERT_TRUE(stated.description) << first_error(stated);
+  EXPECT_EQ(stated.description->vessel.coupled->data->notes.size(), 1U);
+  const std::string keel = "convention: {headings: mirrored, origin: {x: 0 m, y: 0 m, z: 0 m}, stiffness: ";
+  const ModelReading point = read_barge("hydrodyn/barge", keel + "hydrostatic_only}");
+  ASSERT_TRUE(point.description) << first_error(point);
+  EXPECT_EQ(point.description->vessel.coupled->data->hydrostatic_stiffness,
+            stated.description->vessel.coupled->data->hydrostatic_stiffness);
+  const ModelReading hydrostatics =
+      read_barge("capytaine/barge-classic.nc",
+                 "convention: {headings: mirrored, gravity: 9.80665 m/s^2}\n      hydrostatics: {heave: 25.33 MN/m, "
+                 "roll: 1148.3 MN*m, pitch: 16591.5 MN*m}");
+  ASSERT_TRUE(hydrostatics.description) << first_error(hydrostatics);
+  EXPECT_NEAR(hydrostatics.description->vessel.coupled->data->hydrostatic_stiffness(3, 3), 1.1483e9, 1.0);
+  const ModelReading both =
+      read_barge("hydrodyn/barge", "convention: {origin: waterline, reference: {x: 0 m, y: 0 m, z: 0 m}}");
+  EXPECT_NE(first_error(both).find("convention.origin: found an origin and a reference"), std::string::npos)
+      << first_error(both);
+}
+
+TEST(coupled_hull, phases_of_the_other_sense_are_seen_in_long_waves) {
+  const std::string file = ::testing::TempDir() + "conjugated.yml";
+  std::ifstream in(std::string(OVERBEND_SOURCE_DIR) + "/validation/hull_files/orcaflex-loads/barge.yml");
+  std::stringstream text;
+  text << in.rdbuf();
+  std::ofstream(file) << replaced(text.str(), "RAOPhaseConvention: lags", "RAOPhaseConvention: leads");
+  const std::string error = first_error(read_model_text(
+      replaced(barge_model("orcaflex-loads/barge.yml"),
+               std::string(OVERBEND_SOURCE_DIR) + "/validation/hull_files/orcaflex-loads/barge.yml", file),
+      "barge.yaml"));
+  EXPECT_NE(error.find("push the hull up the slope of the wave"), std::string::npos) << error;
+}
+
 }  // namespace
 }  // namespace overbend

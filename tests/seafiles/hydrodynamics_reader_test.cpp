@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/constants.h"
+#include "seafiles/hull_reference.h"
 
 namespace overbend {
 namespace {
@@ -202,6 +203,60 @@ TEST(hydrodynamics_reader, missing_files_are_named_but_drift_may_be_missing) {
   source.path += "_of_nobody";
   EXPECT_FALSE(read_hydrodynamics(source, diagnostics));
   EXPECT_EQ(diagnostics.error_count(), 3);
+}
+
+TEST(hydrodynamics_reader, frequencies_in_the_first_column_need_their_key) {
+  HydrodynamicsSource source = testing::barge_source(testing::hull_file("wamit-rad-per-s/barge"));
+  const testing::HullReading without = testing::read_hull(source);
+  EXPECT_FALSE(without.data);
+  for (const char* part :
+       {"barge.1", "12 values from 0.2513 to 1.571", "waves of 0.099 to 3.9 m length", "rad_per_s"}) {
+    EXPECT_NE(without.errors.at(0).find(part), std::string::npos) << without.errors.at(0);
+  }
+  source.frequencies = WaveColumn::rad_per_s;
+  const testing::HullReading reading = testing::read_hull(source);
+  ASSERT_TRUE(reading.data) << reading.errors.at(0);
+  EXPECT_TRUE(reading.warnings.empty());
+  EXPECT_TRUE(reading.data->has_zero);
+  testing::expect_barge(*reading.data, 2e-4, true);
+}
+
+TEST(hydrodynamics_reader, a_period_without_excitation_is_warned_of) {
+  const testing::HullReading reading =
+      testing::read_hull(testing::barge_source(testing::hull_file("bad/wamit-missing-period/barge")));
+  ASSERT_TRUE(reading.data) << reading.errors.at(0);
+  ASSERT_EQ(reading.warnings.size(), 1U);
+  for (const char* part : {"barge.3", "no excitation at 9 s, which barge.1 has", "interpolated"}) {
+    EXPECT_NE(reading.warnings[0].find(part), std::string::npos) << reading.warnings[0];
+  }
+}
+
+TEST(hydrodynamics_reader, one_body_of_several_is_selected_by_number) {
+  const Files files;
+  files.write(".1", "6 9 9 1 0.1\n6 3 3 9 9\n5 9 9 2 0.2\n4 9 9 3 0.3\n3 9 9 4 0.4\n");
+  files.write(".3", "6 0 9 1 0 1 0\n6 0 3 7 0 7 0\n");
+  files.write(".hst", "9 9 10\n3 3 99\n");
+  HydrodynamicsSource source = files.source();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_hydrodynamics(source, diagnostics));
+  EXPECT_NE(diagnostics.lines(Severity::error)[0].find("convention.body"), std::string::npos);
+  source.body = 2;
+  Diagnostics second;
+  const auto data = read_hydrodynamics(source, second);
+  ASSERT_TRUE(data) << second.lines(Severity::error)[0];
+  EXPECT_DOUBLE_EQ(data->radiation[0].added_mass(2, 2), 1000.0);
+  EXPECT_DOUBLE_EQ(data->force[0](2).real(), 10e3);
+  EXPECT_DOUBLE_EQ(data->hydrostatic_stiffness(2, 2), 100e3);
+}
+
+TEST(hydrodynamics_reader, stiffness_of_the_model_serves_where_the_files_have_none) {
+  HydrodynamicsSource source = testing::barge_source(testing::hull_file("capytaine/barge-classic.nc"));
+  EXPECT_NE(testing::read_hull(source).errors.at(0).find("vessel.motion.coupled.hydrostatics"), std::string::npos);
+  source.stated_stiffness = Vec3(25330576.95, 1148319488.4, 16591527902.25);
+  const testing::HullReading reading = testing::read_hull(source);
+  ASSERT_TRUE(reading.data) << reading.errors.at(0);
+  testing::expect_barge(*reading.data, 2e-4, false);
+  EXPECT_NE(reading.notes().find("is that of the model"), std::string::npos);
 }
 
 }  // namespace

@@ -240,7 +240,7 @@ TEST(rao_reader, errors_are_reported_with_file_line_what_was_found_and_what_was_
       {"a.csv", "# reference: 0 0 high\n" + head + good, 1, "coordinates in metres"},
       {"a.4", "  10. 0. 3 1. 0. 1. 0.\n  10. 0. 3 1. 0.\n", 2, "seven: PER BETA I MOD PHA RE IM"},
       {"a.4", "  10. 0. 7 1. 0. 1. 0.\n", 1, "a mode from 1 to 6"},
-      {"a.rao", "1 2 3", 0, "'.rao', expected .csv, .4 (WAMIT) or .yml (OrcaFlex)"},
+      {"a.rao", "1 2 3", 0, "'.rao', expected .csv, .4 or .out (WAMIT), .LIS (AQWA)"},
       {"a.yml", "VesselTypes: []\n", 1, "a list of named groups"},
       {"a.yml", "VesselTypes: [\n", 2, "invalid YAML"},
   };
