@@ -34,8 +34,8 @@ Description random_lay(const Description& example, Random& random) {
     row.speed *= speed / 1.02;
     row.towards = towards;
   }
-  d.environment.waves.hs = between(random, 0.5, 4.0);
-  d.environment.waves.from = between(random, 0.0, turn);
+  d.environment.waves.front().hs = between(random, 0.5, 4.0);
+  d.environment.waves.front().from = between(random, 0.0, turn);
   d.statics.mean_drift = toss(random);
   const double pretension = between(random, 120e3, 700e3);
   for (MooringLineDescription& line : d.moorings->lines) line.tension = pretension;

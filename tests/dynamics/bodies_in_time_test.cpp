@@ -133,7 +133,7 @@ VesselPose pose_in_waves(const Description& d, const Model& model, const ModelEq
   options.duration = 6.0;
   options.build_up = 6.0;
   options.output_step = 0.5;
-  options.seed = d.environment.waves.seed;
+  options.seed = d.environment.waves.front().seed;
   Simulation run(model, *rest.solution, 0.0, options);
   EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
   return run.present().vessel().pose;

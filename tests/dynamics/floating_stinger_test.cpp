@@ -89,9 +89,9 @@ Description pitching() {
   Description d = calm("HS16-tanks");
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.harmonic["pitch"] = {0.01, 7.0, 0.0};
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 1.0;
-  d.environment.waves.period = 7.0;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = 1.0;
+  d.environment.waves.front().period = 7.0;
   return d;
 }
 

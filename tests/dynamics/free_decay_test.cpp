@@ -20,7 +20,7 @@ const char* const kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 Description calm_lay(TensionerMode tensioner) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.mesh.overbend_element = 2.0;
   d.mesh.touchdown_element = 5.0;

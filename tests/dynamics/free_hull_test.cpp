@@ -14,9 +14,9 @@ constexpr double kSurge = 1.8479e5;  ///< Stiffness of eight mooring lines of 64
 /// The example, coarse, from held to floating free.
 Description afloat() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
-  d.environment.waves.hs = 1.5;
-  d.environment.waves.tp = 8.0;
-  d.environment.waves.components = 40;
+  d.environment.waves.front().hs = 1.5;
+  d.environment.waves.front().tp = 8.0;
+  d.environment.waves.front().components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
   d.mesh.max_element_length = 8.0;

@@ -200,9 +200,9 @@ Description busy_line() {
   d.lines[0].points = {clump, buoy};
   d.lines[0].second.amplitude = Vec3(1.0, 0.5, 1.0);
   d.lines[0].second.period = 9.0;
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 3.0;
-  d.environment.waves.period = 9.0;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = 3.0;
+  d.environment.waves.front().period = 9.0;
   return d;
 }
 
@@ -292,10 +292,10 @@ TEST(lines_in_time, that_are_suspended_from_level_clamps_do_not_leap_from_a_pull
 }
 
 void add_wave_along_x(Description& d, double height, double period) {
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = height;
-  d.environment.waves.period = period;
-  d.environment.waves.from = 1.5 * std::numbers::pi;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = height;
+  d.environment.waves.front().period = period;
+  d.environment.waves.front().from = 1.5 * std::numbers::pi;
 }
 
 /// A long line whose upper end stands out of the water between two that are held still: waves are felt over a

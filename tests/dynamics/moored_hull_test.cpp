@@ -18,7 +18,7 @@ using testing::SolvedHull;
 /// In calm water, as the natural periods of the reference are.
 Description calm(MooringModel lines) {
   Description d = coarse_example("moored-barge", 200.0, 0.0);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.moorings->model = lines;
   return d;
@@ -165,7 +165,7 @@ TEST(moored_hull, in_a_sea_keeps_its_energy_and_allocates_nothing_in_a_step) {
 
 TEST(moored_hull, goes_on_after_a_line_has_parted) {
   Description d = coarse_example("moored-barge", 30.0, 5.0);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.moorings->lines[0].fails_at = 2.0;
   const SolvedHull moored(d);
   Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));

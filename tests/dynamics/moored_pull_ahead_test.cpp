@@ -15,7 +15,7 @@ namespace {
 Description pulled(MooringModel model) {
   Description d = testing::coarse_example("bgl1-pull-ahead", 8.0, 1.0);
   d.moorings->model = model;
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.operation.distance = 0.6;
   d.operation.acceleration_time = 2.0;

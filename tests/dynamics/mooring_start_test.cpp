@@ -30,7 +30,7 @@ LineTypeDescription in_water(LineTypeDescription type) {
 /// BGL-1 without a pipe in calm water, all eight lines of `type`, with what friction they have on the bed.
 Description barge_on(const LineTypeDescription& type, double friction) {
   Description d = testing::coarse_example("moored-barge", 1.0, 0.0);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   for (MooringLineDescription& line : d.moorings->lines) {
     for (LineSegmentDescription& segment : line.segments) {
@@ -110,7 +110,7 @@ TEST(mooring_start, of_little_tension_come_to_rest_in_a_current_where_statics_ha
     for (const double speed : {0.3, 0.51}) {
       SCOPED_TRACE(::testing::Message() << "tension " << tension << " N, current " << speed << " m/s");
       Description d = testing::coarse_example("moored-barge", 1.0, 0.0);
-      d.environment.waves.type = WaveType::none;
+      d.environment.waves.front().type = WaveType::none;
       d.environment.current = {{0.0, speed, 0.0}, {d.environment.water_depth, 0.3, 0.0}};
       for (MooringLineDescription& line : d.moorings->lines) line.tension = tension;
       expect_statics_at_start(d, 0.06);  // which leave out the current on the lines

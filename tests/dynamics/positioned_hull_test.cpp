@@ -24,7 +24,7 @@ constexpr double kSurge = 120e3, kSway = 90e3, kYaw = 2e8;  // [N/m, N/m, N m]
 Description positioned(double duration) {
   Description d = coarse_example("bgl1-moored", duration, 0.0);
   d.moorings.reset();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.station_keeping = StationKeepingDescription{};
   d.station_keeping->stiffness = Vec3(kSurge, kSway, kYaw);
@@ -87,7 +87,7 @@ TEST(positioned_hull, is_rejected_where_its_thrusters_cannot_hold_it) {
 /// Lines and thrusters in parallel: stiffnesses add, and the load is shared by them.
 TEST(positioned_hull, shares_a_load_with_mooring_lines) {
   Description d = coarse_example("bgl1-moored", 1.0, 0.0);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.has_pipe = false;
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(50e3, 0.0, 0.0), Vec3::Zero()}};

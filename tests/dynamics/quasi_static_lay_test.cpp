@@ -22,7 +22,7 @@ double compute_end_tension(const Simulation& simulation, std::size_t mooring, Li
 
 TEST(quasi_static_lay, begins_with_the_tensions_of_statics_and_stays_there_in_calm_water) {
   Description d = quasi_static();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   const testing::SolvedLay solved_lay(d);
   ASSERT_FALSE(solved_lay.lay.failure) << solved_lay.lay.failure->why;

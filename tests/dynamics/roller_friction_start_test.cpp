@@ -9,7 +9,7 @@ namespace overbend {
 namespace {
 
 Description rubbing(Description d, RollerFriction friction) {
-  d.environment.waves = WavesDescription{};
+  d.environment.waves.front() = {};
   for (RollerKindDescription& kind : d.rollers) kind.friction_axial = 0.1;
   d.tensioner.mode = TensionerMode::locked;
   d.statics.roller_friction = friction;

@@ -51,9 +51,9 @@ TEST(uneven_bed_in_time, pipe_at_rest_stays_at_rest) {
 
 TEST(uneven_bed_in_time, energy_of_a_pipe_that_rocks_on_the_sleeper_is_accounted_for) {
   Description d = over_sleeper();
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 3.0;
-  d.environment.waves.period = 8.0;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = 3.0;
+  d.environment.waves.front().period = 8.0;
   InTime run(d, 6.0);
   const std::vector<double> before = run.start.state.q;
   while (run.simulation->step()) {

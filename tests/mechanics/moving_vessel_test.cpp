@@ -13,7 +13,7 @@ constexpr BuildUp kFull{1.0, 0.0, 0.0};
 
 struct InSea {
   explicit InSea(const Vec3& shift = Vec3::Zero()) : model(build_model(testing::workable())) {
-    const WavesDescription& waves = model.description.environment.waves;
+    const WavesDescription& waves = model.description.environment.waves.front();
     sea = make_sea(waves, model.description.environment.water_depth, 1);
     model.mean_pose.p_WV += shift;
     motion = make_vessel_motion(model, sea);

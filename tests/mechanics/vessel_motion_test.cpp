@@ -157,10 +157,10 @@ TEST(vessel_motion, a_regular_wave_gives_amplitude_and_phase_of_the_raos_back) {
 
 TEST(vessel_motion, waves_from_the_south_reach_a_barge_going_east_from_starboard) {
   Description d = with_raos();
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 2.0;
-  d.environment.waves.period = 12.9;
-  d.environment.waves.from = kPi;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = 2.0;
+  d.environment.waves.front().period = 12.9;
+  d.environment.waves.front().from = kPi;
   const Model model = build_model(d);
   const VesselMotionModel motion = make_vessel_motion(model, make_sea(d.environment.waves, 89.0, 1));
   ASSERT_EQ(motion.terms.size(), 1U);

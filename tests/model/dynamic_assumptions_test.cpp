@@ -19,7 +19,7 @@ Description moving() {
   box.rows = 3;
   box.length = 3.0;
   d.supports.boxes.push_back(box);
-  WavesDescription& waves = d.environment.waves;
+  WavesDescription& waves = d.environment.waves.front();
   waves.type = WaveType::jonswap;
   waves.hs = 4.0;
   waves.tp = 8.5;  // Tp/sqrt(Hs) = 4.25: gamma = exp(5.75 - 1.15 * 4.25) = 2.37
@@ -80,9 +80,9 @@ TEST(dynamic_assumptions, call_steel_linear_only_where_it_is) {
 TEST(dynamic_assumptions, name_the_peak_of_the_sea_and_where_it_is_from) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 2.37 from DNV-RP-C205"), 1);
-  d.environment.waves.gamma = 3.3;
+  d.environment.waves.front().gamma = 3.3;
   EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 3.3 as given"), 1);
-  d.environment.waves.type = WaveType::pierson_moskowitz;
+  d.environment.waves.front().type = WaveType::pierson_moskowitz;
   EXPECT_EQ(mentions(d, "Pierson-Moskowitz"), 1);
   EXPECT_EQ(mentions(d, "gamma"), 0);
 }
@@ -94,22 +94,67 @@ TEST(dynamic_assumptions, name_the_components_the_seeds_and_the_spreading) {
   EXPECT_EQ(mentions(d, "seed 4"), 1);
   d.dynamics->seeds = {4, 9};
   EXPECT_EQ(mentions(d, "seeds 4, 9"), 1);
-  d.environment.waves.spreading = 8.0;
+  d.environment.waves.front().spreading = 8.0;
   EXPECT_EQ(mentions(d, "s = 8"), 1);
 }
 
 TEST(dynamic_assumptions, report_on_stretching_where_there_is_some) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "Wheeler"), 1);
-  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.front().type = WaveType::airy;
   EXPECT_EQ(mentions(d, "Wheeler"), 1);
-  d.environment.waves.type = WaveType::stokes5;
+  d.environment.waves.front().type = WaveType::stokes5;
   EXPECT_EQ(mentions(d, "Wheeler"), 0);
   EXPECT_EQ(mentions(d, "Stokes"), 1);
   EXPECT_EQ(mentions(d, "that at the stern shoe, 89.00 m"), 1);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   EXPECT_EQ(mentions(d, "There are no waves."), 1);
   EXPECT_EQ(mentions(d, "that at the stern shoe"), 0);
+}
+
+TEST(dynamic_assumptions, of_several_groups_of_waves_name_each_and_the_height_of_all) {
+  Description d = moving();
+  WavesDescription& swell = d.environment.waves.emplace_back();
+  swell.type = WaveType::pierson_moskowitz;
+  swell.hs = 3.0;
+  swell.tp = 14.0;
+  swell.seed = 5;
+  EXPECT_EQ(mentions(d, "The sea is the sum of 2 groups of waves with Hs 5 m together"), 1);
+  EXPECT_EQ(mentions(d, "Waves 1 (jonswap): It has a JONSWAP spectrum"), 1);
+  EXPECT_EQ(mentions(d,
+                     "Waves 1 (jonswap): It is the sum of 200 linear waves with random frequencies and phases, seed "
+                     "17"),
+            1);
+  EXPECT_EQ(mentions(d,
+                     "Waves 2 (pierson_moskowitz): It is the sum of 200 linear waves with random frequencies and "
+                     "phases, seed 5"),
+            1);
+  d.dynamics->seeds = {20};
+  EXPECT_EQ(mentions(d, "phases, seed 8"), 1);  // three more, as for the first group
+  EXPECT_EQ(mentions(d, "Wheeler"), 1);
+}
+
+TEST(dynamic_assumptions, report_periods_spectra_and_records_as_they_were_converted) {
+  Description d = moving();
+  WavesDescription& waves = d.environment.waves.front();
+  waves.tz = 6.5;
+  EXPECT_EQ(mentions(d,
+                     "The peak period of 8.5 s is that of a JONSWAP spectrum with gamma = 2.37 from DNV-RP-C205 with "
+                     "the zero up-crossing period of 6.5 s"),
+            1);
+  waves.tz.reset();
+  waves.type = WaveType::torsethaugen;
+  EXPECT_EQ(mentions(d, "simplified double peak model of 2004"), 1);
+  EXPECT_EQ(mentions(d, "differs from the given one by up to 1.2 %"), 1);
+  waves.type = WaveType::ochi_hubble;
+  waves.parts = {{2.0, 14.0, 3.0}, {1.5, 7.0, 1.4}};
+  EXPECT_EQ(mentions(d, "Hs 2 m, Tp 14 s and lambda 3, and Hs 1.5 m, Tp 7 s and lambda 1.4"), 1);
+  waves.type = WaveType::elevation;
+  waves.record = {0.5, 0.0, {0.3, -0.3, 0.3, -0.3, 0.3}};
+  waves.assumptions = {{AssumptionRank::setting, "The mean of the measured elevation is subtracted."}};
+  EXPECT_EQ(mentions(d, "measured elevation of 2 s"), 1);
+  EXPECT_EQ(mentions(d, "Before and after the record the sea repeats it"), 1);
+  EXPECT_EQ(mentions(d, "The mean of the measured elevation is subtracted."), 1);
 }
 
 TEST(dynamic_assumptions, report_what_the_tensioner_does) {

@@ -36,7 +36,7 @@ TEST(model_findings, a_dynamic_analysis_in_which_nothing_moves_is_reported) {
   recorded.vessel.motion = VesselMotion::history;
   recorded.vessel.history = MotionHistory{{0.0, 1.0}, {{}, {}}, "still.csv"};
   EXPECT_TRUE(says(recorded, message));
-  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.front().type = WaveType::airy;
   EXPECT_FALSE(says(d, message));
 }
 

@@ -14,8 +14,8 @@ namespace {
 /// A pipe of 0.4 m in waves of `period`.
 Model pipe_in_waves(double period, double scale = 1.0) {
   Description d = testing::plain_description();
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.period = period;
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().period = period;
   Model model = build_model(d);
   Section& pipe = model.sections.front();
   pipe.outer_diameter = 0.4 * scale;
@@ -54,8 +54,8 @@ TEST(step_scales, follow_the_shortest_period_that_is_prescribed) {
   EXPECT_DOUBLE_EQ(step_scales(build_model(d)).time, 0.125);
   d.vessel.harmonic["heave"] = {1.0, 5.0, 0.0};
   EXPECT_DOUBLE_EQ(step_scales(build_model(d)).time, 0.1);
-  d.environment.waves.type = WaveType::user;
-  d.environment.waves.spectrum = {{2.0, 0.0}, {3.0, 1.0}, {4.0, 0.0}};
+  d.environment.waves.front().type = WaveType::user;
+  d.environment.waves.front().spectrum = {{2.0, 0.0}, {3.0, 1.0}, {4.0, 0.0}};
   EXPECT_NEAR(step_scales(build_model(d)).time, 2.0 * std::numbers::pi / 3.0 / 50.0, 1e-12);
 }
 

@@ -23,7 +23,7 @@ TEST(control_columns, report_what_a_controller_asked_for_and_the_results_that_th
   Description d = testing::workable();
   d.dynamics->build_up = 0.0;
   d.dynamics->duration = 4.0;
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.mode = TensionerMode::locked;
   const testing::TimedLay c(d);

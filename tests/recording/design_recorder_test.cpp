@@ -32,7 +32,7 @@ const CheckRow& find_check_row(const CheckTable& table, const std::string& id, C
 
 TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_and_those_of_the_current) {
   Description d = workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.checks.system_effects = false;
   d.dynamics->duration = 4.0;

@@ -11,7 +11,7 @@ struct Watched {
   VesselPose vessel;
 
   explicit Watched(WaveType waves = WaveType::none) {
-    model.description.environment.waves.type = waves;
+    model.description.environment.waves.front().type = waves;
     model.description.vessel.motion = waves == WaveType::none ? VesselMotion::fixed : VesselMotion::raos;
     nodes.x = {0.0, 10.0, 20.0};
     nodes.y = nodes.z = {0.0, 0.0, 0.0};

@@ -25,7 +25,7 @@ struct Second {
 
 Description moored_bgl1() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
-  d.environment.waves.components = 40;
+  d.environment.waves.front().components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
   d.mesh.max_element_length = 8.0;

@@ -83,7 +83,7 @@ TEST(pipe_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_i
 // Beyond a metre or so the pipe touches no roller, for any motion within a step; but clearances are wanted.
 TEST(pipe_recorder, rollers_far_below_the_pipe_have_the_clearance_of_statics) {
   Description d = testing::workable();
-  d.environment.waves = WavesDescription{};
+  d.environment.waves.front() = {};
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.range_low.reset();
   d.tensioner.range_high.reset();
@@ -142,7 +142,7 @@ TEST(pipe_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_in_statics) {
 TEST(pipe_recorder, a_cable_leaves_its_last_roller_at_the_angle_of_statics) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-abandonment.yaml").description.value();
   d = make_stage_description(d, lay_stages(d).at(2));
-  d.environment.waves = WavesDescription{};
+  d.environment.waves.front() = {};
   d.vessel.motion = VesselMotion::fixed;
   d.dynamics->duration = 1.0;
   d.dynamics->build_up = 0.5;

@@ -23,7 +23,7 @@ using testing::workable;
 
 TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
   Description d = workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   const TimedLay c(d);
   MemorySink sink;
@@ -142,11 +142,11 @@ TEST(impacts_in_time, are_as_many_and_as_hard_as_with_steps_that_are_short_throu
 /// Head waves that move the barge back and forth, rollers that carry and do not strike.
 Description hauling(TensionerMode mode) {
   Description d = workable();
-  d.environment.waves = {};
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 1.2;
-  d.environment.waves.period = 12.0;
-  d.environment.waves.from = 1.5707963;
+  d.environment.waves.front() = {};
+  d.environment.waves.front().type = WaveType::airy;
+  d.environment.waves.front().height = 1.2;
+  d.environment.waves.front().period = 12.0;
+  d.environment.waves.front().from = 1.5707963;
   d.environment.current.clear();
   d.tensioner.mode = mode;
   d.dynamics->build_up = 24.0;
@@ -231,7 +231,7 @@ TEST(tensioner_in_time, a_constant_one_that_goes_beyond_its_travel_is_reported) 
 
 TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
   Description d = hauling(TensionerMode::controlled);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   const TimedLay c(d);
   MemorySink sink;
@@ -290,7 +290,7 @@ Description yielding() {
   d.supports = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-as-printed.yaml").description.value().supports;
   d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
   d.pipe.section.steel.material.hardening_exponent = 25.0;
-  d.environment.waves.hs = 3.0;
+  d.environment.waves.front().hs = 3.0;
   return d;
 }
 
@@ -308,7 +308,7 @@ TEST(yielding_in_time, energy_in_is_energy_stored_and_lost) {
 
 TEST(yielding_in_time, at_rest_the_pipe_stays_where_statics_put_it) {
   Description d = yielding();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   const TimedLay c(d);
   MemorySink sink;

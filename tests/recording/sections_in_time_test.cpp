@@ -85,7 +85,7 @@ TEST(moving_sections, at_a_change_of_section_stresses_are_those_of_the_softer_si
 
 TEST(moving_sections, a_built_in_structure_is_in_no_maximum_and_the_pipe_at_its_ends_is) {
   Description d = workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   StructureDescription tee;
   tee.name = "tee";

@@ -85,8 +85,8 @@ TEST_F(SpectrumFile, next_to_the_model_is_part_of_it) {
   write("frequency_hz,density_m2_hz\n0.05,0\n0.1,10\n0.3,0\n");
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
-  EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
-  EXPECT_NEAR(reading.description->environment.waves.hs, 4.0 * std::sqrt(0.5 * 0.25 * 10.0), 1e-12);
+  EXPECT_EQ(reading.description->environment.waves.front().spectrum.size(), 3U);
+  EXPECT_NEAR(reading.description->environment.waves.front().hs, 4.0 * std::sqrt(0.5 * 0.25 * 10.0), 1e-12);
   EXPECT_TRUE(reading.description->findings.empty());
 }
 
@@ -96,7 +96,7 @@ TEST_F(SpectrumFile, that_begins_with_a_byte_order_mark_is_read_as_any_other_tab
       "frequency_hz,density_m2_hz\n0.05,0\n0.1,10\n0.3,0\n");
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
-  EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
+  EXPECT_EQ(reading.description->environment.waves.front().spectrum.size(), 3U);
 }
 
 TEST_F(SpectrumFile, and_spectra_by_height_whose_waves_break_on_the_bed_are_doubtful) {
@@ -146,7 +146,7 @@ TEST_F(SpectrumFile, that_is_a_folder_is_rejected) {
 TEST_F(SpectrumFile, waves_of_the_file_are_bound_with_all_their_keys) {
   const ModelReading reading = read("{type: stokes5, height: 6 m, period: 11 s, phase: 90 deg, from: 180 deg}");
   ASSERT_TRUE(reading.description.has_value());
-  const WavesDescription& waves = reading.description->environment.waves;
+  const WavesDescription& waves = reading.description->environment.waves.front();
   EXPECT_EQ(waves.type, WaveType::stokes5);
   EXPECT_DOUBLE_EQ(waves.phase, 0.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(waves.height, 6.0);

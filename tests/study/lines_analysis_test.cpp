@@ -263,10 +263,10 @@ TEST(lines_analysis, warns_of_a_breaking_load_that_is_exceeded_in_time_alone) {
 /// Two chains in a sea, with a short run.
 Description chains_in_waves() {
   Description d = two_chains();
-  d.environment.waves.type = WaveType::jonswap;
-  d.environment.waves.hs = 2.0;
-  d.environment.waves.tp = 8.0;
-  d.environment.waves.components = 20;
+  d.environment.waves.front().type = WaveType::jonswap;
+  d.environment.waves.front().hs = 2.0;
+  d.environment.waves.front().tp = 8.0;
+  d.environment.waves.front().components = 20;
   d.dynamics->duration = 4.0;
   d.dynamics->build_up = 2.0;
   return d;

@@ -14,10 +14,10 @@ namespace overbend::testing {
 /// The example in a sea that a barge works in, coarse, for a short time.
 inline Description workable() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
-  d.environment.waves.hs = 1.5;
-  d.environment.waves.tp = 8.0;
-  d.environment.waves.from = 1.75;  // nearly from ahead
-  d.environment.waves.components = 40;
+  d.environment.waves.front().hs = 1.5;
+  d.environment.waves.front().tp = 8.0;
+  d.environment.waves.front().from = 1.75;  // nearly from ahead
+  d.environment.waves.front().components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
   d.mesh.max_element_length = 8.0;

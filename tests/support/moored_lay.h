@@ -11,7 +11,7 @@ namespace overbend::testing {
 /// An example on a coarse mesh, with few waves, for a run of `duration` after `build_up` [s].
 inline Description coarse_example(const char* name, double duration, double build_up) {
   Description d = read_model(std::string(OVERBEND_SOURCE_DIR "/examples/") + name + ".yaml").description.value();
-  d.environment.waves.components = 40;
+  d.environment.waves.front().components = 40;
   d.mesh.overbend_element = 1.0;
   d.mesh.touchdown_element = 3.0;
   d.mesh.max_element_length = 8.0;

@@ -129,7 +129,7 @@ TEST(find_regions, a_run_at_rest_has_the_regions_of_statics) {
   for (const bool j_lay : {true, false}) {
     Description d = j_lay ? clamped() : testing::workable();
     d.vessel.motion = VesselMotion::fixed;
-    d.environment.waves = {};
+    d.environment.waves.front() = {};
     d.dynamics = DynamicSettings{};
     d.dynamics->duration = d.dynamics->build_up = 1.0;
     const TimedLay c(d);

@@ -50,9 +50,12 @@ void add_table_warning(const CoefficientTable& table, const char* flow, HullRepo
   }
 }
 
-/// Wave number of the sea's peak; for a sea without a peak period of the frequency below which half of its energy lies.
-double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
-  if (waves.tp > 0.0) return linear_wave_number(2.0 * std::numbers::pi / waves.tp, sea.depth);
+/// Wave number of the sea's peak; for a sea without a peak period, or of several groups of waves, of the frequency
+/// below which half of its energy lies.
+double peak_wave_number(const WaveGroups& waves, const Sea& sea) {
+  if (waves.size() == 1 && waves.front().tp > 0.0) {
+    return linear_wave_number(2.0 * std::numbers::pi / waves.front().tp, sea.depth);
+  }
   double energy = 0.0, passed = 0.0;
   for (const WaveComponent& c : sea.components) energy += c.amplitude * c.amplitude;
   for (const WaveComponent& c : sea.components) {
@@ -62,8 +65,8 @@ double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
   return 0.0;
 }
 
-void add_wave_findings(const Hull& hull, const CoupledHullDescription& coupled, const WavesDescription& waves,
-                       const Sea& sea, HullReport& out) {
+void add_wave_findings(const Hull& hull, const CoupledHullDescription& coupled, const WaveGroups& waves, const Sea& sea,
+                       HullReport& out) {
   out.below_table = hull.waves.below_table;
   out.above_table = hull.waves.above_table;
   const double outside = out.below_table + out.above_table;

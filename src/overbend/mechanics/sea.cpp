@@ -11,6 +11,8 @@
 #include "base/interruption.h"
 #include "base/random.h"
 #include "base/require.h"
+#include "mechanics/record_components.h"
+#include "mechanics/spectrum_directions.h"
 #include "mechanics/wave_spreading.h"
 #include "model/pipe/section.h"
 #include "model/waves/wave_theory.h"
@@ -22,10 +24,6 @@ constexpr std::size_t kColumns = 11;  // columns of the kernel's table
 
 static_assert(sizeof(WaterState) == 8 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),
               "the kernel writes states and reads points as plain doubles");
-
-bool is_regular(WaveType type) {
-  return type == WaveType::airy || type == WaveType::stokes5;
-}
 
 std::size_t padded(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
@@ -86,39 +84,79 @@ double travel_azimuth(const WavesDescription& waves) {
   return waves.from + std::numbers::pi;
 }
 
-void set_regular(Sea& sea, const WavesDescription& waves) {
+void add_regular(Sea& sea, const WavesDescription& waves) {
   if (!(waves.height > 0.0) || !(waves.period > 0.0)) {
     throw std::invalid_argument("a regular wave needs a height and a period");
   }
   const double towards = travel_azimuth(waves);
-  if (sea.type == WaveType::airy) {
-    sea.components = {travelling(0.5 * waves.height, kTurn / waves.period, towards, waves.phase, sea.depth)};
+  if (waves.type == WaveType::airy) {
+    sea.components.push_back(travelling(0.5 * waves.height, kTurn / waves.period, towards, waves.phase, sea.depth));
     return;
   }
+  sea.nonlinear = true;
   sea.stokes = stokes_wave(waves.height, waves.period, sea.depth, std::sin(towards), std::cos(towards), waves.phase);
   const StokesWave& s = sea.stokes;
   sea.components = {{s.elevation[0], s.omega, s.wave_number, s.kx, s.ky, s.phase}};
 }
 
 /// Components of equal energy, one from each slice of the spectrum's energy at a random frequency within it.
-void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
+void add_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
   if (waves.components < 1) throw std::invalid_argument("a random sea needs at least one component");
   const WaveSpectrum spectrum(waves);
   Random random(seed);
   const int count = waves.components;
   const double amplitude = std::sqrt(2.0 * spectrum.variance() / count);
+  const std::size_t first = sea.components.size();
   for (int i = 0; i < count; ++i) {
     const double omega = spectrum.quantile((i + random.uniform()) / count);
     const double phase = kTurn * random.uniform();
     sea.components.push_back(travelling(amplitude, omega, travel_azimuth(waves), phase, sea.depth));
   }
-  if (!waves.spreading) return;
+  if (!waves.spreading && waves.directions.empty()) return;
+  const std::span<WaveComponent> components = std::span(sea.components).subspan(first);
+  std::vector<double> azimuths;
   // Drawn last, so that the short-crested sea has the frequencies and phases of the long-crested one.
-  const std::vector<double> directions = spread_directions(*waves.spreading, count, random);
-  for (int i = 0; i < count; ++i) {
-    const WaveComponent& c = sea.components[i];
-    sea.components[i] = travelling(amplitude, c.omega, travel_azimuth(waves) + directions[i], c.phase, sea.depth);
+  if (waves.directions.empty()) {
+    azimuths = spread_directions(*waves.spreading, count, random);
+    for (double& azimuth : azimuths) azimuth = travel_azimuth(waves) + azimuth;
+  } else {
+    azimuths = component_azimuths(waves, components, random);
+    for (double& azimuth : azimuths) azimuth += kPi;  // from that azimuth
   }
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const WaveComponent& c = components[i];
+    components[i] = travelling(amplitude, c.omega, azimuths[i], c.phase, sea.depth);
+  }
+}
+
+/// Fourier components of a measured elevation, which pass its point with the phases of the record.
+void add_measured(Sea& sea, const WavesDescription& waves) {
+  const double towards = travel_azimuth(waves);
+  for (const RecordComponent& c : record_components(waves.record)) {
+    WaveComponent wave = travelling(c.amplitude, c.omega, towards, 0.0, sea.depth);
+    wave.phase = c.phase - wave.kx * waves.measured_at.x() - wave.ky * waves.measured_at.y();
+    sea.components.push_back(wave);
+  }
+}
+
+void add_group(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
+  if (waves.type == WaveType::none) return;
+  if (!(sea.depth > 0.0)) throw std::invalid_argument("waves need a water depth");
+  if (sea.nonlinear || (waves.type == WaveType::stokes5 && !sea.calm())) {
+    throw std::invalid_argument("a Stokes wave is not a sum of linear waves: it is the only wave of its sea");
+  }
+  if (is_regular(waves.type)) {
+    add_regular(sea, waves);
+  } else if (waves.type == WaveType::elevation) {
+    add_measured(sea, waves);
+  } else {
+    add_random(sea, waves, seed);
+  }
+}
+
+void sort_by_wave_number(Sea& sea) {
+  std::stable_sort(sea.components.begin(), sea.components.end(),
+                   [](const WaveComponent& a, const WaveComponent& b) { return a.wave_number < b.wave_number; });
 }
 
 /// Sums of squared amplitudes times phasors over a row of lags.
@@ -171,24 +209,22 @@ WaveElevation wave_elevation_for(Isa isa) {
 
 }  // namespace
 
-Sea make_sea(const WavesDescription& waves, double depth, std::uint64_t seed) {
-  if (waves.type != WaveType::none && !(depth > 0.0)) throw std::invalid_argument("waves need a water depth");
+Sea make_sea(const WaveGroups& groups, double depth, std::uint64_t seed) {
   Sea sea;
-  sea.type = waves.type;
   sea.depth = depth;
-  if (waves.type == WaveType::none) return sea;
-  if (is_regular(waves.type)) {
-    set_regular(sea, waves);
-  } else {
-    set_random(sea, waves, seed);
-  }
+  for (std::size_t i = 0; i < groups.size(); ++i) add_group(sea, groups[i], group_seed(groups, i, seed));
+  if (sea.calm()) return sea;
+  if (groups.size() > 1) sort_by_wave_number(sea);  // those of one group are in order
   fill_table(sea);
   return sea;
 }
 
+Sea make_sea(const WavesDescription& waves, double depth, std::uint64_t seed) {
+  return make_sea(WaveGroups{waves}, depth, seed);
+}
+
 Sea make_sea(std::vector<WaveComponent> components, double depth) {
   Sea sea;
-  sea.type = components.empty() ? WaveType::none : components.size() == 1 ? WaveType::airy : WaveType::user;
   sea.depth = depth;
   sea.components = std::move(components);
   if (sea.calm()) return sea;
@@ -196,8 +232,7 @@ Sea make_sea(std::vector<WaveComponent> components, double depth) {
     const double towards = std::atan2(c.kx, c.ky);
     c = travelling(c.amplitude, c.omega, towards, c.phase, depth);
   }
-  std::sort(sea.components.begin(), sea.components.end(),
-            [](const WaveComponent& a, const WaveComponent& b) { return a.wave_number < b.wave_number; });
+  sort_by_wave_number(sea);
   fill_table(sea);
   return sea;
 }
@@ -230,7 +265,7 @@ void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<co
   if (points.empty()) return;
   if (sea.calm()) {
     std::fill(out.begin(), out.end(), WaterState{});
-  } else if (sea.type == WaveType::stokes5) {
+  } else if (sea.nonlinear) {
     for (std::size_t i = 0; i < points.size(); ++i) stokes_state(sea.stokes, t, build_up, points[i], out[i]);
   } else {
     static const WaveSums kSums = wave_sums_for(best_isa());
@@ -241,20 +276,20 @@ void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<co
 
 double elevation(const Sea& sea, double t, const BuildUp& build_up, double x, double y) {
   if (sea.calm()) return 0.0;
-  if (sea.type == WaveType::stokes5) return build_up.value * elevation(sea.stokes, t, x, y);
+  if (sea.nonlinear) return build_up.value * elevation(sea.stokes, t, x, y);
   static const WaveElevation kElevation = wave_elevation_for(best_isa());
   return build_up.value * kElevation(make_wave_view(sea), t, x, y);
 }
 
 double spectral_density(const WavesDescription& waves, double omega) {
-  if (waves.type == WaveType::none || is_regular(waves.type)) return 0.0;
+  if (!is_random(waves.type)) return 0.0;
   return WaveSpectrum(waves).density(omega);
 }
 
 double highest_frequency(const Sea& sea) {
   if (sea.calm()) return 0.0;
   // Frequency rises with the wave number.
-  const double harmonics = sea.type == WaveType::stokes5 ? 5.0 : 1.0;
+  const double harmonics = sea.nonlinear ? 5.0 : 1.0;
   return harmonics * sea.components.back().omega;
 }
 

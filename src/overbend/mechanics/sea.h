@@ -15,6 +15,7 @@
 #include "mechanics/wave_kernel.h"
 #include "mechanics/wave_spectrum.h"
 #include "model/description/waves_description.h"
+#include "model/site/wave_groups.h"
 
 namespace overbend {
 
@@ -29,7 +30,7 @@ struct WaveComponent {
 
 /// Made by make_sea; the components are read-only.
 struct Sea {
-  WaveType type = WaveType::none;
+  bool nonlinear = false;                 ///< A Stokes wave, alone; all others are sums of linear waves.
   double depth = 0.0;                     ///< Still-water depth used by the waves [m].
   std::vector<WaveComponent> components;  ///< Sorted by rising wave number; for a Stokes wave only its first harmonic.
   StokesWave stokes;                      ///< For stokes5.
@@ -38,9 +39,13 @@ struct Sea {
   bool calm() const { return components.empty(); }
 };
 
-/// Makes the sea of a description in a water depth [m]. The same seed gives the same sea, regardless of the simulated
-/// time. Throws std::invalid_argument for a sea without spectrum or size, std::domain_error for a Stokes wave that does
-/// not exist.
+/// Makes the sea of all groups of waves together, which superpose linearly, in a water depth [m]. The same seed gives
+/// the same sea, regardless of the simulated time; the seed of each group is that of group_seed(). Throws
+/// std::invalid_argument for a group without spectrum or size, or a Stokes wave among others, std::domain_error for a
+/// Stokes wave that does not exist.
+Sea make_sea(const WaveGroups& groups, double depth, std::uint64_t seed);
+
+/// The same for one group.
 Sea make_sea(const WavesDescription& waves, double depth, std::uint64_t seed);
 
 /// Makes a sea of given linear waves; wave numbers follow from the frequencies, kx and ky are scaled to them. The
@@ -69,8 +74,8 @@ void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<co
 /// Returns the surface elevation [m] over a point of W.
 double elevation(const Sea& sea, double t, const BuildUp& build_up, double x, double y);
 
-/// Returns the one-sided spectral density S(omega) [m2 s] of a described sea, 0 for regular waves. Builds the spectrum
-/// each time; use WaveSpectrum for many frequencies.
+/// Returns the one-sided spectral density S(omega) [m2 s] of a described sea, 0 for regular waves and measured
+/// elevations. Builds the spectrum each time; use WaveSpectrum for many frequencies.
 double spectral_density(const WavesDescription& waves, double omega);
 
 /// Returns the highest frequency of the water motion [rad/s]; 0 when calm.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace overbend {
 namespace {
@@ -23,6 +25,12 @@ WaveSpectrum::WaveSpectrum(const WavesDescription& waves) {
     case WaveType::pierson_moskowitz:
       set_wind_sea(waves);
       return;
+    case WaveType::ochi_hubble:
+      set_peaks(ochi_hubble_peaks(waves.parts));
+      return;
+    case WaveType::torsethaugen:
+      set_peaks(torsethaugen_peaks(waves.hs, waves.tp, waves.model));
+      return;
     case WaveType::user:
       set_table(waves.spectrum);
       return;
@@ -31,21 +39,11 @@ WaveSpectrum::WaveSpectrum(const WavesDescription& waves) {
   }
 }
 
-/// Pierson-Moskowitz with m0 = 1, times the peak enhancement; x in peak frequencies.
-double WaveSpectrum::shape(double x) const {
-  if (x <= 0.0) return 0.0;
-  const double x4 = x * x * x * x;
-  const double base = 5.0 / (x4 * x) * std::exp(-1.25 / x4);
-  if (gamma_ == 1.0) return base;
-  const double width = x <= 1.0 ? 0.07 : 0.09;
-  const double off = (x - 1.0) / width;
-  return base * std::pow(gamma_, std::exp(-0.5 * off * off));
-}
-
 void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
   if (!(waves.hs > 0.0) || !(waves.tp > 0.0)) throw std::invalid_argument("a wind sea needs hs and tp");
   peak_ = 2.0 * std::numbers::pi / waves.tp;
   variance_ = waves.hs * waves.hs / 16.0;
+  const auto shape = [this](double x) { return jonswap_shape(x, gamma_); };
   const int cells = static_cast<int>(std::lround((kHighest - kLowest) / kStep));
   double sum = 0.0;
   omega_.push_back(kLowest * peak_);
@@ -61,6 +59,32 @@ void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
   for (double& energy : energy_) energy /= sum;
   share_inside_ = sum / (sum + tail);
   scale_ = variance_ / ((sum + tail) * peak_);
+}
+
+void WaveSpectrum::set_peaks(std::vector<SpectralPeak> peaks) {
+  constexpr double kFarthest = 100.0;  // in peak frequencies: beyond it are less than 1e-6 of the energy
+  constexpr double kRatio = 1.001;     // of neighbouring frequencies
+  peaks_ = std::move(peaks);
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+  for (const SpectralPeak& peak : peaks_) {
+    if (!(peak.hs > 0.0) || !(peak.peak > 0.0)) throw std::invalid_argument("a spectral peak needs hs and tp");
+    lowest = std::min(lowest, peak.peak);
+    highest = std::max(highest, peak.peak);
+  }
+  omega_.push_back(kLowest * lowest);
+  energy_.push_back(0.0);
+  double sum = 0.0;
+  for (double a = omega_.front(); a < kFarthest * highest; a *= kRatio) {
+    const double b = a * kRatio;
+    sum += (b - a) / 6.0 * (density(a) + 4.0 * density(0.5 * (a + b)) + density(b));
+    if (b > kHighest * highest) continue;
+    omega_.push_back(b);
+    energy_.push_back(sum);
+  }
+  variance_ = sum;
+  share_inside_ = energy_.back() / sum;
+  const double inside = energy_.back();
+  for (double& energy : energy_) energy /= inside;
 }
 
 void WaveSpectrum::set_table(const std::vector<SpectrumPoint>& points) {
@@ -84,7 +108,12 @@ void WaveSpectrum::set_table(const std::vector<SpectrumPoint>& points) {
 }
 
 double WaveSpectrum::density(double omega) const {
-  if (table_.empty()) return scale_ * shape(omega / peak_);
+  if (!peaks_.empty()) {
+    double sum = 0.0;
+    for (const SpectralPeak& peak : peaks_) sum += peak.density(omega);
+    return sum;
+  }
+  if (table_.empty()) return scale_ * jonswap_shape(omega / peak_, gamma_);
   if (omega < table_.front().omega || omega > table_.back().omega) return 0.0;
   const auto by_omega = [](double value, const SpectrumPoint& point) { return value < point.omega; };
   auto above = std::upper_bound(table_.begin(), table_.end(), omega, by_omega);

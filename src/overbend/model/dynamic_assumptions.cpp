@@ -6,7 +6,9 @@
 #include <map>
 
 #include "base/shown_unit.h"
+#include "model/description/description_enum_names.h"
 #include "model/site/sea_statistics.h"
+#include "model/site/wave_groups.h"
 #include "model/step_scales.h"
 #include "model/waves/wave_theory.h"
 
@@ -25,54 +27,144 @@ void assume_time(Assumptions& list, const DynamicSettings& settings) {
   list.push_back({AssumptionRank::other, "The current is that of the static analysis at all times."});
 }
 
-std::string seed_label(const WavesDescription& waves, const DynamicSettings& settings) {
+/// Returns the seeds of a run with these groups: of each group in a run without seeds.
+std::string seed_label(const WaveGroups& groups, const WavesDescription& waves, const DynamicSettings& settings) {
   if (settings.seeds.size() > 1) {
     return fmt::format("seeds {}", fmt::join(settings.seeds, ", "));
   }
-  return fmt::format("seed {}", settings.seeds.empty() ? waves.seed : settings.seeds.front());
+  const std::uint64_t run = settings.seeds.empty() ? default_seed(groups) : settings.seeds.front();
+  return fmt::format("seed {}", waves.seed + (run - default_seed(groups)));
+}
+
+std::string gamma_label(const WavesDescription& waves) {
+  return fmt::format("gamma = {:.3g} {}", waves.gamma.value_or(jonswap_gamma(waves.hs, waves.tp)),
+                     waves.gamma ? "as given" : "from DNV-RP-C205");
+}
+
+std::string ochi_hubble_label(const WavesDescription& waves) {
+  std::vector<std::string> parts;
+  for (const SpectrumPart& part : waves.parts) {
+    parts.push_back(
+        fmt::format("Hs {}, Tp {:.4g} s and lambda {:.3g}", shown_digits(part.hs, "m", 4), part.tp, part.lambda));
+  }
+  return fmt::format("an Ochi-Hubble spectrum of two parts, with {}", fmt::join(parts, ", and "));
 }
 
 std::string spectrum_label(const WavesDescription& waves) {
   switch (waves.type) {
-    case WaveType::jonswap: {
-      const double gamma = waves.gamma.value_or(jonswap_gamma(waves.hs, waves.tp));
-      return fmt::format("a JONSWAP spectrum with gamma = {:.3g} {}", gamma,
-                         waves.gamma ? "as given" : "from DNV-RP-C205");
-    }
+    case WaveType::jonswap:
+      return "a JONSWAP spectrum with " + gamma_label(waves);
     case WaveType::pierson_moskowitz:
       return "a Pierson-Moskowitz spectrum";
+    case WaveType::ochi_hubble:
+      return ochi_hubble_label(waves);
+    case WaveType::torsethaugen:
+      return waves.model == TorsethaugenModel::full
+                 ? "the spectrum of Torsethaugen's full model of 1996"
+                 : "the spectrum of Torsethaugen's simplified double peak model of 2004";
     default:
       return "a user-defined spectrum from a file" +
              (waves.spectrum.empty() ? std::string() : ", with " + sea_statistics_label(waves.spectrum));
   }
 }
 
-void assume_sea(Assumptions& list, const WavesDescription& waves, const DynamicSettings& settings) {
-  list.push_back({AssumptionRank::setting, fmt::format("The sea has {}.", spectrum_label(waves))});
+std::string directions_label(const WavesDescription& waves) {
+  if (!waves.directions.sectors.empty()) {
+    return fmt::format(", with directions drawn from the {} sectors of the file", waves.directions.sectors.size());
+  }
+  if (!waves.directions.spreading.empty()) return ", with mean direction and spreading by frequency as in the file";
+  const std::string mean = waves.directions.empty() ? "" : ", with mean direction by frequency as in the file";
+  if (!waves.spreading) return waves.directions.empty() ? ", all in one direction" : mean + ", long-crested";
+  return mean + fmt::format(", with directional spreading cos^2s of half the angle, s = {:.4g}", *waves.spreading);
+}
+
+void assume_period(Assumptions& list, const WavesDescription& waves) {
+  if (!waves.tz) return;
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("The peak period of {:.4g} s is that of a {} spectrum{} with the zero up-crossing period "
+                              "of {:.4g} s, by integrals over all frequencies.",
+                              waves.tp, waves.type == WaveType::jonswap ? "JONSWAP" : "Pierson-Moskowitz",
+                              waves.type == WaveType::jonswap ? " with " + gamma_label(waves) : "", *waves.tz)});
+}
+
+void assume_sea(Assumptions& list, const WaveGroups& groups, const WavesDescription& waves,
+                const DynamicSettings& settings) {
+  const bool only = groups.size() == 1;
+  list.push_back({AssumptionRank::setting, fmt::format("{} has {}.", only ? "The sea" : "It", spectrum_label(waves))});
+  assume_period(list, waves);
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("It is the sum of {} linear waves with random frequencies and phases, {}{}.",
+                              waves.components, seed_label(groups, waves, settings), directions_label(waves))});
+  if (waves.type == WaveType::torsethaugen) {
+    list.push_back(
+        {AssumptionRank::other,
+         fmt::format("Torsethaugen's peaks are normalised by the factors of the publication and not rescaled: "
+                     "the significant wave height differs from the given one by up to {} %.",
+                     waves.model == TorsethaugenModel::full ? "2" : "1.2")});
+  }
+}
+
+void assume_record(Assumptions& list, const WavesDescription& waves) {
+  const SeaStatistics sea = record_statistics(waves.record);
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("The sea is a measured elevation of {:.4g} s with Hs {}, Tz {:.3g} s, as the sum of its "
+                              "Fourier components: linear waves in one direction that meet the record at its point.",
+                              waves.record.duration(), shown_digits(sea.hs, "m", 3), sea.tz)});
   list.push_back(
-      {AssumptionRank::setting,
-       fmt::format("It is the sum of {} linear waves with random frequencies and phases, {}{}.", waves.components,
-                   seed_label(waves, settings),
-                   waves.spreading ? fmt::format(", with directional spreading cos^2s of half the angle, s = {:.4g}",
-                                                 *waves.spreading)
-                                   : ", all in one direction")});
+      {AssumptionRank::governing,
+       "Before and after the record the sea repeats it, with a gap of some 20 s that leads from its end back "
+       "to its beginning; waves shorter than 0.5 s are left out."});
+}
+
+void assume_group(Assumptions& list, const WaveGroups& groups, const WavesDescription& waves,
+                  const DynamicSettings& settings) {
+  switch (waves.type) {
+    case WaveType::none:
+      break;
+    case WaveType::stokes5:
+      list.push_back({AssumptionRank::setting,
+                      "The regular wave follows Stokes' fifth-order theory, with zero mean Eulerian current."});
+      break;
+    case WaveType::airy:
+      list.push_back({AssumptionRank::setting, "The regular wave is linear."});
+      break;
+    case WaveType::elevation:
+      assume_record(list, waves);
+      break;
+    default:
+      assume_sea(list, groups, waves, settings);
+  }
+  for (const Assumption& assumption : waves.assumptions) list.push_back(assumption);
+}
+
+/// Appends the sentences of one group of several, with its number and type in front.
+void assume_numbered_group(Assumptions& list, const WaveGroups& groups, std::size_t index,
+                           const DynamicSettings& settings) {
+  Assumptions of_group;
+  assume_group(of_group, groups, groups[index], settings);
+  for (const Assumption& assumption : of_group) {
+    list.push_back(
+        {assumption.rank, fmt::format("Waves {} ({}): {}", index + 1, enum_name(groups[index].type), assumption.text)});
+  }
+}
+
+void assume_groups(Assumptions& list, const WaveGroups& groups, const DynamicSettings& settings) {
+  if (groups.size() == 1) return assume_group(list, groups, groups.front(), settings);
+  const double hs = significant_height(groups);
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("The sea is the sum of {} groups of waves{}; each has random numbers of its own.",
+                              groups.size(), hs > 0.0 ? " with Hs " + shown_digits(hs, "m", 4) + " together" : "")});
+  for (std::size_t i = 0; i < groups.size(); ++i) assume_numbered_group(list, groups, i, settings);
 }
 
 void assume_waves(Assumptions& list, const Model& model, const DynamicSettings& settings) {
-  const WavesDescription& waves = model.description.environment.waves;
-  if (waves.type == WaveType::none) {
+  const WaveGroups& groups = model.description.environment.waves;
+  if (is_calm(groups)) {
     list.push_back({AssumptionRank::governing, "There are no waves."});
     return;
   }
-  if (waves.type == WaveType::stokes5) {
-    list.push_back({AssumptionRank::setting,
-                    "The regular wave follows Stokes' fifth-order theory, with zero mean Eulerian current."});
-  } else {
-    if (waves.type == WaveType::airy) {
-      list.push_back({AssumptionRank::setting, "The regular wave is linear."});
-    } else {
-      assume_sea(list, waves, settings);
-    }
+  assume_groups(list, groups, settings);
+  if (groups.size() > 1 || groups.front().type != WaveType::stokes5) {
     list.push_back(
         {AssumptionRank::other, "The kinematics of linear waves are extended to the surface by Wheeler stretching."});
   }

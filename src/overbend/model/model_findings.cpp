@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/shown_unit.h"
+#include "model/site/wave_groups.h"
 #include "model/vessel/rao_limits.h"
 
 namespace overbend {
@@ -94,7 +95,7 @@ Findings model_findings(const Model& model) {
   }
   if (d.has_pipe) report_assumed_yield(findings, d.pipe);
   if (d.moorings) warn_of_breaking_lines(findings, *d.moorings);
-  if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !has_moving_equipment(d)) {
+  if (d.dynamics && is_calm(d.environment.waves) && !vessel_moves(d.vessel) && !has_moving_equipment(d)) {
     findings.push_back({FindingCode::nothing_moves,
                         "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel "
                         "does not move (vessel.motion)"});

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "model/site/sea_statistics.h"
+
 namespace overbend {
 namespace {
 
@@ -26,6 +28,15 @@ double mean_period(const std::vector<SpectrumPoint>& spectrum) {
 
 double wave_period(const WavesDescription& waves) {
   if (waves.type == WaveType::none) return std::numeric_limits<double>::infinity();
+  if (waves.type == WaveType::elevation) {
+    const double tz = record_statistics(waves.record).tz;
+    return tz > 0.0 ? tz : std::numeric_limits<double>::infinity();
+  }
+  if (waves.type == WaveType::ochi_hubble) {
+    double period = std::numeric_limits<double>::infinity();
+    for (const SpectrumPart& part : waves.parts) period = std::min(period, part.tp);
+    return period;
+  }
   if (!waves.spectrum.empty()) return mean_period(waves.spectrum);
   return waves.tp > 0.0 ? waves.tp : waves.period;
 }
@@ -34,7 +45,7 @@ double wave_period(const WavesDescription& waves) {
 double compute_min_period(const Description& d) {
   double period = std::numeric_limits<double>::infinity();
   const auto take = [&](double value) { period = value > 0.0 ? std::min(period, value) : period; };
-  take(wave_period(d.environment.waves));
+  for (const WavesDescription& waves : d.environment.waves) take(wave_period(waves));
   for (const auto& [freedom, motion] : d.vessel.harmonic) take(motion.period);
   for (const FreeLineDescription& line : d.lines) {
     for (const LineEndDescription* end : {&line.first, &line.second}) {

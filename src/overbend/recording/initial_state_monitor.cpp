@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/build_up.h"
+#include "model/site/wave_groups.h"
 
 namespace overbend {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kExplainedByVessel = 3.0;  ///< Displacement of the pipe explai
 constexpr double kMinReportedDeparture = 0.5;  ///< Further displacement from which a departure is reported [m].
 
 bool in_calm_water(const Description& d) {
-  return d.environment.waves.type == WaveType::none && d.vessel.motion == VesselMotion::fixed;
+  return is_calm(d.environment.waves) && d.vessel.motion == VesselMotion::fixed;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/shown_unit.h"
 #include "mechanics/contact_damage.h"
+#include "model/site/wave_groups.h"
 #include "recording/dynamic_findings.h"
 #include "recording/pipe_recorder.h"
 #include "recording/pipe_recorder_layout.h"
@@ -190,7 +191,7 @@ void PipeRecorder::fill_assumptions(DynamicResults& results) const {
 
 /// Reports the slamming load, which the equations of motion neglect, at the fastest water entry.
 void PipeRecorder::fill_slamming(DynamicResults& results) const {
-  if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
+  if (crossing_.speed() <= 0.0 || is_calm(model_->description.environment.waves)) return;
   const double from_top = places().back() - crossing_.s();
   const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
   const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());

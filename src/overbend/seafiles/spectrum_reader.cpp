@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -203,17 +202,6 @@ class SpectrumReader {
 std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std::string& path,
                                               Diagnostics& diagnostics) {
   return SpectrumReader(path, diagnostics).read(text);
-}
-
-void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
-  if (waves.type != WaveType::user) return;
-  const std::string& path = waves.spectrum_file;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return;
-  const std::optional<std::string> text = read_text_file(path, diagnostics);
-  if (!text) return;
-  waves.spectrum = read_spectrum_text(*text, path, diagnostics);
-  waves.hs = sea_statistics(waves.spectrum).hs;
 }
 
 }  // namespace overbend

@@ -15,8 +15,4 @@ namespace overbend {
 std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std::string& path,
                                               Diagnostics& diagnostics);
 
-/// Fills `waves.spectrum`, and `waves.hs` with its significant wave height, from `waves.spectrum_file` if the wave type
-/// is `user`. If the file does not exist, the spectrum stays empty without an error, which the input checks report.
-void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics);
-
 }  // namespace overbend

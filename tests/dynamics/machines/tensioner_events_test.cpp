@@ -20,7 +20,7 @@ Description lay_at_rest(TensionerMode mode) {
   d.tensioner.mode = mode;
   d.tensioner.delay = 0.2;
   d.dynamics->build_up = 0.0;
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   return d;
 }

@@ -54,7 +54,7 @@ Description brief() {
 /// Likewise on calm water with a barge that lies still.
 Description calm(double duration) {
   Description d = brief();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.dynamics->build_up = 0.0;
   d.dynamics->duration = duration;
@@ -413,7 +413,7 @@ TEST(controllers, leave_messages_in_the_results) {
 /// The moored barge on calm water, held in its place: winches alone move. The first line is "port bow".
 Description moored(WinchMode mode, double duration) {
   Description d = testing::coarse_example("bgl1-moored", duration, 0.0);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.operation = {};
   WinchDescription winch;

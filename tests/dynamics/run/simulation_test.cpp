@@ -163,7 +163,7 @@ TEST(simulation, a_restored_one_shows_the_same_present_and_goes_on_with_the_same
 
 TEST(simulation, a_tensioner_takes_a_new_set_point_between_two_steps) {
   Description d = brief();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.mode = TensionerMode::constant;
   const TimedLay c(d);

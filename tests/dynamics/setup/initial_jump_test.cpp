@@ -15,7 +15,7 @@ namespace {
 /// Heave of 5 cm, at its crest at t = 0.
 Description lifted_at_once() {
   Description d = testing::workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.dynamics->build_up = 0.0;
   d.dynamics->duration = 0.5;
   d.vessel.motion = VesselMotion::harmonic;

@@ -31,7 +31,7 @@ TEST(laid_tail, carries_the_line_on_straight_along_the_bed) {
 /// Bed that falls or rises astern of a barge in calm water.
 Description sloping(double slope, double towards) {
   Description d = workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.vessel.motion = VesselMotion::fixed;
   d.environment.seabed.slope = slope;

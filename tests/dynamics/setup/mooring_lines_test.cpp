@@ -25,7 +25,7 @@ double fairlead_tension(const Simulation& simulation, std::size_t line) {
 
 TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catenaries) {
   Description d = moored();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   const testing::SolvedLay solved_lay(d);
   ASSERT_FALSE(solved_lay.lay.failure) << solved_lay.lay.failure->why;
@@ -50,7 +50,7 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
 /// Lines and pipe pull it down by 0.026 m and heel and trim it, in time as in statics: once.
 TEST(mooring_lines, sink_a_barge_that_is_not_ballasted_for_them_as_in_statics) {
   Description d = moored();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.environment.current.clear();
   d.vessel.coupled->ballast = Ballast::as_given;
   const testing::SolvedLay solved_lay(d);
@@ -81,7 +81,7 @@ TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea)
   EXPECT_LT(drifted.acc.head<3>().norm(), 1e-6 * kGravity);
   EXPECT_LT(drifted.acc.tail<3>().norm(), 1e-7);
   // 217.8 kN from the beam shift the barge on lines that balance the pipe by 1.184 m; these few components have less.
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.front().seed);
   const CoupledHullDescription& hull = *d.vessel.coupled;
   const double drift = mean_drift(make_hull_waves(*hull.data, sea, hull.wave_drift, d.vessel.draught, 0.0), 0.0)(1);
   const double expected = 1.184 * drift / 217.8e3;
@@ -168,7 +168,7 @@ TEST(mooring_lines, whose_winches_move_part_and_drag_and_a_resumed_run_is_the_sa
 /// In still water, as prescribed.
 Description surging() {
   Description d = moored();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.coupled.reset();
   d.vessel.harmonic["surge"] = {1.0, 8.0, 0.0};

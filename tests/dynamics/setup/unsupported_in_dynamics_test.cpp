@@ -49,7 +49,7 @@ TEST(unsupported_in_dynamics, lets_a_prescribed_vessel_move_ahead_but_not_at_onc
 TEST(unsupported_in_dynamics, lets_a_prescribed_vessel_start_in_full_motion_only_where_statics_leave_it) {
   Description d = workable();
   d.dynamics->build_up = 0.0;
-  d.environment.waves.hs = 4.0;
+  d.environment.waves.front().hs = 4.0;
   const std::optional<StaticFailure> unsupported = unsupported_in_dynamics(build_model(d));
   ASSERT_TRUE(unsupported);
   EXPECT_EQ(unsupported->key, "analysis.dynamic.build_up");

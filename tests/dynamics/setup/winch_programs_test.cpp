@@ -21,7 +21,7 @@ using testing::TimedLay;
 /// In still water, with the tension kept: 4 m ahead from t = 1 s on.
 Description moved() {
   Description d = testing::workable();
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.mode = TensionerMode::constant;
   d.tensioner.range_low.reset();

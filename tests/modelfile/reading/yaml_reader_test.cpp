@@ -70,9 +70,9 @@ TEST(yaml_reader, the_example_arrives_in_si) {
   EXPECT_DOUBLE_EQ(d.environment.seabed.friction_lateral, 0.5);
   ASSERT_EQ(d.environment.current.size(), 5U);
   EXPECT_DOUBLE_EQ(d.environment.current[2].speed, 0.45);
-  EXPECT_EQ(d.environment.waves.type, WaveType::jonswap);
-  EXPECT_DOUBLE_EQ(d.environment.waves.tp, 12.9);
-  EXPECT_DOUBLE_EQ(d.environment.waves.from, std::numbers::pi);
+  EXPECT_EQ(d.environment.waves.front().type, WaveType::jonswap);
+  EXPECT_DOUBLE_EQ(d.environment.waves.front().tp, 12.9);
+  EXPECT_DOUBLE_EQ(d.environment.waves.front().from, std::numbers::pi);
   const SectionDescription& pipe = d.pipe.section;
   EXPECT_DOUBLE_EQ(pipe.steel.outside_diameter, 0.4064);
   EXPECT_DOUBLE_EQ(pipe.steel.wall_thickness, 0.011125);
@@ -303,7 +303,7 @@ tensioner: {x: 0 m, z: 15 m, tension: 560 kN}
   EXPECT_EQ(d.title, "good");
   EXPECT_DOUBLE_EQ(d.environment.water_weight_density, defaults.environment.water_weight_density);
   EXPECT_DOUBLE_EQ(d.environment.seabed.friction_axial, defaults.environment.seabed.friction_axial);
-  EXPECT_EQ(d.environment.waves.type, defaults.environment.waves.type);
+  EXPECT_EQ(d.environment.waves.front().type, defaults.environment.waves.front().type);
   const SteelDescription steel;
   EXPECT_DOUBLE_EQ(d.pipe.section.steel.youngs_modulus, steel.youngs_modulus);
   EXPECT_DOUBLE_EQ(d.pipe.section.steel.poissons_ratio, steel.poissons_ratio);

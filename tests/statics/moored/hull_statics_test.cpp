@@ -14,10 +14,10 @@ namespace {
 /// of 4 m that travel north: onto its starboard side.
 std::optional<HullStatics> reported() {
   Description d = testing::bgl1_hull_description();
-  d.environment.waves.type = WaveType::jonswap;
-  d.environment.waves.hs = 4.0;
-  d.environment.waves.tp = 12.9;
-  d.environment.waves.from = std::numbers::pi;
+  d.environment.waves.front().type = WaveType::jonswap;
+  d.environment.waves.front().hs = 4.0;
+  d.environment.waves.front().tp = 12.9;
+  d.environment.waves.front().from = std::numbers::pi;
   MooredState rest;
   rest.mooring_stiffness.assign(36, 0.0);
   rest.mooring_stiffness[0] = rest.mooring_stiffness[7] = 1.8479e5;

@@ -257,7 +257,7 @@ Description in_waves(double from_bow_deg, FindMooring find) {
   d.has_pipe = false;
   d.environment.current.clear();
   // The bow points east: towards the azimuth 90 - from_bow, so from the opposite.
-  d.environment.waves.from = (270.0 - from_bow_deg) * 0.017453292519943295;
+  d.environment.waves.front().from = (270.0 - from_bow_deg) * 0.017453292519943295;
   d.moorings->find = find;
   d.statics.mean_drift = true;
   return d;
@@ -319,7 +319,7 @@ TEST(moored_statics, lengths_change_the_tensions_that_were_wished_as_little_as_b
 /// Moorings of a hull that is drawn with heel and trim as well: down is down.
 TEST(moored_statics, a_load_straight_down_shifts_no_hull_that_is_drawn_heeled_in_time_as_in_statics) {
   Description d = in_waves(90.0, FindMooring::pose);
-  d.environment.waves.type = WaveType::none;
+  d.environment.waves.front().type = WaveType::none;
   d.vessel.heel = 2.0 * kDegree;
   d.vessel.trim = 1.5 * kDegree;
   d.vessel.loads = {{"crane", Vec3::Zero(), Vec3(0.0, 0.0, -1e6), Vec3::Zero()}};

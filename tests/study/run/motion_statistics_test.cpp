@@ -63,7 +63,7 @@ bool warned(const DynamicResults& results, const std::string& message) {
 
 Description waves_of_ten_seconds() {
   Description d;
-  WavesDescription& waves = d.environment.waves;
+  WavesDescription& waves = d.environment.waves.front();
   waves.type = WaveType::jonswap;
   waves.hs = 2.0;
   waves.tp = 10.0;
@@ -162,12 +162,12 @@ TEST(motion_parts, the_cut_off_lies_beyond_the_waves) {
   swell.type = WaveType::airy;
   swell.height = 1.0;
   swell.period = 16.0;
-  EXPECT_DOUBLE_EQ(cut_off_period(swell), 25.6);
-  WavesDescription storm = waves_of_ten_seconds().environment.waves;
+  EXPECT_DOUBLE_EQ(cut_off_period({swell}), 25.6);
+  WavesDescription storm = waves_of_ten_seconds().environment.waves.front();
   storm.tp = 14.0;
   // A thousandth of a JONSWAP spectrum lies below 0.6 to 0.75 of its peak's frequency.
-  EXPECT_GT(cut_off_period(storm), 1.3 * 14.0);
-  EXPECT_LT(cut_off_period(storm), 1.9 * 14.0);
+  EXPECT_GT(cut_off_period({storm}), 1.3 * 14.0);
+  EXPECT_LT(cut_off_period({storm}), 1.9 * 14.0);
 }
 
 // A pipeline on the bed runs north at x = 50 m; the line passes over it, 10 m above in the first picture and 7 m in the

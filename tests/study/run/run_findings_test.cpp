@@ -36,7 +36,7 @@ std::vector<double> swinging(std::size_t count, double rise) {
 
 std::vector<std::string> find_warnings(DynamicResults r, double rise = 0.0, WaveType type = WaveType::jonswap) {
   Description d;
-  d.environment.waves.type = type;
+  d.environment.waves.front().type = type;
   warn_of_run(d, r, swinging(4000, rise));
   return messages(r.findings);
 }
@@ -108,7 +108,7 @@ std::vector<double> travel_warnings(double duration) {
 
 TEST(run_findings, a_tensioner_that_decides_is_reported_where_the_run_is_short_for_it) {
   Description d;
-  d.environment.waves.type = WaveType::jonswap;
+  d.environment.waves.front().type = WaveType::jonswap;
   const auto prescribed = [&](double duration, std::int64_t acted) {
     DynamicResults r = sound();
     r.duration = duration;
@@ -125,13 +125,13 @@ TEST(run_findings, a_tensioner_that_decides_is_reported_where_the_run_is_short_f
   EXPECT_TRUE(prescribed(300.0, 70).empty());
   d.operation.type = OperationType::none;
   EXPECT_FALSE(prescribed(300.0, 70).empty());
-  d.environment.waves.type = WaveType::airy;  // the same again and again
+  d.environment.waves.front().type = WaveType::airy;  // the same again and again
   EXPECT_TRUE(prescribed(300.0, 70).empty());
 }
 
 /// Findings on the sea of Tp 8 s, peak at 0.785 rad/s, with RAOs of these frequencies.
 std::vector<std::string> sea_warnings(Description d, std::vector<double> omegas, double duration) {
-  WavesDescription& waves = d.environment.waves;
+  WavesDescription& waves = d.environment.waves.front();
   waves.type = WaveType::pierson_moskowitz;
   waves.hs = 1.5;
   waves.tp = 8.0;
@@ -156,10 +156,10 @@ TEST(run_findings, raos_that_do_not_reach_the_waves_are_reported) {
 
 TEST(run_findings, a_sea_of_few_waves_that_comes_back_is_reported) {
   Description d;
-  d.environment.waves.components = 8;
+  d.environment.waves.front().components = 8;
   EXPECT_TRUE(only(sea_warnings(d, {0.1, 1.0, 2.2}, 3600.0), "the sea of 8 waves repeats itself"));
   EXPECT_TRUE(sea_warnings(d, {0.1, 1.0, 2.2}, 60.0).empty());  // shorter than 30 periods
-  d.environment.waves.components = 99;
+  d.environment.waves.front().components = 99;
   EXPECT_TRUE(sea_warnings(d, {0.1, 1.0, 2.2}, 10800.0).empty());
 }
 

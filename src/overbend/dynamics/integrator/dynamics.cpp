@@ -1,5 +1,6 @@
 #include "dynamics/integrator/dynamics.h"
 
+#include "model/site/wave_groups.h"
 #include "model/step_scales.h"
 
 namespace overbend {
@@ -12,7 +13,7 @@ constexpr double kShortElement = 5e3;  ///< Minimum element length over the erro
 DynamicOptions dynamic_options(const Model& model) {
   DynamicOptions options;
   const DynamicSettings settings = model.description.dynamics.value_or(DynamicSettings{});
-  options.seed = settings.seeds.empty() ? model.description.environment.waves.seed : settings.seeds.front();
+  options.seed = settings.seeds.empty() ? default_seed(model.description.environment.waves) : settings.seeds.front();
   options.duration = settings.duration;
   options.build_up = settings.build_up;
   options.output_step = settings.output_step;

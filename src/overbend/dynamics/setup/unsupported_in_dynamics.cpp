@@ -8,6 +8,7 @@
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/setup/initial_jump.h"
 #include "model/lay_stage.h"
+#include "model/site/wave_groups.h"
 #include "model/vessel/mooring_queries.h"
 #include "statics/solver/lines_setup.h"
 #include "statics/solver/unsupported_statics.h"
@@ -17,8 +18,8 @@ namespace {
 
 constexpr double kMaxInitialJump = 0.1;  ///< Maximum initial jump of the stern shoe, or of a line end, at t = 0 [m].
 
-StaticFailure make_input_error(const char* key, std::string what, std::string why) {
-  return {std::move(what), "", std::move(why), true, key};
+StaticFailure make_input_error(std::string key, std::string what, std::string why) {
+  return {std::move(what), "", std::move(why), true, std::move(key)};
 }
 
 /// Quasi-static mooring lines only act on a hull and follow prescribed lengths; features that need lines of elements
@@ -108,7 +109,7 @@ std::optional<StaticFailure> motion_record_error(const std::string& key, const V
         "{:g} s",
         run.output_step, run.duration);
   }
-  return make_input_error((key + ".motion.history").c_str(), "the record of the vessel's motion does not cover the run",
+  return make_input_error(key + ".motion.history", "the record of the vessel's motion does not cover the run",
                           std::move(why));
 }
 
@@ -117,7 +118,7 @@ std::optional<StaticFailure> motion_file_error(const std::string& key, const Ves
                                                const DynamicOptions& run) {
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {
-    return make_input_error((key + ".motion").c_str(), "the " + key + " motion cannot be used",
+    return make_input_error(key + ".motion", "the " + key + " motion cannot be used",
                             "the file " + vessel.motion_file + " could not be read");
   }
   return vessel.motion == VesselMotion::history ? motion_record_error(key, vessel, run) : std::nullopt;
@@ -207,11 +208,18 @@ std::optional<StaticFailure> body_motion_error(const Model& model) {
   return std::nullopt;
 }
 
-/// A sea whose file is missing.
-std::optional<StaticFailure> spectrum_file_error(const WavesDescription& waves) {
-  if (waves.type != WaveType::user || !waves.spectrum.empty()) return std::nullopt;
-  return make_input_error("environment.waves.spectrum_file", "the sea cannot be generated",
-                          "the file " + waves.spectrum_file + " could not be read");
+/// A group of waves whose file is missing.
+std::optional<StaticFailure> wave_file_error(const WaveGroups& groups) {
+  for (const WavesDescription& waves : groups) {
+    const bool no_spectrum = waves.type == WaveType::user && waves.spectrum.empty();
+    const bool no_record = waves.type == WaveType::elevation && waves.record.elevation.empty();
+    const bool no_state = !waves.spectrum_file.empty() && waves.type != WaveType::user && waves.hs == 0.0;
+    if (!no_spectrum && !no_record && !no_state) continue;
+    return make_input_error(
+        waves.key + (no_record ? ".elevation_file" : ".spectrum_file"), "the sea cannot be generated",
+        "the file " + (no_record ? waves.elevation_file : waves.spectrum_file) + " could not be read");
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -231,7 +239,7 @@ std::optional<StaticFailure> unsupported_in_dynamics(const Model& model) {
   if (!d.dynamics) return missing_dynamic_analysis();
   if (std::optional<StaticFailure> reason = motion_error(model)) return reason;
   if (std::optional<StaticFailure> reason = body_motion_error(model)) return reason;
-  if (std::optional<StaticFailure> reason = spectrum_file_error(d.environment.waves)) return reason;
+  if (std::optional<StaticFailure> reason = wave_file_error(d.environment.waves)) return reason;
   if (std::optional<StaticFailure> reason = initial_jump_error(model)) return reason;
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {

@@ -27,7 +27,16 @@ inline constexpr std::array kEnumNames<WaveType> = {
     Word{WaveType::stokes5, "stokes5"},
     Word{WaveType::jonswap, "jonswap"},
     Word{WaveType::pierson_moskowitz, "pierson_moskowitz"},
+    Word{WaveType::ochi_hubble, "ochi_hubble"},
+    Word{WaveType::torsethaugen, "torsethaugen"},
     Word{WaveType::user, "user"},
+    Word{WaveType::elevation, "elevation"},
+};
+
+template <>
+inline constexpr std::array kEnumNames<TorsethaugenModel> = {
+    Word{TorsethaugenModel::simplified, "simplified"},
+    Word{TorsethaugenModel::full, "full"},
 };
 
 template <>

@@ -19,7 +19,8 @@ struct EnvironmentDescription {
   double water_weight_density = 10.05e3;  ///< [N/m3]
   SeabedDescription seabed;
   std::vector<CurrentPoint> current;  ///< Rows by increasing depth.
-  WavesDescription waves;
+  /// Groups of waves that exist at once. Calm water has one group of type none.
+  std::vector<WavesDescription> waves = {WavesDescription{}};
 };
 
 }  // namespace overbend

@@ -25,6 +25,20 @@ SeaStatistics sea_statistics(const std::vector<SpectrumPoint>& points) {
   return {4.0 * std::sqrt(m0), kTurn / peak->omega, kTurn * std::sqrt(m0 / m2)};
 }
 
+SeaStatistics record_statistics(const ElevationRecord& record) {
+  const std::vector<double>& y = record.elevation;
+  double squares = 0.0;
+  int crossings = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    squares += y[i] * y[i];
+    if (i > 0 && y[i - 1] < 0.0 && y[i] >= 0.0) ++crossings;
+  }
+  SeaStatistics sea;
+  if (!y.empty()) sea.hs = 4.0 * std::sqrt(squares / static_cast<double>(y.size()));
+  if (crossings > 0) sea.tz = record.duration() / crossings;
+  return sea;
+}
+
 std::string sea_statistics_label(const std::vector<SpectrumPoint>& points) {
   const SeaStatistics sea = sea_statistics(points);
   return fmt::format("Hs {}, Tp {:.3g} s, Tz {:.3g} s", shown_digits(sea.hs, "m", 3), sea.tp, sea.tz);

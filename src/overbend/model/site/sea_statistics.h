@@ -17,6 +17,10 @@ struct SeaStatistics {
 /// Returns the statistics of densities that are linear between the points; zeros without energy.
 SeaStatistics sea_statistics(const std::vector<SpectrumPoint>& points);
 
+/// Returns the statistics of a measured elevation: four standard deviations, and the duration over the number of
+/// up-crossings of the mean; `tp` is 0.
+SeaStatistics record_statistics(const ElevationRecord& record);
+
 /// Returns a text such as "Hs 2.1 m, Tp 8.3 s, Tz 6.2 s".
 std::string sea_statistics_label(const std::vector<SpectrumPoint>& points);
 

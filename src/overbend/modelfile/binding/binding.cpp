@@ -4,6 +4,7 @@
 
 #include "modelfile/binding/line_resolution.h"
 #include "modelfile/binding/stinger_binding.h"
+#include "modelfile/binding/wave_resolution.h"
 #include "modelfile/fields/field_table.h"
 
 namespace overbend {
@@ -75,6 +76,7 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   choose_stinger_setting(description.supports);
   choose_tensioner_mode(root, description.tensioner);
   resolve_lines(description);
+  resolve_waves(description);
   return description;
 }
 

@@ -240,14 +240,20 @@ void check_vessel(Checker& check) {
 /// Warns of missing files that only dynamics reads. The readers of depths and hull data, which statics needs, check
 /// their own.
 void check_files(Checker& check, const std::string& file) {
-  for (const Field& row : field_table()) {
-    const FieldValue* value = row.file ? check.root().find(row.path) : nullptr;
-    const bool needed = row.path.starts_with("vessel.motion.coupled.") || row.path.starts_with("environment.seabed.");
-    if (value == nullptr || needed) continue;
+  const auto warn_if_missing = [&](const FieldValue* value) {
     std::error_code code;
-    if (!std::filesystem::exists(resolved_file(value->text, file), code)) {
+    if (value != nullptr && !std::filesystem::exists(resolved_file(value->text, file), code)) {
       check.warn(*value, "the file " + value->shown + " does not exist; dynamic analysis will require it");
     }
+  };
+  for (const Field& row : field_table()) {
+    const bool needed = row.path.starts_with("vessel.motion.coupled.") || row.path.starts_with("environment.seabed.");
+    if (row.file && !needed) warn_if_missing(check.root().find(row.path));
+  }
+  const FieldValue* waves = check.root().find("environment.waves");
+  if (waves == nullptr || waves->kind != FieldValue::Kind::list) return;
+  for (const FieldValue& group : waves->children) {
+    for (const char* key : {"spectrum_file", "elevation_file"}) warn_if_missing(group.find(key));
   }
 }
 

@@ -20,9 +20,13 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
 /// Checks the waves: required keys of each type, breaking, validity of the theory. Part of check_model.
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
-/// Warns if the waves of an irregular sea break at this depth; call after the file with a user-defined spectrum is
-/// read.
+/// Warns if the waves of an irregular sea, of all groups together, break at this depth; call after the files with
+/// spectra are read.
 void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
+
+/// Checks the direction of waves from files against `from`, and the length of records against that of the run; call
+/// after the files are read.
+void check_wave_files(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 /// Supports, rollers and tensioner: part of check_model.
 void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);

@@ -6,6 +6,7 @@
 #include "base/constants.h"
 #include "base/units.h"
 #include "model/description/description_enum_names.h"
+#include "model/site/wave_groups.h"
 #include "model/waves/wave_theory.h"
 #include "modelfile/checks/model_checks.h"
 #include "modelfile/schema/check_helper.h"
@@ -33,9 +34,12 @@ const std::vector<WaveKeys>& wave_keys() {
   static const std::vector<WaveKeys> kKeys{
       {WaveType::airy, {"height", "period"}, {"phase"}},
       {WaveType::stokes5, {"height", "period"}, {"phase"}},
-      {WaveType::jonswap, {"hs", "tp"}, {"gamma", "spreading", "components", "seed"}},
-      {WaveType::pierson_moskowitz, {"hs", "tp"}, kSpread},
-      {WaveType::user, {"spectrum_file"}, kSpread},
+      {WaveType::jonswap, {"hs", "tp"}, {"tz", "gamma", "spectrum_file", "time", "spreading", "components", "seed"}},
+      {WaveType::pierson_moskowitz, {"hs", "tp"}, {"tz", "spectrum_file", "time", "spreading", "components", "seed"}},
+      {WaveType::ochi_hubble, {"parts"}, kSpread},
+      {WaveType::torsethaugen, {"hs", "tp", "model"}, kSpread},
+      {WaveType::user, {"spectrum_file"}, {"time", "location", "spreading", "components", "seed"}},
+      {WaveType::elevation, {"elevation_file"}, {"at"}},
   };
   return kKeys;
 }
@@ -44,17 +48,41 @@ bool holds(const std::vector<std::string>& names, const std::string& word) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
+/// Returns true if another key gives what this one would.
+bool is_replaced(const FieldValue& waves, WaveType type, const std::string& key) {
+  if (type != WaveType::jonswap && type != WaveType::pierson_moskowitz) return false;
+  if (key != "hs" && key != "tp") return false;
+  return waves.mentions("spectrum_file") || (key == "tp" && waves.mentions("tz"));
+}
+
 void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
   for (const std::string& key : keys.needed) {
-    if (!waves.mentions(key)) {
-      check.missing(waves, key, std::string("a value for waves of type ") + enum_name(keys.type));
-    }
+    if (waves.mentions(key) || is_replaced(waves, keys.type, key)) continue;
+    check.missing(waves, key, std::string("a value for waves of type ") + enum_name(keys.type));
   }
-  for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
+  for (const std::string key : {"hs", "tp", "tz", "height", "period", "phase", "gamma", "parts", "model", "spreading",
+                                "spectrum_file", "time", "location", "elevation_file", "at"}) {
     const FieldValue* extra = waves.find(key);
     if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
     check.warn(*extra, std::string("has no effect for waves of type ") + enum_name(keys.type) + " and is not used",
                FindingCode::unused_input);
+  }
+}
+
+/// Rejects two keys that give the same.
+void check_alternatives(Checker& check, const FieldValue& waves, WaveType type) {
+  if (type != WaveType::jonswap && type != WaveType::pierson_moskowitz) return;
+  const FieldValue *tp = waves.find("tp"), *tz = waves.find("tz");
+  if (tp != nullptr && tz != nullptr) {
+    check.error(*tz, "tz as well as tp", "one of them",
+                "for a given shape of the spectrum each follows from the other");
+  }
+  if (!waves.mentions("spectrum_file")) return;
+  for (const char* key : {"hs", "tp", "tz"}) {
+    if (const FieldValue* extra = waves.find(key)) {
+      check.error(*extra, std::string(key) + " as well as spectrum_file", "one of them",
+                  "the file of a buoy gives height and period");
+    }
   }
 }
 
@@ -99,41 +127,115 @@ void check_sea(Checker& check, const FieldValue& waves) {
                                     ", normally " + format_number(kSteepSea) + " and more");
 }
 
-}  // namespace
+/// Returns the groups of waves of a model file, one or a list.
+std::vector<const FieldValue*> wave_groups(const FieldValue& root) {
+  const FieldValue* waves = root.find("environment.waves");
+  if (waves == nullptr) return {};
+  if (waves->kind != FieldValue::Kind::list) return {waves};
+  std::vector<const FieldValue*> groups;
+  for (const FieldValue& group : waves->children) groups.push_back(&group);
+  return groups;
+}
 
-void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics) {
-  const WavesDescription& waves = description.environment.waves;
-  if (waves.type == WaveType::none || waves.type == WaveType::airy || waves.type == WaveType::stokes5) return;
-  const double depth = description.environment.water_depth, breaking = kShallowBreaking * depth;
-  const double highest = kHighestOfThousand * waves.hs;
-  const FieldValue* key =
-      root.find(waves.type == WaveType::user ? "environment.waves.spectrum_file" : "environment.waves.hs");
-  if (highest <= breaking || key == nullptr) return;
+void check_group(Checker& check, const FieldValue& waves, const std::optional<double>& depth) {
+  const auto type = waves.get_word<WaveType>("type");
+  if (!type || *type == WaveType::none) return;
+  for (const WaveKeys& keys : wave_keys()) {
+    if (*type == keys.type) check_keys(check, waves, keys);
+  }
+  check_alternatives(check, waves, *type);
+  const FieldValue* from = waves.find("from");
+  if (from != nullptr && !from->given && !waves.mentions("spectrum_file")) {
+    check.warn(waves, "no direction is given (from): the waves come from the north");
+  }
+  if (*type == WaveType::airy || *type == WaveType::stokes5) {
+    if (depth) check_regular(check, waves, *type, *depth);
+  } else if (*type != WaveType::user) {
+    check_sea(check, waves);
+  }
+}
+
+/// A wave of Stokes' theory cannot be superposed.
+void check_superposition(Checker& check, const std::vector<const FieldValue*>& groups) {
+  const auto acts = [](const FieldValue* group) { return group->get_word<WaveType>("type") != WaveType::none; };
+  const auto count = std::count_if(groups.begin(), groups.end(), acts);
+  for (const FieldValue* group : groups) {
+    if (count < 2 || group->get_word<WaveType>("type") != WaveType::stokes5) continue;
+    check.error(*group->find("type"), "stokes5 among " + std::to_string(count) + " groups of waves",
+                "type airy, or stokes5 alone", "a Stokes wave is not linear: other waves cannot be added to it");
+  }
+}
+
+/// The height at which waves of a sea break, for the sea of all groups together.
+void check_breaking(Checker& check, const FieldValue& key, double hs, double depth) {
+  const double breaking = kShallowBreaking * depth, highest = kHighestOfThousand * hs;
+  if (highest <= breaking) return;
   const auto metres = [](double length) { return format_quantity(length, "m", "m", 3); };
-  Checker(root, description.source_file, diagnostics)
-      .warn(*key, "of 1,000 waves of a sea with a significant height of " + metres(waves.hs) + " the highest is " +
+  check.warn(key, "of 1,000 waves of a sea with a significant height of " + metres(hs) + " the highest is " +
                       metres(highest) + ", and waves of more than " + metres(breaking) + " break in a water depth of " +
                       metres(depth) + ": a sum of linear waves does not break");
 }
 
+/// Returns the key that gives a group's height.
+const FieldValue* height_key(const FieldValue& group) {
+  for (const char* key : {"hs", "parts", "spectrum_file", "elevation_file"}) {
+    if (const FieldValue* value = group.find(key)) return value;
+  }
+  return nullptr;
+}
+
+/// Directions of a file, and none.
+void check_file_direction(Checker& check, const FieldValue& group, const WavesDescription& waves) {
+  const FieldValue* from = group.find("from");
+  if (from == nullptr || waves.spectrum_file.empty()) return;
+  if (from->given && waves.file_gives_direction) {
+    check.error(*from, from->shown + " as well as the directions of the file", "one of them",
+                "leave out from: " + waves.spectrum_file + " gives the direction");
+  } else if (!from->given && !waves.file_gives_direction) {
+    check.warn(group, "no direction is given (from): the waves come from the north");
+  }
+}
+
+/// Warns of a run that is longer than a measured elevation, which then repeats.
+void check_record_length(Checker& check, const FieldValue& group, const WavesDescription& waves) {
+  const FieldValue* file = group.find("elevation_file");
+  const auto duration = check.root().get_number("analysis.dynamic.duration");
+  const double length = waves.record.duration();
+  if (file == nullptr || !duration || length <= 0.0 || *duration <= length) return;
+  check.warn(*file, "the record of " + format_number(length, 5) + " s is shorter than the run of " +
+                        format_number(*duration, 5) + " s: beyond its end the sea repeats the record");
+}
+
+}  // namespace
+
+void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics) {
+  Checker check(root, description.source_file, diagnostics);
+  const std::vector<const FieldValue*> groups = wave_groups(root);
+  const double hs = significant_height(description.environment.waves);
+  for (const FieldValue* group : groups) {
+    const auto type = group->get_word<WaveType>("type");
+    const FieldValue* key = type && is_irregular(*type) ? height_key(*group) : nullptr;
+    if (key == nullptr) continue;
+    check_breaking(check, groups.size() == 1 ? *key : *root.find("environment.waves"), hs,
+                   description.environment.water_depth);
+    return;
+  }
+}
+
+void check_wave_files(const FieldValue& root, const Description& description, Diagnostics& diagnostics) {
+  Checker check(root, description.source_file, diagnostics);
+  const std::vector<const FieldValue*> groups = wave_groups(root);
+  for (std::size_t i = 0; i < groups.size() && i < description.environment.waves.size(); ++i) {
+    check_file_direction(check, *groups[i], description.environment.waves[i]);
+    check_record_length(check, *groups[i], description.environment.waves[i]);
+  }
+}
+
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);
-  const FieldValue* waves = root.find("environment.waves");
-  const auto type = waves != nullptr ? waves->get_word<WaveType>("type") : std::nullopt;
-  if (!type || *type == WaveType::none) return;
-  for (const WaveKeys& keys : wave_keys()) {
-    if (*type == keys.type) check_keys(check, *waves, keys);
-  }
-  const FieldValue* from = waves->find("from");
-  if (from != nullptr && !from->given) {
-    check.warn(*waves, "no direction is given (from): the waves come from the north");
-  }
-  const auto depth = root.get_number("environment.water_depth");
-  if (*type == WaveType::airy || *type == WaveType::stokes5) {
-    if (depth) check_regular(check, *waves, *type, *depth);
-  } else if (*type != WaveType::user) {
-    check_sea(check, *waves);
-  }
+  const std::vector<const FieldValue*> groups = wave_groups(root);
+  for (const FieldValue* group : groups) check_group(check, *group, root.get_number("environment.water_depth"));
+  check_superposition(check, groups);
 }
 
 }  // namespace overbend

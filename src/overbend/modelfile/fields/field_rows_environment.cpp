@@ -1,93 +1,116 @@
 #include "base/constants.h"
 #include "model/description/description_enum_names.h"
 #include "modelfile/fields/field_rows.h"
+#include "modelfile/fields/row_makers.h"
 
 namespace overbend::field_rows {
 namespace {
 
 constexpr double kMinWavePeriod = 0.5;  ///< Waves of 0.4 m, shorter than a pipe diameter [s].
 
+/// Keys of a group of waves at `p`.
+std::vector<Field> wave_rows(const std::string& p) {
+  using Waves = WavesDescription;
+  const Shown height = kLength, period = kTime;
+  const Range sea_height = {.low = 0.0, .high = 40.0, .low_open = true};
+  const Range sea_period = {.low = kMinWavePeriod, .high = 100.0};
+  std::vector<Field> rows = {
+      required(row_of_kind(FieldKind::choice, p + ".type", fills(&Waves::type),
+                           "Regular wave, spectrum or measured elevation.")),
+      quantity_row(p + ".hs", fills(&Waves::hs), "Significant wave height of an irregular sea.", height, sea_height),
+      quantity_row(p + ".tp", fills(&Waves::tp), "Peak period of an irregular sea.", period, sea_period),
+      quantity_row(p + ".tz", fills(&Waves::tz),
+                   "Zero up-crossing period of a JONSWAP or Pierson-Moskowitz spectrum, in place of tp, which follows "
+                   "by integrals over all frequencies: 1.2863 tz for gamma 3.3, 1.4077 tz for gamma 1.",
+                   period, sea_period),
+      quantity_row(p + ".height", fills(&Waves::height), "Height of a regular wave, crest to trough.", height,
+                   {.low = 0.0, .high = 60.0, .low_open = true}),
+      quantity_row(p + ".period", fills(&Waves::period), "Period of a regular wave.", period,
+                   {.low = kMinWavePeriod, .high = 1000.0}),
+      quantity_row(p + ".phase", defaults(&Waves::phase),
+                   "Phase of a regular wave: 0 has a crest at the origin at t = 0, 90 deg a quarter period later.",
+                   kAngle, azimuth()),
+      quantity_row(p + ".from", defaults(&Waves::from), "Azimuth the waves come from, clockwise from north.", kAngle,
+                   azimuth()),
+      otherwise(row_of_kind(FieldKind::number, p + ".gamma", fills(&Waves::gamma), "JONSWAP peak enhancement factor.",
+                            {.low = 1.0, .high = 10.0}),
+                "rule of DNV-RP-C205"),
+      list_row(p + ".parts", enters(&Waves::parts), "Two parts of an Ochi-Hubble spectrum, of low and high frequency.",
+               ""),
+      group_row(p + ".parts[]", appends<SpectrumPart>(), "Part of an Ochi-Hubble spectrum."),
+      required(quantity_row(p + ".parts[].hs", fills(&SpectrumPart::hs), "Significant wave height of the part.", height,
+                            sea_height)),
+      required(
+          quantity_row(p + ".parts[].tp", fills(&SpectrumPart::tp), "Peak period of the part.", period, sea_period)),
+      required(row_of_kind(FieldKind::number, p + ".parts[].lambda", fills(&SpectrumPart::lambda),
+                           "Shape of the part: 1 is Pierson-Moskowitz, a larger one is more peaked.",
+                           {.low = 0.75, .high = 50.0})),
+      row_of_kind(FieldKind::choice, p + ".model", fills(&Waves::model),
+                  "Torsethaugen spectrum: the simplified double peak model of 2004, or the full model of 1996."),
+      otherwise(row_of_kind(FieldKind::number, p + ".spreading", fills(&Waves::spreading),
+                            "Exponent s of the directional spreading cos^2s(angle/2).",
+                            {.low = 0.0, .high = 1000.0, .low_open = true}),
+                "long-crested"),
+      row_of_kind(FieldKind::integer, p + ".components", defaults(&Waves::components),
+                  "Number of wave components of an irregular sea.", {.low = 1.0, .high = 100000.0}),
+      row_of_kind(FieldKind::integer, p + ".seed", defaults(&Waves::seed),
+                  "Seed of the random phases. In a list of groups each has random numbers of its own, also with equal "
+                  "seeds.",
+                  {.low = 0.0, .high = double{kMaxSeed}}),
+      row_of_kind(FieldKind::text, p + ".spectrum_file", fills(&Waves::spectrum_file),
+                  "For type user, a spectrum: CSV with the columns omega_rad_s,density_m2s or "
+                  "frequency_hz,density_m2_hz, NDBC spectral density or SWAN spectrum, with directions if the file has "
+                  "them. For jonswap and pierson_moskowitz, NDBC text of wave heights and periods (WVHT, DPD, MWD)."),
+      otherwise(row_of_kind(FieldKind::text, p + ".time", fills(&Waves::time),
+                            "Time in a spectrum file of several, as in the file: 2026-06-01 09:40."),
+                "the only time"),
+      otherwise(row_of_kind(FieldKind::integer, p + ".location", fills(&Waves::location),
+                            "Number of the location in a SWAN file of several.", {.low = 1.0, .high = 100000.0}),
+                "the only location"),
+      row_of_kind(FieldKind::text, p + ".elevation_file", fills(&Waves::elevation_file),
+                  "For type elevation: CSV file with the columns time_s,elevation_m in even steps; t = 0 is its first "
+                  "row."),
+  };
+  for (Field& row : rows) row.file = row.path.ends_with("_file");
+  for (Field& row : rows) {
+    if (row.path.ends_with(".parts")) row.min_items = row.max_items = 2;
+  }
+  append(rows,
+         vector_rows({.group = otherwise(
+                          group_row(p + ".at", enters(&Waves::measured_at), "Place where the elevation was measured."),
+                          "the origin"),
+                      .shown = kLength,
+                      .texts = {"To the east, from below midship of the vessel in its position.", "To the north."},
+                      .all = false}));
+  return rows;
+}
+
 }  // namespace
 
 std::vector<Field> waves() {
   const std::string p = "environment.waves";
-  return {
-      {.path = p, .member = enters(&EnvironmentDescription::waves), .text = "Waves; only dynamic analysis uses them."},
-      {.path = p + ".type",
-       .member = fills(&WavesDescription::type),
-       .kind = FieldKind::choice,
-       .text = "Sea state or regular wave.",
-       .required = true},
-      {.path = p + ".hs",
-       .member = fills(&WavesDescription::hs),
-       .kind = FieldKind::quantity,
-       .text = "Significant wave height of an irregular sea.",
-       .unit = "m",
-       .show = "m",
-       .range = {.low = 0.0, .high = 40.0, .low_open = true}},
-      {.path = p + ".tp",
-       .member = fills(&WavesDescription::tp),
-       .kind = FieldKind::quantity,
-       .text = "Peak period of an irregular sea.",
-       .unit = "s",
-       .show = "s",
-       .range = {.low = kMinWavePeriod, .high = 100.0}},
-      {.path = p + ".height",
-       .member = fills(&WavesDescription::height),
-       .kind = FieldKind::quantity,
-       .text = "Height of a regular wave, crest to trough.",
-       .unit = "m",
-       .show = "m",
-       .range = {.low = 0.0, .high = 60.0, .low_open = true}},
-      {.path = p + ".period",
-       .member = fills(&WavesDescription::period),
-       .kind = FieldKind::quantity,
-       .text = "Period of a regular wave.",
-       .unit = "s",
-       .show = "s",
-       .range = {.low = kMinWavePeriod, .high = 1000.0}},
-      {.path = p + ".phase",
-       .member = defaults(&WavesDescription::phase),
-       .kind = FieldKind::quantity,
-       .text = "Phase of a regular wave: 0 has a crest at the origin at t = 0, 90 deg a quarter period later.",
-       .unit = "rad",
-       .show = "deg",
-       .range = azimuth()},
-      {.path = p + ".from",
-       .member = defaults(&WavesDescription::from),
-       .kind = FieldKind::quantity,
-       .text = "Azimuth the waves come from, clockwise from north.",
-       .unit = "rad",
-       .show = "deg",
-       .range = azimuth()},
-      {.path = p + ".gamma",
-       .member = fills(&WavesDescription::gamma),
-       .kind = FieldKind::number,
-       .text = "JONSWAP peak enhancement factor.",
-       .fallback_text = "rule of DNV-RP-C205",
-       .range = {.low = 1.0, .high = 10.0}},
-      {.path = p + ".spreading",
-       .member = fills(&WavesDescription::spreading),
-       .kind = FieldKind::number,
-       .text = "Exponent s of the directional spreading cos^2s(angle/2).",
-       .fallback_text = "long-crested",
-       .range = {.low = 0.0, .high = 1000.0, .low_open = true}},
-      {.path = p + ".components",
-       .member = defaults(&WavesDescription::components),
-       .kind = FieldKind::integer,
-       .text = "Number of wave components of an irregular sea.",
-       .range = {.low = 1.0, .high = 100000.0}},
-      {.path = p + ".seed",
-       .member = defaults(&WavesDescription::seed),
-       .kind = FieldKind::integer,
-       .text = "Seed of the random phases.",
-       .range = {.low = 0.0, .high = double{kMaxSeed}}},
-      {.path = p + ".spectrum_file",
-       .member = fills(&WavesDescription::spectrum_file),
-       .kind = FieldKind::text,
-       .file = true,
-       .text = "For type user: CSV file with the columns omega_rad_s,density_m2s or frequency_hz,density_m2_hz."},
+  const auto open_only = [](EnvironmentDescription& environment, const FieldValue& value) -> WavesDescription& {
+    environment.waves.assign(1, {});
+    environment.waves.front().key = value.path;
+    return environment.waves.front();
   };
+  const auto open_item = [](std::vector<WavesDescription>& groups, const FieldValue& value) -> WavesDescription& {
+    groups.emplace_back().key = value.path;
+    return groups.back();
+  };
+  constexpr int kMaxGroups = 20;
+  std::vector<Field> rows = {
+      group_row(p, opened_by<EnvironmentDescription>(open_only),
+                "Waves; only dynamic analysis uses them. One group of keys, or a list of groups.")};
+  append(rows, wave_rows(p));
+  rows.push_back(at_least(
+      1, list_row(p, enters(&EnvironmentDescription::waves),
+                  "Groups of waves at once, such as wind sea and swell: their waves superpose.", "one group of keys")));
+  rows.back().max_items = kMaxGroups;
+  rows.push_back(group_row(p + "[]", opened_by<std::vector<WavesDescription>>(open_item),
+                           "Group of waves with the keys of a single one."));
+  append(rows, wave_rows(p + "[]"));
+  return rows;
 }
 
 namespace {

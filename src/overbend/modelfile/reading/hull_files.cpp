@@ -6,6 +6,7 @@
 
 #include "base/constants.h"
 #include "base/units.h"
+#include "model/site/wave_groups.h"
 #include "model/waves/rao_table.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/checks/hull_plausibility.h"
@@ -47,7 +48,7 @@ class HullFileChecks {
     waterplane(data);
     stability(data);
     modes(data);
-    if (description_.environment.waves.type == WaveType::none) return;
+    if (is_calm(description_.environment.waves)) return;
     headings(data.excitation.heading, "headings");
     if (description_.vessel.coupled->wave_drift != WaveDrift::none) {
       headings(data.drift.heading, "headings of the drift");

@@ -15,7 +15,7 @@
 #include "modelfile/reading/mooring_reach.h"
 #include "modelfile/reading/motion_files.h"
 #include "modelfile/schema/field_value.h"
-#include "seafiles/spectrum_reader.h"
+#include "seafiles/wave_file_reader.h"
 
 namespace overbend {
 namespace {
@@ -61,7 +61,10 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   read_bathymetry_file(values, *reading.description, reading.diagnostics);
   check_shore(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
-    read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+    for (WavesDescription& waves : reading.description->environment.waves) {
+      read_wave_file(waves, reading.diagnostics);
+    }
+    check_wave_files(values, *reading.description, reading.diagnostics);
     check_sea_over_bed(values, *reading.description, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);
     read_hull_files(values, *reading.description, reading.diagnostics);

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/shown_unit.h"
+#include "model/description/description_enum_names.h"
+#include "model/site/wave_groups.h"
 #include "model/vessel/mooring_queries.h"
 #include "report/page/listing.h"
 #include "report/page/quantity.h"
@@ -135,20 +137,33 @@ Table roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
   return list.table();
 }
 
-/// Parameters of the sea; its type is in the report's header.
-void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
-  if (waves.type == WaveType::none) {
+/// Parameters of a group of waves; its type is in the report's header. `group` is "" for the only one.
+void add_group(Listing& list, const WavesDescription& waves, const std::string& group, std::uint64_t seed) {
+  if (is_regular(waves.type)) {
+    list.add(group + "Wave height", waves.height, "m").add(group + "Wave period", waves.period, "s");
+  } else {
+    if (waves.hs > 0.0) list.add(group + "Significant wave height", waves.hs, "m");
+    if (waves.tp > 0.0 && waves.type != WaveType::user) list.add(group + "Peak period", waves.tp, "s");
+    if (is_random(waves.type)) {
+      list.add(group + "Wave components, seed", fmt::format("{}, {}", waves.components, seed));
+    }
+  }
+  list.add(group + "Waves from", waves.from, "rad");
+}
+
+void add_waves(Listing& list, const WaveGroups& groups, std::uint64_t seed) {
+  if (is_calm(groups)) {
     list.add("Waves", "none");
     return;
   }
-  if (waves.type == WaveType::airy || waves.type == WaveType::stokes5) {
-    list.add("Wave height", waves.height, "m").add("Wave period", waves.period, "s");
-  } else {
-    if (waves.hs > 0.0) list.add("Significant wave height", waves.hs, "m");
-    if (waves.type != WaveType::user) list.add("Peak period", waves.tp, "s");
-    list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
+  if (groups.size() > 1 && is_irregular(groups)) {
+    list.add("Significant wave height of all waves", significant_height(groups), "m");
   }
-  list.add("Waves from", waves.from, "rad");
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].type == WaveType::none) continue;
+    const std::string group = groups.size() == 1 ? "" : fmt::format("{}. {}: ", i + 1, enum_name(groups[i].type));
+    add_group(list, groups[i], group, groups[i].seed + (seed - default_seed(groups)));
+  }
 }
 
 Table dynamics_table(const Description& model, const DynamicResults& results) {

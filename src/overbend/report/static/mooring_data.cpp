@@ -99,7 +99,7 @@ Json mooring_figure_data(const MooringResults& results, const MooringScene& scen
           {"beam", json_number(scene.beam)},
           {"heading", json_number(scene.heading)},
           {"water_depth", json_number(scene.water_depth)},
-          {"waves_from", or_null(scene.waves_from)},
+          {"waves_from", numbers(scene.waves_from)},
           {"current_to", or_null(scene.current_to)},
           {"pipe", points(scene.pipe_W)},
           {"touchdown", scene.pipe_W.empty() ? Json(nullptr) : point(scene.touchdown_W)},

@@ -36,7 +36,9 @@ MooringScene surroundings(const Description& description) {
   scene.water_depth = description.environment.water_depth;
   if (description.moorings) scene.objects = description.moorings->objects;
   const EnvironmentDescription& sea = description.environment;
-  if (sea.waves.type != WaveType::none) scene.waves_from = sea.waves.from;
+  for (const WavesDescription& waves : sea.waves) {
+    if (waves.type != WaveType::none) scene.waves_from.push_back(waves.from);
+  }
   if (!sea.current.empty() && sea.current.front().speed > 0.0) scene.current_to = sea.current.front().towards;
   return scene;
 }

@@ -15,7 +15,7 @@ struct MooringScene {
   std::vector<SeabedObjectDescription> objects;
   std::vector<Vec3> pipe_W;          ///< From the tensioner to shortly behind touchdown [m].
   Vec3 touchdown_W = Vec3::Zero();   ///< Touchdown of the pipe, if there is one [m].
-  std::optional<double> waves_from;  ///< Clockwise from north [rad].
+  std::vector<double> waves_from;    ///< Azimuth of each group of waves, clockwise from north [rad].
   std::optional<double> current_to;  ///< At the surface, clockwise from north [rad].
   double water_depth = 0.0;          ///< [m]
 };

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "hull/hull_report.h"
+#include "model/site/wave_groups.h"
 #include "model/waves/rao_table.h"
 #include "moorings/equilibrium.h"
 
@@ -74,7 +75,7 @@ std::optional<HullStatics> compute_hull_statics(const Model& model, const Moored
   const Description& d = model.description;
   const std::optional<CoupledHullDescription>& coupled = d.vessel.coupled;
   if (!coupled || !coupled->data || d.vessel.motion != VesselMotion::coupled) return std::nullopt;
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, default_seed(d.environment.waves));
   const Mat6 stiffness = station_stiffness(rest, coupled->centre_of_gravity);
   const MadeHull made = make_hull(model, sea, 0.0, stiffness);
   const HullReport report = hull_report(made, model, sea, stiffness);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "hull/make_hull.h"
+#include "model/site/wave_groups.h"
 #include "model/vessel/mooring_queries.h"
 
 namespace overbend {
@@ -25,7 +26,7 @@ void solve_lengths(MooredHull& moored, const Eigen::VectorXd& wished, const Tens
 /// Waves of the mean drift in statics: those of the model's own seed.
 Sea drifting_sea(const Description& d) {
   if (!d.statics.mean_drift.value_or(false)) return {};
-  return make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
+  return make_sea(d.environment.waves, d.environment.water_depth, default_seed(d.environment.waves));
 }
 
 /// Sets current, wind and drift forces on the hull at a yaw from its nominal heading: about midship, axes D.

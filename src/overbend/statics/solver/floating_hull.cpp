@@ -8,6 +8,7 @@
 #include "base/ranges.h"
 #include "base/text.h"
 #include "hull/make_hull.h"
+#include "model/site/wave_groups.h"
 #include "model/vessel/mooring_queries.h"
 #include "statics/solver/coupled_equilibrium.h"
 
@@ -28,7 +29,7 @@ constexpr double kMinHeldStiffness =
 /// Waves of the mean drift in statics: those of the model's own seed.
 Sea drifting_sea(const Description& d) {
   if (!d.statics.mean_drift.value_or(false)) return {};
-  return make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
+  return make_sea(d.environment.waves, d.environment.water_depth, default_seed(d.environment.waves));
 }
 
 /// Force scale of the equilibrium: weight of the lines, but at least 0.1 % of the displacement.

@@ -7,6 +7,7 @@
 #include "base/ranges.h"
 #include "mechanics/ground.h"
 #include "model/bodies.h"
+#include "model/site/sea_statistics.h"
 #include "model/waves/wave_theory.h"
 #include "statics/solver/lines_statics.h"
 #include "statics/solver/linked_lines.h"
@@ -48,30 +49,40 @@ constexpr double kMinElement = 1.0;           ///< Minimum element length [m].
 constexpr double kMaxWaveElements = 150.0;    ///< Maximum number of such elements, for lines that float over much of
                                               ///< their length.
 
-/// Wave number at the spectral peak of the sea [1/m]; 0 without waves.
-double spectral_peak_wave_number(const EnvironmentDescription& around) {
-  const WavesDescription& waves = around.waves;
-  double omega = 0.0;
+/// Returns the peak frequency of a group of waves [rad/s]; 0 without waves.
+double peak_frequency(const WavesDescription& waves) {
   switch (waves.type) {
     case WaveType::none:
       return 0.0;
     case WaveType::airy:
     case WaveType::stokes5:
-      omega = 2.0 * std::numbers::pi / waves.period;
-      break;
+      return 2.0 * std::numbers::pi / waves.period;
     case WaveType::jonswap:
     case WaveType::pierson_moskowitz:
-      omega = 2.0 * std::numbers::pi / waves.tp;
-      break;
+    case WaveType::ochi_hubble:
+    case WaveType::torsethaugen:
+      return waves.tp > 0.0 ? 2.0 * std::numbers::pi / waves.tp : 0.0;
+    case WaveType::elevation: {
+      const double tz = record_statistics(waves.record).tz;
+      return tz > 0.0 ? 2.0 * std::numbers::pi / tz : 0.0;
+    }
     case WaveType::user: {
       const auto lower = [](const auto& a, const auto& b) { return a.density < b.density; };
       const auto peak = std::max_element(waves.spectrum.begin(), waves.spectrum.end(), lower);
-      if (peak == waves.spectrum.end()) return 0.0;
-      omega = peak->omega;
-      break;
+      return peak == waves.spectrum.end() ? 0.0 : peak->omega;
     }
   }
-  return omega > 0.0 ? linear_wave_number(omega, around.water_depth) : 0.0;
+  return 0.0;
+}
+
+/// Returns the wave numbers at the spectral peaks of all groups of waves [1/m]; empty without waves.
+std::vector<double> peak_wave_numbers(const EnvironmentDescription& around) {
+  std::vector<double> numbers;
+  for (const WavesDescription& waves : around.waves) {
+    const double omega = peak_frequency(waves);
+    if (omega > 0.0) numbers.push_back(linear_wave_number(omega, around.water_depth));
+  }
+  return numbers;
 }
 
 /// Stretches of a line of shape `q` that are close enough to the surface to be affected by waves. Wave motion decays
@@ -154,7 +165,7 @@ std::vector<FineStretch> stretches_at_bed(const Model& model, const FreeLineDesc
 /// Stretches that need shorter elements than those of the initial shape. Computed from the equilibrium of the lines, as
 /// the initial shape is the catenary of the mean weight, without the hog of a line with buoyancy or the effect of
 /// current.
-std::vector<std::vector<FineStretch>> refined_stretches(const Model& model, double k) {
+std::vector<std::vector<FineStretch>> refined_stretches(const Model& model, const std::vector<double>& wave_numbers) {
   const LinesSetup rough = setup_on(model, {});
   Assembly assembly(rough.system);
   SystemState state = make_initial_state(rough, 0.0);
@@ -165,10 +176,11 @@ std::vector<std::vector<FineStretch>> refined_stretches(const Model& model, doub
     const std::vector<double>& q = rest.lines[i].converged() ? state.lines[i].q : rough.start[i];
     const CableShape start = make_cable_shape(model, {line.segments, line.points}, end_place(model, line.first),
                                               end_place(model, line.second));
-    fine.push_back(stretches_at_bed(model, line, rough.system.lines[i], start, q, k > 0.0));
-    if (k <= 0.0) continue;
-    const std::vector<FineStretch> felt = stretches_in_waves(k, rough.system.lines[i].mesh, q);
-    fine.back().insert(fine.back().end(), felt.begin(), felt.end());
+    fine.push_back(stretches_at_bed(model, line, rough.system.lines[i], start, q, !wave_numbers.empty()));
+    for (const double k : wave_numbers) {
+      const std::vector<FineStretch> felt = stretches_in_waves(k, rough.system.lines[i].mesh, q);
+      fine.back().insert(fine.back().end(), felt.begin(), felt.end());
+    }
   }
   return fine;
 }
@@ -194,10 +206,10 @@ bool has_linked_lines(const Description& description) {
 
 LinesSetup lines_setup(const Model& model) {
   if (has_linked_lines(model.description)) return linked_lines_setup(model);
-  const double k = spectral_peak_wave_number(model.description.environment);
+  const std::vector<double> wave_numbers = peak_wave_numbers(model.description.environment);
   const std::vector<FreeLineDescription>& lines = model.description.lines;
-  const bool guessed = k <= 0.0 && std::all_of(lines.begin(), lines.end(), is_catenary);
-  return setup_on(model, guessed ? std::vector<std::vector<FineStretch>>{} : refined_stretches(model, k));
+  const bool guessed = wave_numbers.empty() && std::all_of(lines.begin(), lines.end(), is_catenary);
+  return setup_on(model, guessed ? std::vector<std::vector<FineStretch>>{} : refined_stretches(model, wave_numbers));
 }
 
 SurroundingsAt static_surroundings(const std::vector<VesselPose>& poses, const std::vector<Attachment>& attachments) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/units.h"
+#include "model/site/wave_groups.h"
 #include "model/waves/wave_theory.h"
 
 namespace overbend {
@@ -25,12 +26,8 @@ std::set<std::string> about(const std::vector<KeySetting>& keys, const Findings&
   return found;
 }
 
-bool is_random(const WavesDescription& waves) {
-  return waves.type != WaveType::none && waves.type != WaveType::airy && waves.type != WaveType::stokes5;
-}
-
 bool follows_rule(const WavesDescription& waves) {
-  return waves.type == WaveType::jonswap && !waves.gamma;
+  return waves.type == WaveType::jonswap && !waves.gamma && !waves.tz && waves.spectrum_file.empty();
 }
 
 /// Height or period of a case, as one of its keys sets it.
@@ -49,16 +46,16 @@ std::optional<std::string> make_gamma_remark(const WavesDescription& waves, cons
   std::vector<double> gammas;
   for (std::size_t number = 0; number < std::min(cases.count(), kMaxCases); ++number) {
     const std::vector<KeySetting> keys = cases.question(number).keys;
-    gammas.push_back(jonswap_gamma(set_value(keys, "environment.waves.hs", "m", waves.hs),
-                                   set_value(keys, "environment.waves.tp", "s", waves.tp)));
+    gammas.push_back(jonswap_gamma(set_value(keys, waves.key + ".hs", "m", waves.hs),
+                                   set_value(keys, waves.key + ".tp", "s", waves.tp)));
   }
   const auto [min, max] = std::minmax_element(gammas.begin(), gammas.end());
   if (*max - *min < 0.01) return std::nullopt;
   return fmt::format(
       "the peak enhancement of JONSWAP follows height and period by the rule of DNV-RP-C205, from {:.3g} to {:.3g} in "
       "this study: seas of different height have different shapes, and a higher one may load the pipe less; give "
-      "environment.waves.gamma to compare seas of one shape",
-      *min, *max);
+      "{}.gamma to compare seas of one shape",
+      *min, *max, waves.key);
 }
 
 }  // namespace
@@ -66,7 +63,7 @@ std::optional<std::string> make_gamma_remark(const WavesDescription& waves, cons
 Findings study_findings(const CaseBase& base, const StudyCases& cases) {
   std::set<std::string> common;
   bool looked = false, random = false;
-  WavesDescription waves;
+  WaveGroups waves;
   for (const std::size_t number : std::set<std::size_t>{0, cases.count() / 2, cases.count() - 1}) {
     const std::vector<KeySetting> keys = cases.question(number).keys;
     try {
@@ -85,8 +82,10 @@ Findings study_findings(const CaseBase& base, const StudyCases& cases) {
   if (looked && !random && cases.seeds() > 1) {
     findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
   }
-  if (std::optional<std::string> remark = make_gamma_remark(waves, cases)) {
-    findings.push_back({FindingCode::study_inputs, std::move(*remark)});
+  for (const WavesDescription& group : waves) {
+    if (std::optional<std::string> remark = make_gamma_remark(group, cases)) {
+      findings.push_back({FindingCode::study_inputs, std::move(*remark)});
+    }
   }
   return findings;
 }

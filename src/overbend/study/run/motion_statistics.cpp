@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/constants.h"
+#include "mechanics/record_components.h"
 #include "mechanics/wave_spectrum.h"
 #include "moorings/clearance.h"
 #include "numerics/low_pass.h"
@@ -199,15 +200,33 @@ void find_clearances(const std::vector<SeabedObjectDescription>& objects, const 
   }
 }
 
+/// Returns the period of a record beyond which the fraction kVarianceBeyondCutOff of its variance lies [s].
+double slowest_period(const ElevationRecord& record) {
+  const std::vector<RecordComponent> components = record_components(record);
+  double energy = 0.0, passed = 0.0;
+  for (const RecordComponent& c : components) energy += c.amplitude * c.amplitude;
+  for (const RecordComponent& c : components) {
+    passed += c.amplitude * c.amplitude;
+    if (passed >= kVarianceBeyondCutOff * energy) return 2.0 * std::numbers::pi / c.omega;
+  }
+  return 0.0;
+}
+
 }  // namespace
 
-double cut_off_period(const WavesDescription& waves) {
-  if (waves.type == WaveType::none) return kMinCutOff;
-  if (waves.period > 0.0 && (waves.type == WaveType::airy || waves.type == WaveType::stokes5)) {
-    return std::max(kMinCutOff, kRegularWaveFactor * waves.period);
+double cut_off_period(const WaveGroups& groups) {
+  double period = kMinCutOff;
+  for (const WavesDescription& waves : groups) {
+    if (is_random(waves.type)) {
+      const double slowest = WaveSpectrum(waves).quantile(kVarianceBeyondCutOff);
+      period = std::max(period, kCutOffMargin * 2.0 * std::numbers::pi / slowest);
+    } else if (is_regular(waves.type) && waves.period > 0.0) {
+      period = std::max(period, kRegularWaveFactor * waves.period);
+    } else if (waves.type == WaveType::elevation) {
+      period = std::max(period, kCutOffMargin * slowest_period(waves.record));
+    }
   }
-  const double slowest = WaveSpectrum(waves).quantile(kVarianceBeyondCutOff);
-  return std::max(kMinCutOff, kCutOffMargin * 2.0 * std::numbers::pi / slowest);
+  return period;
 }
 
 void finish_motions(const StaticResults& statics, const Description& description, DynamicResults& results,

@@ -36,8 +36,10 @@ std::string stage_text(const LayStageDescription& stage, OperationType type) {
 
 /// Returns the files that the model names, including all hydrodynamic files of one stem that may be read.
 std::vector<std::string> named_files(const Description& d) {
-  std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
-                                    d.environment.seabed.bathymetry_file};
+  std::vector<std::string> files = {d.vessel.motion_file};
+  for (const WavesDescription& waves : d.environment.waves) files.push_back(waves.spectrum_file);
+  files.push_back(d.environment.seabed.bathymetry_file);
+  for (const WavesDescription& waves : d.environment.waves) files.push_back(waves.elevation_file);
   for (const BodyDescription& body : d.bodies) files.push_back(body.hull.motion_file);
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);

@@ -11,6 +11,7 @@
 #include "base/ranges.h"
 #include "base/shown_unit.h"
 #include "mechanics/sea_outside_range.h"
+#include "model/site/wave_groups.h"
 #include "model/waves/rao_table.h"
 #include "numerics/record_part.h"
 #include "study/run/non_stationary.h"
@@ -32,16 +33,12 @@ constexpr std::size_t kBlocks = 8;
 constexpr double kReportedVarianceOutside = 0.05;  ///< Fraction of the sea's variance outside the frequencies of the
                                                    ///< RAOs that is reported [-].
 constexpr double kReportedAutocorrelation =
-    0.5;                               ///< Autocorrelation of the sea's components at a later time that is reported
-                                       ///< [-].
-constexpr int kManyWaves = 100;        ///< Number of wave components from which a sea does not repeat itself within a
-                                       ///< day.
+    0.5;                                 ///< Autocorrelation of the sea's components at a later time that is reported
+                                         ///< [-].
+constexpr std::size_t kManyWaves = 100;  ///< Number of wave components from which a sea does not repeat itself within a
+                                         ///< day.
 constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records exceed them by
                                        ///< chance.
-
-bool is_irregular(WaveType type) {
-  return type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
-}
 
 const HistorySummary* history(const DynamicResults& results, const std::string& name) {
   for (const HistorySummary& h : results.histories) {
@@ -151,7 +148,7 @@ double trend(std::span<const double> values) {
 
 void warn_of_tensioner_uncertainty(const Description& description, std::span<const double> travel,
                                    DynamicResults& results) {
-  const bool irregular = is_irregular(description.environment.waves.type);
+  const bool irregular = is_irregular(description.environment.waves);
   if (description.operation.type == OperationType::pull_ahead) return;
   const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
   if (!irregular || acted == 0) return;
@@ -197,17 +194,18 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
 }
 
 void warn_of_sea(const Description& description, DynamicResults& results) {
-  const WavesDescription& waves = description.environment.waves;
-  if (waves.type == WaveType::none) return;
-  const bool few = is_irregular(waves.type) && waves.components < kManyWaves;
+  const WaveGroups& waves = description.environment.waves;
+  if (is_calm(waves)) return;
   const Sea sea = make_sea(waves, description.environment.water_depth, results.seed);
+  const std::size_t count = sea.components.size();
+  const bool few = is_random(waves) && count < kManyWaves;
   const double again = few ? recurrence(sea, results.build_up + results.duration) : 0.0;
   if (again > kReportedAutocorrelation) {
     results.findings.push_back(
         Finding{FindingCode::few_wave_components,
                 fmt::format("the sea of {} waves repeats itself within the run: its autocorrelation rises to {:.2f} "
                             "again, where 200 waves in three hours reach 0.2; use more (environment.waves.components)",
-                            waves.components, again)}
+                            count, again)}
             .with("autocorrelation", again, "1"));
   }
   if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
@@ -232,7 +230,7 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
 }
 
 void warn_of_run(const Description& description, DynamicResults& results, std::span<const double> tension) {
-  const bool alike = !is_irregular(description.environment.waves.type);  // regular waves have equal peaks
+  const bool alike = !is_irregular(description.environment.waves);  // regular waves have equal peaks
   if (!alike) warn_of_short_run(results);
   warn_of_change(results);
   warn_of_fixed_vessel(results);

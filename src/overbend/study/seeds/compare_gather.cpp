@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/site/wave_groups.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/dynamic/long_data_reader.h"
 #include "study/run/seeds_gather.h"
@@ -81,9 +82,9 @@ std::vector<Rule> make_rules(ComparisonType of) {
 }
 
 /// Start of the detailed view: five wave periods before the end, in whole seconds; one minute in calm water.
-double find_detail_start(const WavesDescription& waves, double duration) {
+double find_detail_start(const WaveGroups& waves, double duration) {
   constexpr double kPeriods = 5.0;
-  const double period = waves.period > 0.0 ? waves.period : waves.tp;
+  const double period = max_period(waves);
   return std::max(0.0, duration - (period > 0.0 ? std::ceil(kPeriods * period) : 60.0));
 }
 

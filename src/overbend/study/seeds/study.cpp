@@ -4,6 +4,7 @@
 
 #include "base/interruption.h"
 #include "base/ranges.h"
+#include "model/site/wave_groups.h"
 #include "report/studies/comparison_page.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/studies/comparison_writer.h"
@@ -74,8 +75,7 @@ SeedsResults gather_seed_results(const std::vector<CaseRun>& runs, CheckTable& w
   }
   fill_statistics(results);
   add_acer(results, peaks);
-  const WaveType type = shared.description.environment.waves.type;
-  if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
+  if (!is_random(shared.description.environment.waves)) {
     results.findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
   }
   return results;
