@@ -69,18 +69,29 @@ TEST(import_orcaflex, damaged_files_are_rejected_with_line_what_was_found_and_wh
   expect("of-variable-data.yml", "101", "'Stiffening rollers'", "a number");
 }
 
-TEST(import_orcaflex, of_two_seas_in_a_file_in_parts_the_lower_is_left_out_and_named_with_its_direction) {
+TEST(import_orcaflex, two_seas_in_a_file_in_parts_become_a_list_with_the_directions_they_come_from) {
   Diagnostics diagnostics;
   const std::optional<ImportedModel> model = import_orcaflex(case_file("slay-two-seas.yml"), {}, diagnostics);
   ASSERT_TRUE(model) << diagnostics.lines(Severity::error).front();
-  EXPECT_NE(model->text.find("{type: jonswap, hs: 2.2 m, tp: 7.4 s, gamma: 3, from: 120 deg}"), std::string::npos)
-      << model->text;
-  EXPECT_FALSE(model->account.is_complete());
-  EXPECT_NE(model->account.text().find("Swell, lower than those kept: {type: jonswap, hs: 1.1 m, tp: 13.5 s, gamma: 6, "
-                                       "from: 65 deg}"),
+  EXPECT_NE(model->text.find("  waves:\n    - {type: jonswap, hs: 2.2 m, tp: 7.4 s, gamma: 3, from: 120 deg}\n"
+                             "    - {type: jonswap, hs: 1.1 m, tp: 13.5 s, gamma: 6, from: 65 deg}\n"),
             std::string::npos)
+      << model->text;
+  EXPECT_NE(model->account.text().find("waves Wind sea, Swell: 2 groups at once"), std::string::npos)
       << model->account.text();
   EXPECT_NE(model->text.find("- {depth: 50 m, speed: 0.405 m/s, towards: 15 deg}"), std::string::npos);
+}
+
+TEST(import_orcaflex, a_stokes_wave_among_several_trains_becomes_linear) {
+  const std::string train = "WaveType: Airy\n      WaveDirection: 180\n      WaveHeight: 0";
+  const std::string two =
+      "WaveType: Stokes' 5th\n      WaveDirection: 180\n      WaveHeight: 2\n      WavePeriod: 8\n"
+      "    - Name: Swell\n      WaveType: Airy\n      WaveDirection: 90\n      WaveHeight: 1\n";
+  const Attempt attempt = import_texts({{"model.yml", with(case_text("slay-simple.yml"), train, two)}});
+  ASSERT_TRUE(attempt.model) << attempt.message;
+  EXPECT_NE(attempt.model->text.find("- {type: airy, height: 2 m, period: 8 s, from: 90 deg}"), std::string::npos)
+      << attempt.model->text;
+  EXPECT_NE(attempt.model->account.text().find("those of Stokes cannot be added to others"), std::string::npos);
 }
 
 TEST(import_orcaflex, files_that_include_each_other_or_are_missing_are_rejected) {
@@ -173,9 +184,8 @@ TEST(import_orcaflex, spreading_keeps_its_first_circular_moment) {
            "      WaveDirectionSpreadingExponent: 2");
   const Attempt attempt = import_texts({{"model.yml", text}});
   ASSERT_TRUE(attempt.model) << attempt.message;
-  // The moment of cos^2 is 8 / (3 pi) = 0.848826; s = r / (1 - r). Tp = 1.2863 Tz.
-  EXPECT_NE(attempt.model->text.find("tp: 7.7178 s, gamma: 3.3, spreading: 5.61"), std::string::npos)
-      << attempt.model->text;
+  // The moment of cos^2 is 8 / (3 pi) = 0.848826; s = r / (1 - r).
+  EXPECT_NE(attempt.model->text.find("tz: 6 s, gamma: 3.3, spreading: 5.61"), std::string::npos) << attempt.model->text;
 }
 
 /// `text` with one change at random: a byte, a line cut out, doubled or moved, or a number replaced.

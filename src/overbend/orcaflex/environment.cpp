@@ -102,15 +102,14 @@ std::string current_text(Translation& translation, const Object& environment) {
   return text;
 }
 
-/// Peak period of a train [s]; nothing if it has only a zero-crossing period whose ratio to the peak is not known here.
-std::optional<double> find_peak_period(const Object& train, double gamma) {
-  if (const std::optional<double> peak = train.number("WaveTp")) return peak;
+/// Returns the key of a train's period, ", tp: 9 s" or ", tz: 7 s"; an error if it has none.
+std::string period_text(const Object& train) {
+  if (const std::optional<double> peak = train.number("WaveTp")) return ", tp: " + number_text(*peak) + " s";
   const std::optional<double> frequency = train.number("Wavefm");
-  if (frequency && *frequency > 0.0) return 1.0 / *frequency;
-  const std::optional<double> crossing = train.number("WaveTz");
-  if (!crossing) train.reject("WaveTp", "nothing", "the peak period, or WaveTz");
-  if (!crossing || (gamma != 1.0 && gamma != 3.3)) return std::nullopt;
-  return *crossing * (gamma == 1.0 ? 1.4077 : 1.2863);  // of Pierson-Moskowitz and JONSWAP, over all frequencies
+  if (frequency && *frequency > 0.0) return ", tp: " + number_text(1.0 / *frequency) + " s";
+  if (const std::optional<double> crossing = train.number("WaveTz")) return ", tz: " + number_text(*crossing) + " s";
+  train.reject("WaveTp", "nothing", "the peak period, or WaveTz");
+  return "";
 }
 
 /// Exponent s of cos^2s(angle/2) with the first circular moment of the file's cos^n(angle).
@@ -134,13 +133,8 @@ std::string jonswap_text(Translation& translation, const Object& train, const st
   if (hs == 0.0) return "";
   const bool is_automatic = is_jonswap && train.text("WaveJONSWAPParameters", "Automatic") == "Automatic";
   const double gamma = is_automatic ? 0.0 : is_jonswap ? train.number("WaveGamma").value_or(3.3) : 1.0;
-  const std::optional<double> peak = find_peak_period(train, gamma);
-  if (!peak) {
-    translation.left_out("waves " + for_display(train.name()) + ": only Tz is given; give tp", true);
-    return "";
-  }
-  std::string text = fmt::format("{{type: {}, hs: {} m, tp: {} s", is_jonswap ? "jonswap" : "pierson_moskowitz",
-                                 number_text(hs), number_text(*peak));
+  std::string text = fmt::format("{{type: {}, hs: {} m{}", is_jonswap ? "jonswap" : "pierson_moskowitz",
+                                 number_text(hs), period_text(train));
   if (is_automatic) {
     translation.approximated("waves " + for_display(train.name()) +
                              ": gamma by the rule of DNV-RP-C205 from Hs and Tp, in place of the file's Automatic");
@@ -167,30 +161,30 @@ std::string train_text(Translation& translation, const Object& train) {
   return "";
 }
 
-/// A model has one sea: of several trains the highest, regular or irregular.
+/// All trains with waves: one group of keys, or a list of groups.
 std::string waves_text(Translation& translation, const Object& environment) {
-  std::string kept, kept_name;
-  double kept_height = 0.0;
-  const auto leave_out = [&](const std::string& name, const std::string& text) {
-    translation.left_out("waves " + name + ", lower than those kept: " + text, true);
-  };
+  std::vector<std::pair<std::string, std::string>> trains;  // name and text
   for (const Object& train : environment.objects("WaveTrains")) {
-    const std::string text = train_text(translation, train), name = for_display(train.name());
-    if (text.empty()) continue;
-    const bool is_regular = text.find(", height: ") != std::string::npos;
-    const double height = train.number(is_regular ? "WaveHeight" : "WaveHs").value_or(0.0);
-    if (height <= kept_height) {
-      leave_out(name, text);
-      continue;
+    if (const std::string text = train_text(translation, train); !text.empty()) {
+      trains.emplace_back(for_display(train.name()), text);
     }
-    if (!kept.empty()) leave_out(kept_name, kept);
-    kept = text;
-    kept_name = name;
-    kept_height = height;
   }
-  if (kept.empty()) return "";
-  translation.translated("waves " + kept_name);
-  return "  waves: " + kept + "\n";
+  if (trains.empty()) return "";
+  if (trains.size() == 1) {
+    translation.translated("waves " + trains.front().first);
+    return "  waves: " + trains.front().second + "\n";
+  }
+  std::string list = "  waves:\n", names;
+  for (auto& [name, text] : trains) {
+    if (const std::size_t stokes = text.find("type: stokes5"); stokes != std::string::npos) {
+      text.replace(stokes, std::string("type: stokes5").size(), "type: airy");
+      translation.approximated("waves " + name + ": a linear wave, as those of Stokes cannot be added to others");
+    }
+    list += "    - " + text + "\n";
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  translation.translated(fmt::format("waves {}: {} groups at once", names, trains.size()));
+  return list;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/constants.h"
+#include "model/site/wave_groups.h"
 #include "orcaflex/translation.h"
 
 namespace overbend::orcaflex {
@@ -34,35 +35,56 @@ std::string list(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", number_text(v.x()), number_text(v.y()), number_text(v.z()));
 }
 
-std::string waves_text(const WavesDescription& waves, Account& account) {
-  const double towards = compute_direction(waves.from) + 180.0;
-  std::string text = "  WaveTrains:\n    - Name: Wave1\n";
-  const auto regular = [&](const char* type, double height, double period) {
-    return fmt::format("      WaveType: {}\n      WaveDirection: {}\n      WaveHeight: {}\n      WavePeriod: {}\n",
-                       type, number_text(towards), number_text(height), number_text(period));
-  };
+std::string regular_train_text(const char* type, const std::string& direction, double height, double period) {
+  return fmt::format("      WaveType: {}\n{}      WaveHeight: {}\n      WavePeriod: {}\n", type, direction,
+                     number_text(height), number_text(period));
+}
+
+/// A group of waves as a wave train; empty for one that has no counterpart.
+std::string train_text(const WavesDescription& waves, Account& account) {
+  const std::string direction =
+      fmt::format("      WaveDirection: {}\n", number_text(compute_direction(waves.from) + 180.0));
   switch (waves.type) {
     case WaveType::airy:
-      return text + regular("Airy", waves.height, waves.period);
+      return regular_train_text("Airy", direction, waves.height, waves.period);
     case WaveType::stokes5:
-      return text + regular("Stokes' 5th", waves.height, waves.period);
+      return regular_train_text("Stokes' 5th", direction, waves.height, waves.period);
     case WaveType::jonswap:
     case WaveType::pierson_moskowitz: {
       const double gamma = waves.type == WaveType::pierson_moskowitz ? 1.0 : waves.gamma.value_or(0.0);
-      text += fmt::format(
-          "      WaveType: JONSWAP\n      WaveDirection: {}\n      WaveJONSWAPParameters: {}\n      WaveHs: {}\n",
-          number_text(towards), gamma > 0.0 ? "Partially specified" : "Automatic", number_text(waves.hs));
+      std::string text =
+          fmt::format("      WaveType: JONSWAP\n{}      WaveJONSWAPParameters: {}\n      WaveHs: {}\n", direction,
+                      gamma > 0.0 ? "Partially specified" : "Automatic", number_text(waves.hs));
       if (gamma > 0.0) text += fmt::format("      WaveGamma: {}\n", number_text(gamma));
       if (gamma == 0.0) account.approximated.emplace_back("gamma of the waves by the rule of the other program");
       return text + fmt::format("      WaveTp: {}\n", number_text(waves.tp));
     }
+    case WaveType::ochi_hubble:
+    case WaveType::torsethaugen:
     case WaveType::user:
-      account.left_out.push_back({"waves by a spectrum from a file", true});
-      break;
+      account.left_out.push_back({waves.type == WaveType::user          ? "waves by a spectrum from a file"
+                                  : waves.type == WaveType::ochi_hubble ? "waves by an Ochi-Hubble spectrum"
+                                                                        : "waves by a Torsethaugen spectrum",
+                                  true});
+      return "";
+    case WaveType::elevation:
+      account.left_out.push_back({"measured elevation of the waves", true});
+      return "";
     case WaveType::none:
       break;
   }
-  return text + regular("Airy", 0.0, 8.0);
+  return "";
+}
+
+std::string waves_text(const WaveGroups& groups, Account& account) {
+  std::string text = "  WaveTrains:\n";
+  int number = 0;
+  const auto add = [&](const std::string& train) { text += fmt::format("    - Name: Wave{}\n", ++number) + train; };
+  for (const WavesDescription& waves : groups) {
+    if (const std::string train = train_text(waves, account); !train.empty()) add(train);
+  }
+  if (number == 0) add(regular_train_text("Airy", "      WaveDirection: 270\n", 0.0, 8.0));
+  return text;
 }
 
 std::string current_text(const Model& model) {
