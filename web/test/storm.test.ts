@@ -15,6 +15,34 @@ test('a sea is named by its spectrum and its values, a regular wave by height an
   expect(seaText(model({}))).toBe('');
 });
 
+const windSeaAndSwell = model({
+  'environment.waves': { given: true, count: 2 },
+  'environment.waves[0].type': 'jonswap', 'environment.waves[0].hs': '2.2 m', 'environment.waves[0].tz': '5.7 s',
+  'environment.waves[0].from': { given: true, value: '240 deg', si: 240 * rad }, 'environment.waves[0].seed': 7,
+  'environment.waves[1].type': 'airy', 'environment.waves[1].height': '1 m', 'environment.waves[1].period': '13 s',
+  'environment.waves[1].from': { given: true, value: '300 deg', si: 300 * rad },
+  'vessel.heading': { given: true, value: '240 deg', si: 240 * rad },
+});
+
+test('several groups of waves are named one after the other, with their directions', () => {
+  expect(seaText(windSeaAndSwell)).toBe('JONSWAP, Hs 2.2 m, Tz 5.7 s; Airy wave, H 1 m, T 13 s');
+  expect(directionText(windSeaAndSwell)).toBe('240 deg, bow; 300 deg, starboard bow');
+  expect(modelSeeds(windSeaAndSwell)).toEqual([7]);
+  expect(missingInStorm(windSeaAndSwell)).not.toContain('waves');
+});
+
+test('groups of waves that are all none are no waves', () => {
+  const none = model({ 'environment.waves': { given: true, count: 1 }, 'environment.waves[0].type': 'none' });
+  expect(missingInStorm(none)).toContain('waves');
+  expect(directionText(none)).toBe('');
+});
+
+test('other spectra and measured elevations are named', () => {
+  expect(seaText(model({ 'environment.waves.type': 'torsethaugen', 'environment.waves.hs': '4 m', 'environment.waves.tp': '9 s' }))).toBe('Torsethaugen, Hs 4 m, Tp 9 s');
+  expect(seaText(model({ 'environment.waves.type': 'elevation', 'environment.waves.elevation_file': 'eta.csv' }))).toBe('measured elevation, eta.csv');
+  expect(seaText(model({ 'environment.waves.type': 'jonswap', 'environment.waves.spectrum_file': '46990.txt' }))).toBe('JONSWAP, 46990.txt');
+});
+
 test('the side of the waves counts from the bow', () => {
   const side = (from: number, heading: number): string => waveSide(from * rad, heading * rad);
   expect(side(90, 90)).toBe('bow');

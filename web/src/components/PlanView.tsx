@@ -100,7 +100,7 @@ const degrees = (angle: number): string => `${fixed(((angle * 180 / Math.PI) % 3
 function Directions({ frame, spread }: { frame: Frame; spread: MooringSpread }): VNode {
   const arrows = [{ azimuth: 0, colour: colours.ink as string, text: 'north' }];
   const { waves_from: waves, current_to: current } = spread;
-  if (waves !== null) arrows.push({ azimuth: waves + Math.PI, colour: '#2f7fb5', text: `waves from ${degrees(waves)}` });
+  for (const from of waves) arrows.push({ azimuth: from + Math.PI, colour: '#2f7fb5', text: `waves from ${degrees(from)}` });
   if (current !== null) arrows.push({ azimuth: current, colour: colours.dynamic, text: `current to ${degrees(current)}` });
   const [x, y] = [frame.left + 32, frame.top + 30];
   frame.room.take({ x0: frame.left, x1: x + 150, y0: frame.top, y1: y + 46 * (arrows.length - 1) + 24 });

@@ -33,7 +33,8 @@ export interface MooringSpread {
   beam: number;
   /** Azimuths clockwise from north. */
   heading: number;
-  waves_from: number | null;
+  /** Azimuth of each group of waves. */
+  waves_from: number[];
   current_to: number | null;
   pipe: Vector[];
   touchdown: Vector | null;

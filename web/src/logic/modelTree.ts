@@ -1,6 +1,7 @@
 // The model as a tree of objects that can be selected, each with a summary value.
 import type { Field } from '../api/types';
 import { parts, type Node } from './formTree';
+import { waveGroups } from './waves';
 
 export type FieldNode = Node<Field>;
 
@@ -83,12 +84,19 @@ function pipeSize(values: Values): string {
   return wall?.given ? `${size} × ${String(wall.value)}` : size;
 }
 
+const waveNames: Record<string, string> = { hs: 'Hs ', tp: 'Tp ', tz: 'Tz ', height: '', period: '' };
+
+/** "Hs 2 m, Tp 8 s" of a group of waves. */
+function heightAndPeriod(values: Values, group: string): string {
+  return ['hs', 'height', 'tp', 'tz', 'period'].map((key) => [key, text(values, `${group}.${key}`)] as const).filter(([, value]) => value)
+    .map(([key, value]) => `${waveNames[key] ?? ''}${value}`).join(', ');
+}
+
 const summaries: Record<string, (values: Values) => string> = {
   environment: (v) => text(v, 'environment.water_depth'),
   'environment.seabed': (v) => text(v, 'environment.seabed.stiffness'),
   'environment.current': (v) => counted(v.get('environment.current')?.count ?? 0, 'row'),
-  'environment.waves': (v) => ['hs', 'height', 'tp', 'period'].map((k) => [k, text(v, `environment.waves.${k}`)]).filter(([, t]) => t)
-    .map(([k, t]) => `${k === 'hs' ? 'Hs ' : k === 'tp' ? 'Tp ' : ''}${t}`).join(', '),
+  'environment.waves': (v) => waveGroups(v).map((group) => heightAndPeriod(v, group)).filter(Boolean).join('; '),
   pipe: pipeSize,
   vessel: (v) => text(v, 'vessel.name'),
   tensioner: (v) => [text(v, 'tensioner.tension'), text(v, 'tensioner.mode') || (v.get('tensioner.range')?.given ? 'controlled' : '')].filter(Boolean).join(', '),

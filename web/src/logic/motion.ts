@@ -70,7 +70,10 @@ export function askedOfWaves(type: unknown): string[] {
   switch (type) {
     case 'jonswap': case 'pierson_moskowitz': return ['hs', 'tp'];
     case 'airy': case 'stokes5': return ['height', 'period'];
+    case 'ochi_hubble': return ['parts'];
+    case 'torsethaugen': return ['hs', 'tp', 'model'];
     case 'user': return ['spectrum_file'];
+    case 'elevation': return ['elevation_file'];
     default: return [];
   }
 }

@@ -3,6 +3,7 @@ import type { Change } from '../api/types';
 import { motionKind, motionLabels } from './motion';
 import { parseSeeds } from './runs';
 import { parseQuantity, tidy, toSi } from './units';
+import { waveGroups } from './waves';
 
 export interface Known { given: boolean; value?: unknown; si?: number | null; count?: number }
 export type Fields = ReadonlyMap<string, Known>;
@@ -14,20 +15,27 @@ const written = (fields: Fields, path: string): string => {
 const degrees = 180 / Math.PI;
 
 const seaNames: Record<string, string> = {
-  none: 'no waves', airy: 'Airy wave', stokes5: 'Stokes wave', jonswap: 'JONSWAP', pierson_moskowitz: 'Pierson-Moskowitz', user: 'spectrum file',
+  none: 'no waves', airy: 'Airy wave', stokes5: 'Stokes wave', jonswap: 'JONSWAP', pierson_moskowitz: 'Pierson-Moskowitz',
+  ochi_hubble: 'Ochi-Hubble', torsethaugen: 'Torsethaugen', user: 'spectrum file', elevation: 'measured elevation',
+};
+const height: [string, string][] = [['H', 'height'], ['T', 'period']];
+const spectral: [string, string][] = [['Hs', 'hs'], ['Tp', 'tp'], ['Tz', 'tz'], ['', 'spectrum_file']];
+const seaMembers: Record<string, [string, string][]> = {
+  airy: height, stokes5: height, jonswap: spectral, pierson_moskowitz: spectral, torsethaugen: spectral,
+  user: [['', 'spectrum_file']], elevation: [['', 'elevation_file']],
 };
 
-/** "JONSWAP, Hs 4 m, Tp 12.9 s"; empty if the model has no waves. */
-export function seaText(fields: Fields): string {
-  const type = written(fields, 'environment.waves.type');
-  if (!type) return '';
-  const members: Record<string, [string, string][]> = {
-    airy: [['H', 'height'], ['T', 'period']], stokes5: [['H', 'height'], ['T', 'period']],
-    jonswap: [['Hs', 'hs'], ['Tp', 'tp']], pierson_moskowitz: [['Hs', 'hs'], ['Tp', 'tp']], user: [['', 'spectrum_file']],
-  };
-  const values = (members[type] ?? []).map(([name, key]) => [name, written(fields, `environment.waves.${key}`)] as const).filter(([, value]) => value);
+function groupText(fields: Fields, group: string): string {
+  const type = written(fields, `${group}.type`);
+  const values = (seaMembers[type] ?? []).map(([name, key]) => [name, written(fields, `${group}.${key}`)] as const).filter(([, value]) => value);
   return [seaNames[type] ?? type, ...values.map(([name, value]) => `${name} ${value}`.trim())].join(', ');
 }
+
+/** Groups of waves with a type, "environment.waves", or "environment.waves[0]" and so on. */
+const typedGroups = (fields: Fields): string[] => waveGroups(fields).filter((group) => written(fields, `${group}.type`));
+
+/** "JONSWAP, Hs 4 m, Tp 12.9 s", of several groups separated by semicolons; empty if the model has no waves. */
+export const seaText = (fields: Fields): string => typedGroups(fields).map((group) => groupText(fields, group)).join('; ');
 
 /** Direction the waves come from, relative to the bow: azimuths in rad, clockwise from north. */
 export function waveSide(from: number, heading: number): string {
@@ -42,10 +50,11 @@ export function waveSide(from: number, heading: number): string {
 
 /** "180 deg, port beam"; empty if there are no waves. */
 export function directionText(fields: Fields): string {
-  const type = written(fields, 'environment.waves.type');
-  if (!type || type === 'none') return '';
-  const from = written(fields, 'environment.waves.from') || '0 deg';
-  return `${from}, ${waveSide(fields.get('environment.waves.from')?.si ?? 0, fields.get('vessel.heading')?.si ?? 0)}`;
+  const heading = fields.get('vessel.heading')?.si ?? 0;
+  return typedGroups(fields).filter((group) => written(fields, `${group}.type`) !== 'none').map((group) => {
+    const from = written(fields, `${group}.from`) || '0 deg';
+    return `${from}, ${waveSide(fields.get(`${group}.from`)?.si ?? 0, heading)}`;
+  }).join('; ');
 }
 
 /** Dimensions [m] in the file name of the scaled RAOs of the library hull. */
@@ -114,7 +123,9 @@ export function modelSeeds(fields: Fields): number[] {
   if (whole?.given && Number.isInteger(count) && count > 0) return Array.from({ length: count }, (_, i) => i + 1);
   const list: number[] = [];
   for (let i = 0; fields.get(`analysis.dynamic.seeds[${i}]`)?.given; ++i) list.push(Number(fields.get(`analysis.dynamic.seeds[${i}]`)!.value));
-  return list.length ? list : [Number(fields.get('environment.waves.seed')?.value ?? 1) || 1];
+  const regular = ['none', 'airy', 'stokes5', 'elevation'];
+  const random = typedGroups(fields).find((group) => !regular.includes(written(fields, `${group}.type`))) ?? 'environment.waves';
+  return list.length ? list : [Number(fields.get(`${random}.seed`)?.value ?? 1) || 1];
 }
 
 /** "10" as seeds 1 to 10, "3, 7-9" as a list, in the notation of the model; null if the text is invalid. */
@@ -136,7 +147,7 @@ export function seconds(typed: string): number {
 }
 
 const isGiven = (fields: Fields, path: string): boolean => fields.get(path)?.given === true;
-const noWaves = (fields: Fields): boolean => ['', 'none'].includes(written(fields, 'environment.waves.type'));
+const noWaves = (fields: Fields): boolean => typedGroups(fields).every((group) => written(fields, `${group}.type`) === 'none');
 const noMotion = (fields: Fields): boolean => [null, 'fixed'].includes(motionKind(fields));
 
 /** Missing input for a storm run; empty if there is none. */

@@ -1,4 +1,10 @@
-// Elevation of the water surface from the wave components used in the analysis.
+// Groups of waves, and the elevation of the water surface from the wave components used in the analysis.
+
+/** Paths of the groups of waves: the only one, given or not, or the items of a list. */
+export function waveGroups(fields: ReadonlyMap<string, { given: boolean; count?: number }>): string[] {
+  const count = fields.get('environment.waves')?.count;
+  return count === undefined ? ['environment.waves'] : Array.from({ length: count }, (_, i) => `environment.waves[${i}]`);
+}
 
 export interface Wave { amplitude: number; number: number; frequency: number; phase: number; direction: number }
 

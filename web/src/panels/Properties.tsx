@@ -27,7 +27,7 @@ async function act(path: string, value: unknown): Promise<void> {
 
 /** Omitted keys that are shown because a given value requires them. */
 function asked(path: string): string[] {
-  if (path === 'environment.waves') return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
+  if (/^environment\.waves(\[\d+\])?$/.test(path)) return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
   // keys of a dynamic run are offered in models without one
   return path === 'vessel' ? ['motion'] : path === 'environment' ? ['waves'] : [];
 }

@@ -73,8 +73,8 @@ class Lister {
     const Field& row = find_field_row(field, node);
     add(row, node, line, path);
     if (node == nullptr) {
-      // The members of a missing group are offered if it can only be a group.
-      if (field.map != nullptr && field.scalar == nullptr && field.list == nullptr) members(field, nullptr, path);
+      // The members of a missing group are offered if it can only be a group, or a list of such groups.
+      if (field.map == &field.first() && field.scalar == nullptr) members(field, nullptr, path);
     } else if (node->kind == Kind::map && field.map != nullptr) {
       members(field, node, path);
     } else if (node->kind == Kind::list && field.list != nullptr) {

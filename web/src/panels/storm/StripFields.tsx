@@ -4,6 +4,7 @@ import type { Change, Field } from '../../api/types';
 import { label, parts, tree, type Node } from '../../logic/formTree';
 import { askedOfWaves, motionKind } from '../../logic/motion';
 import { firstRange, hullDiffers, libraryHull, seedsTyped, seedsValue } from '../../logic/storm';
+import { waveGroups } from '../../logic/waves';
 import { byPath, fields, setKeys } from '../../state/model';
 import { sayError } from '../../state/notices';
 import { scaleHull, seeds } from '../../state/storm';
@@ -22,28 +23,33 @@ function Keys({ paths }: { paths: string[] }) {
   return <>{known.map((field) => <FieldRow key={field.path} field={field} name={rowNames[field.path]} />)}</>;
 }
 
-const waves = (keys: string[]): string[] => keys.map((key) => `environment.waves.${key}`);
+/** Keys of one group of waves. */
+function GroupFields({ group }: { group: string }) {
+  const type = byPath.value.get(`${group}.type`)?.value;
+  const paths = (keys: string[]): string[] => keys.map((key) => `${group}.${key}`);
+  const irregular = !['none', 'airy', 'stokes5', 'elevation'].includes(String(type));
+  const more = irregular ? [...(type === 'jonswap' ? ['gamma'] : []), 'spreading', 'components'] : type === 'elevation' ? [] : ['phase'];
+  return (
+    <>
+      <Keys paths={paths(['type', ...askedOfWaves(type)])} />
+      {type === 'none' || more.length === 0 ? null : <details><summary>more</summary><Keys paths={paths(more)} /></details>}
+    </>
+  );
+}
 
 export function SeaFields() {
-  const type = byPath.value.get('environment.waves.type');
-  if (!type?.given) {
+  const groups = waveGroups(byPath.value);
+  if (groups.length === 1 && !byPath.value.get(`${groups[0]}.type`)?.given) {
     const add = (): void => write([{ path: 'environment.waves', value: { type: 'jonswap', hs: '2 m', tp: '8 s' } }]);
     return <p class="brief">The model has no waves. <button type="button" onClick={add}>Add a JONSWAP sea</button></p>;
   }
-  const asked = askedOfWaves(type.value), irregular = ['jonswap', 'pierson_moskowitz', 'user'].includes(String(type.value));
-  const more = irregular ? [...(type.value === 'jonswap' ? ['gamma'] : []), 'spreading', 'components'] : ['phase'];
-  return (
-    <>
-      <Keys paths={waves(['type', ...asked])} />
-      {type.value === 'none' ? null : <details><summary>more</summary><Keys paths={waves(more)} /></details>}
-    </>
-  );
+  return <>{groups.map((group) => <GroupFields key={group} group={group} />)}</>;
 }
 
 export function DirectionFields() {
   return (
     <>
-      <Keys paths={['environment.waves.from', 'vessel.heading']} />
+      <Keys paths={[...waveGroups(byPath.value).map((group) => `${group}.from`), 'vessel.heading']} />
       <p class="brief">Azimuths clockwise from north: direction the waves come from, and heading of the bow.</p>
     </>
   );

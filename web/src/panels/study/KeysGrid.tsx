@@ -7,7 +7,7 @@ import { kind, modelKeys, setStudy, request } from '../../state/studies';
 
 /** Keys of the sea are only for dynamic analyses. */
 function offered(): string[] {
-  const sea = fields.value.filter((f) => /^environment\.waves\.(hs|tp|from|height|period)$/.test(f.path)).map((f) => f.path);
+  const sea = fields.value.filter((f) => /^environment\.waves(\[\d+\])?\.(hs|tp|tz|from|height|period)$/.test(f.path)).map((f) => f.path);
   return [...new Set([...variableKeys(fields.value).map((f) => f.path), ...sea])];
 }
 
