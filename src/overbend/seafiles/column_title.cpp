@@ -43,6 +43,16 @@ std::optional<double> title_unit_factor(std::string_view unit, const std::string
   return factor || word == unit ? factor : unit_factor(word, si_unit);
 }
 
+bool is_unix_title(const ColumnTitle& title) {
+  return title.remark.find("unix") != std::string::npos || title.name == "unix";
+}
+
+bool is_time_title(const ColumnTitle& title) {
+  constexpr std::array<std::string_view, 7> kNames = {"time",      "t",     "timestamp", "datetime",
+                                                      "date_time", "clock", "date time"};
+  return is_unix_title(title) || ranges::find(kNames, title.name) != kNames.end();
+}
+
 std::string bare_unit(std::string_view cell) {
   return std::string(without_brackets(trim(cell)));
 }

@@ -17,6 +17,12 @@ struct ColumnTitle {
 /// angle or time; text in brackets always does.
 ColumnTitle parse_column_title(std::string_view title);
 
+/// Returns true if the title is that of a column of times: "time", "t", "timestamp", "DATETIME", "clock".
+bool is_time_title(const ColumnTitle& title);
+
+/// Returns true if the title says that its times are Unix times: "unix", "Time (Unix, s)".
+bool is_unix_title(const ColumnTitle& title);
+
 /// Returns true for a unit alone in a cell, with or without brackets: "m", "[deg]", "-", or the pattern of a date.
 bool is_unit_cell(std::string_view cell);
 

@@ -7,8 +7,10 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "model/site/sea_statistics.h"
+#include "seafiles/column_title.h"
+#include "seafiles/record_clock.h"
 #include "seafiles/sentinels.h"
-#include "seafiles/text_table.h"
+#include "seafiles/table_layout.h"
 
 namespace overbend {
 namespace {
@@ -22,18 +24,20 @@ class ElevationReader {
   ElevationReader(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
 
   std::optional<ElevationRecord> read(const std::string& text) {
-    const TextTable table = split_table(text, ',');
-    if (table.rows.empty()) return reject(0, "no rows", "the header time_s,elevation_m and numbers");
-    if (!read_header(table.rows.front())) return std::nullopt;
-    const std::size_t rows = table.rows.size() - 1;
+    const std::optional<ExportedTable> table = read_exported_table(text, path_, diagnostics_);
+    if (!table) return std::nullopt;
+    if (table->rows.empty()) return reject(0, "no rows", "the header time_s,elevation_m and numbers");
+    if (!read_header(*table)) return std::nullopt;
+    const std::size_t rows = table->rows.size() - 1;
     if (rows < kMinRows || rows > kMaxRows) {
-      return reject(table.rows.back().line, std::to_string(rows) + " instants",
+      return reject(table->rows.back().line, std::to_string(rows) + " instants",
                     std::to_string(kMinRows) + " to " + std::to_string(kMaxRows));
     }
-    for (std::size_t i = 1; i < table.rows.size(); ++i) {
-      if (!read_row(table.rows[i])) return std::nullopt;
+    RecordClock clock(path_, time_unit_, is_unix_, diagnostics_);
+    for (std::size_t i = 1; i < table->rows.size(); ++i) {
+      if (!read_row(*table, table->rows[i], clock)) return std::nullopt;
     }
-    if (!check_steps() || !subtract_mean()) return std::nullopt;
+    if (!check_steps() || !clock.finish(times_) || !subtract_mean()) return std::nullopt;
     return std::move(record_);
   }
 
@@ -43,37 +47,52 @@ class ElevationReader {
     return std::nullopt;
   }
 
-  bool read_header(const TextRow& header) {
-    const auto find = [&](std::string_view name) {
-      return static_cast<std::size_t>(std::find(header.cells.begin(), header.cells.end(), name) - header.cells.begin());
-    };
-    time_ = find("time_s");
-    elevation_ = find("elevation_m");
+  bool read_header(const ExportedTable& table) {
+    const TextRow& header = table.rows.front();
+    std::optional<double> unit;
+    bool has_time = false;
+    for (std::size_t i = 0; i < header.cells.size(); ++i) {
+      const ColumnTitle title = parse_column_title(header.cells[i]);
+      const std::string stated = title.unit.empty() ? bare_unit(table.unit(i)) : title.unit;
+      if (is_time_title(title)) {
+        has_time = true;
+        time_ = i;
+        time_unit_ = title_unit_factor(stated, "s") ? stated : "";
+        is_unix_ = is_unix_title(title);
+      } else {
+        elevation_ = i;
+        unit = title_unit_factor(stated, "m");
+      }
+    }
     columns_ = header.cells.size();
-    if (time_ < columns_ && elevation_ < columns_ && columns_ == 2) return true;
+    factor_ = unit.value_or(1.0);
+    if (has_time && unit && columns_ == 2) return true;
     reject(header.line, "the columns '" + join_items({header.cells.begin(), header.cells.end()}, "and") + "'",
-           "time_s and elevation_m");
+           "time_s and elevation_m, or other titles of a time and an elevation with its unit");
     return false;
   }
 
-  bool read_row(const TextRow& row) {
+  bool read_row(const ExportedTable& table, const TextRow& row, RecordClock& clock) {
     if (row.cells.size() != columns_) {
-      reject(row.line, std::to_string(row.cells.size()) + " cells", "2, as in the header");
+      reject(row.line, std::to_string(row.cells.size()) + " cells", "2, as in the header", row_width_hint(table, row));
       return false;
     }
-    const std::optional<double> time = cell_number(row.cells[time_]), elevation = cell_number(row.cells[elevation_]);
-    if (!time || !elevation) {
-      reject(row.line, "'" + for_display(row.cells[time ? elevation_ : time_]) + "'", "a number");
+    const std::optional<double> value = cell_number(row.cells[elevation_]);
+    if (!value) {
+      reject(row.line, "'" + for_display(row.cells[elevation_]) + "'", "a number");
       return false;
     }
-    if (!(std::abs(*elevation) <= kMaxElevation)) {
-      reject(row.line, format_number(*elevation) + " m" + (is_sentinel(*elevation) ? kMissingValueText : ""),
+    const double elevation = factor_ * *value;
+    if (!(std::abs(elevation) <= kMaxElevation)) {
+      reject(row.line, format_number(elevation) + " m" + (is_sentinel(*value) ? kMissingValueText : ""),
              "an elevation of at most " + format_number(kMaxElevation) + " m", "interpolate missing values");
       return false;
     }
+    const std::optional<double> time = clock.read(row.line, row.cells[time_]);
+    if (!time) return false;
     times_.push_back(*time);
     lines_.push_back(row.line);
-    record_.elevation.push_back(*elevation);
+    record_.elevation.push_back(elevation);
     return true;
   }
 
@@ -112,6 +131,9 @@ class ElevationReader {
   const std::string& path_;
   Diagnostics& diagnostics_;
   std::size_t time_ = 0, elevation_ = 0, columns_ = 0;
+  std::string time_unit_;
+  bool is_unix_ = false;
+  double factor_ = 1.0;  ///< Metres in a unit of the elevation.
   std::vector<double> times_;
   std::vector<int> lines_;
   ElevationRecord record_;

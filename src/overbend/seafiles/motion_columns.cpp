@@ -12,8 +12,6 @@
 namespace overbend {
 namespace {
 
-constexpr std::array<std::string_view, 7> kTimeNames = {"time",      "t",     "timestamp", "datetime",
-                                                        "date_time", "clock", "date time"};
 constexpr std::array<std::string_view, 6> kFreedomNames = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 constexpr const char* kColumnsHint =
     "motion.columns: {'title in the file': heave_m} names a column, {'title in the file': unused} leaves it out";
@@ -81,8 +79,8 @@ class ColumnFinder {
   }
 
   static bool identify(const ColumnTitle& title, MotionColumn& column) {
-    column.unix = title.remark.find("unix") != std::string::npos || title.name == "unix";
-    if (column.unix || ranges::find(kTimeNames, title.name) != kTimeNames.end()) {
+    column.unix = is_unix_title(title);
+    if (is_time_title(title)) {
       column.quantity = MotionColumn::Quantity::time;
       column.label = "time_s";
       return true;

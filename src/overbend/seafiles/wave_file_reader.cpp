@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "model/description/description_enum_names.h"
 #include "model/site/sea_statistics.h"
+#include "model/waves/peak_period.h"
 #include "model/waves/wave_theory.h"
 #include "seafiles/elevation_reader.h"
 #include "seafiles/ndbc_reader.h"
@@ -121,7 +122,7 @@ class WaveFile {
     constexpr double kAlike = 0.1;
     const double gamma =
         waves_.type == WaveType::pierson_moskowitz ? 1.0 : waves_.gamma.value_or(jonswap_gamma(state.hs, state.tp));
-    const double tz = state.tp / peak_to_crossing_period(gamma);
+    const double tz = state.tp / tp_over_tz(gamma);
     if (std::abs(tz - *state.tz) <= kAlike * *state.tz) return;
     diagnostics_.add({Severity::warning, waves_.spectrum_file, state.line, 0, "APD",
                       "the measured zero up-crossing period is " + format_number(*state.tz, 3) +

@@ -14,12 +14,12 @@ struct Moments {
 };
 
 /// Adds what the peak enhancement adds between two ratios, by Simpson's rule.
-void add_peak(double from, double to, double width, double gamma, Moments& moments) {
+void add_peak(double from, double to, double gamma, Moments& moments) {
   constexpr int kIntervals = 400;
   const double step = (to - from) / kIntervals;
   for (int i = 0; i <= kIntervals; ++i) {
-    const double x = from + i * step, off = (x - 1.0) / width, x4 = x * x * x * x;
-    const double added = 5.0 / (x4 * x) * std::exp(-1.25 / x4) * (std::pow(gamma, std::exp(-0.5 * off * off)) - 1.0);
+    const double x = from + i * step;
+    const double added = jonswap_shape(x, gamma) - jonswap_shape(x, 1.0);
     const double weight = step / 3.0 * (i == 0 || i == kIntervals ? 1.0 : i % 2 == 1 ? 4.0 : 2.0);
     moments.m0 += weight * added;
     moments.m2 += weight * x * x * added;
@@ -33,8 +33,8 @@ double tp_over_tz(double gamma) {
   constexpr double kBelow = 0.07, kAbove = 0.09, kReach = 8.0;
   Moments moments{1.0, std::sqrt(1.25 * std::numbers::pi)};
   if (gamma != 1.0) {
-    add_peak(1.0 - kReach * kBelow, 1.0, kBelow, gamma, moments);
-    add_peak(1.0, 1.0 + kReach * kAbove, kAbove, gamma, moments);
+    add_peak(1.0 - kReach * kBelow, 1.0, gamma, moments);
+    add_peak(1.0, 1.0 + kReach * kAbove, gamma, moments);
   }
   return std::sqrt(moments.m2 / moments.m0);
 }

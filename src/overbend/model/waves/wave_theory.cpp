@@ -133,33 +133,4 @@ double jonswap_shape(double x, double gamma) {
   return base * std::pow(gamma, std::exp(-0.5 * off * off));
 }
 
-double peak_to_crossing_period(double gamma) {
-  constexpr double kLow = 0.2, kHigh = 8.0;  // exp(-1.25/0.2^4) is 1e-339; at 8 the peak enhancement is 1
-  constexpr int kCells = 1950;               // a node on the peak, where the width changes
-  const double step = (kHigh - kLow) / kCells;
-  double m0 = 0.0, m2 = 0.0;
-  for (int i = 0; i < kCells; ++i) {
-    const double a = kLow + step * i, b = a + 0.5 * step, c = a + step;
-    const double at_a = jonswap_shape(a, gamma), at_b = jonswap_shape(b, gamma), at_c = jonswap_shape(c, gamma);
-    m0 += step / 6.0 * (at_a + 4.0 * at_b + at_c);
-    m2 += step / 6.0 * (a * a * at_a + 4.0 * b * b * at_b + c * c * at_c);
-  }
-  const double beyond = 1.25 / std::pow(kHigh, 4);  // the tails, the second as a series in this
-  m0 += -std::expm1(-beyond);
-  m2 += 2.5 / (kHigh * kHigh) * (1.0 - beyond / 3.0 + beyond * beyond / 10.0);
-  return std::sqrt(m2 / m0);
-}
-
-double peak_period_by_rule(double hs, double tz) {
-  // A longer peak period gives a lower gamma and so a longer period again, by less than half the change.
-  double tp = 1.3 * tz;
-  for (int i = 0; i < 60; ++i) {
-    const double next = tz * peak_to_crossing_period(jonswap_gamma(hs, tp));
-    const double change = std::abs(next - tp);
-    tp = next;
-    if (change < 1e-12 * tp) break;
-  }
-  return tp;
-}
-
 }  // namespace overbend

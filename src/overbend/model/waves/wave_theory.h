@@ -34,12 +34,4 @@ double jonswap_gamma(double hs, double tp);
 /// enhancement of JONSWAP [dnvc205]; 0 for x <= 0.
 double jonswap_shape(double x, double gamma);
 
-/// Returns the ratio of peak period to zero up-crossing period Tz = 2 pi sqrt(m0/m2) of a JONSWAP spectrum, by
-/// integrals over all frequencies: 1.4077 for gamma 1, 1.2863 for 3.3. Relative error below 1e-8.
-double peak_to_crossing_period(double gamma);
-
-/// Returns the peak period [s] of a JONSWAP spectrum with this height [m] and zero up-crossing period [s] whose gamma
-/// follows from `jonswap_gamma`.
-double peak_period_by_rule(double hs, double tz);
-
 }  // namespace overbend

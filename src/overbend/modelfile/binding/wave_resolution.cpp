@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/waves/wave_theory.h"
+#include "model/waves/peak_period.h"
 
 namespace overbend {
 namespace {
@@ -11,11 +11,9 @@ namespace {
 void resolve_period(WavesDescription& waves) {
   if (!waves.tz) return;
   if (waves.type == WaveType::pierson_moskowitz) {
-    waves.tp = *waves.tz * peak_to_crossing_period(1.0);
-  } else if (waves.type == WaveType::jonswap && waves.gamma) {
-    waves.tp = *waves.tz * peak_to_crossing_period(*waves.gamma);
-  } else if (waves.type == WaveType::jonswap && waves.hs > 0.0) {
-    waves.tp = peak_period_by_rule(waves.hs, *waves.tz);
+    waves.tp = peak_period(waves.hs, *waves.tz, 1.0);
+  } else if (waves.type == WaveType::jonswap && (waves.gamma || waves.hs > 0.0)) {
+    waves.tp = peak_period(waves.hs, *waves.tz, waves.gamma);
   }
 }
 

@@ -128,8 +128,10 @@ class StudyBinder {
     const auto scatter = group.get_text("scatter");
     if (!scatter) return;
     wanted.scatter_file = resolved_file(*scatter, study_.file);
-    wanted.scatter = read_scatter(wanted.scatter_file, diagnostics_,
-                                  {group.get_word<ScatterPeriod>("scatter_period"), &base_.environment.waves});
+    const std::vector<WavesDescription>& waves = base_.environment.waves;  // a diagram is of one group
+    wanted.scatter =
+        read_scatter(wanted.scatter_file, diagnostics_,
+                     {group.get_word<ScatterPeriod>("scatter_period"), waves.size() == 1 ? &waves.front() : nullptr});
   }
 
   /// Default resolution: 0.25 m for lengths, such as wave heights, otherwise a hundredth of the range.
