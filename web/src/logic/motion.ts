@@ -8,15 +8,11 @@ export const motionLabels: Record<MotionKind, string> = {
 
 export type FileKind = 'raos' | 'history' | 'coupled';
 
-/** File extensions of each kind; for a floating hull the one that represents WAMIT's four. */
-export const fileKinds: Record<FileKind, string[]> = {
-  raos: ['.csv', '.4', '.out', '.lis', '.rao', '.yml'], history: ['.csv'], coupled: ['.hst', '.out', '.lis', '.ah1', '.cal', '.dat', '.yml', '.nc', '.h5'],
-};
-/** Extensions accepted for upload: text files. */
-export const sentKinds: Record<FileKind, string[]> = { ...fileKinds, coupled: ['.1', '.3', '.8', '.hst', '.out', '.lis', '.ah1', '.dat', '.yml'] };
+/** A data file of the folder, with the kinds that its contents allow. */
+export interface DataFile { name: string; kinds: FileKind[] }
 
-/** True if the name ends as files of the kind do, in any case. */
-export const isOfKind = (file: string, kind: FileKind): boolean => fileKinds[kind].some((end) => file.toLowerCase().endsWith(end));
+/** Contents of a file of each kind, for messages. */
+export const fileLabels: Record<FileKind, string> = { raos: 'RAOs', history: 'a recorded motion', coupled: 'the hydrodynamics of a hull' };
 
 /** Name of hydrodynamic files in the model: WAMIT's common stem, or the file. */
 export const hydrodynamics = (file: string): string => file.replace(/\.hst$/, '');

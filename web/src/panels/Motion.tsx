@@ -1,12 +1,13 @@
 // Vessel motion: fixed, from an RAO file, from a motion history, or harmonic.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { get, post } from '../api/client';
+import { get } from '../api/client';
 import type { Field } from '../api/types';
 import type { Node } from '../logic/formTree';
-import { fileKinds, hydrodynamics, isOfKind, motionKind, motionValue, motionLabels, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
+import { fileLabels, hydrodynamics, motionKind, motionValue, motionLabels, type DataFile, type FileKind, type MotionKind } from '../logic/motion';
 import { byPath, setKeys } from '../state/model';
 import { sayError } from '../state/notices';
+import { sendFile } from '../state/openFiles';
 
 const path = 'vessel.motion';
 
@@ -16,11 +17,11 @@ async function write(value: unknown, key = path): Promise<void> {
 
 /** Files of the folder and of this machine; the selection is written into the model. */
 function FileRow({ kind, present }: { kind: FileKind; present: string }) {
-  const [files, setFiles] = useState<string[] | null>(null);
-  const list = (): void => { get<{ files: string[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
+  const [files, setFiles] = useState<DataFile[] | null>(null);
+  const list = (): void => { get<{ files: DataFile[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
   useEffect(list, []);
   const named = (file: string): string => (kind === 'coupled' ? hydrodynamics(file) : file);
-  const fitting = (files ?? []).filter((f) => isOfKind(f, kind)).map(named);
+  const fitting = (files ?? []).filter((f) => f.kinds.includes(kind)).map((f) => named(f.name));
   const choose = (name: string): void => {
     if (!name) return;
     // other data of a floating hull are kept
@@ -29,10 +30,14 @@ function FileRow({ kind, present }: { kind: FileKind; present: string }) {
   };
   const take = async (sent: File[]): Promise<void> => {
     try {
-      for (const file of sent) await post<{ name: string }>('data', { name: file.name, text: await file.text() });
+      const taken: DataFile[] = [];
+      for (const file of sent) taken.push(await sendFile(file));
       list();
-      const first = sent.find((file) => isOfKind(file.name, kind));
+      // a set of several files is recognised once all of it is there
+      const { files: all } = await get<{ files: DataFile[] }>('data');
+      const first = taken.map((file) => all.find((f) => f.name === file.name)).find((file) => file?.kinds.includes(kind));
       if (first) choose(named(first.name));
+      else sayError(new Error(`${taken.map((file) => file.name).join(', ')}: not ${fileLabels[kind]} in a form that is read.`));
     } catch (error) { sayError(error); }
   };
   return (
@@ -45,8 +50,8 @@ function FileRow({ kind, present }: { kind: FileKind; present: string }) {
           {fitting.map((f) => <option key={f} value={f}>{f}</option>)}
         </select>
       </div>
-      <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind !== 'history'} accept={sentKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
-      {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} files found in this folder.</p> : null}
+      <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind !== 'history'} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
+      {files && fitting.length === 0 && !present ? <p class="brief">No file with {fileLabels[kind]} in this folder.</p> : null}
     </>
   );
 }

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { post } from '../api/client';
 import type { ImportAccount } from '../api/types';
 import { isOrcaFlex, isYaml } from '../logic/fileKinds';
+import type { DataFile } from '../logic/motion';
 import { dialog } from './look';
 import { openNew } from './model';
 import { say, sayError } from './notices';
@@ -23,12 +24,21 @@ async function importFiles(files: readonly Text[]): Promise<void> {
   dialog.value = 'import';
 }
 
+/** Puts a data file into the folder of the model, byte for byte. */
+export async function sendFile(file: File): Promise<DataFile> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const part = 0x8000; // of the bytes, as many as arguments of a call
+  let text = '';
+  for (let i = 0; i < bytes.length; i += part) text += String.fromCharCode(...bytes.subarray(i, i + part));
+  return post<DataFile>('data', { name: file.name, base64: btoa(text) });
+}
+
 /** Data files first: the model names them. */
 export async function openFiles(files: readonly File[]): Promise<void> {
   try {
-    const texts = await Promise.all(files.map(async (file): Promise<Text> => ({ name: file.name, text: await file.text() })));
-    const yaml = texts.filter((file) => isYaml(file.name));
-    for (const file of texts.filter((f) => !isYaml(f.name))) await post('data', file);
+    const models = files.filter((file) => isYaml(file.name));
+    const yaml = await Promise.all(models.map(async (file): Promise<Text> => ({ name: file.name, text: await file.text() })));
+    for (const file of files.filter((f) => !isYaml(f.name))) await sendFile(file);
     if (yaml.some((file) => isOrcaFlex(file.text))) { await importFiles(yaml); return; }
     const model = yaml[0];
     if (model) await openNew(model.text);

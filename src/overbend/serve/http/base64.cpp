@@ -8,6 +8,8 @@
 namespace overbend {
 namespace {
 
+constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 std::vector<std::uint8_t> little_endian(std::span<const float> numbers) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(4 * numbers.size() + 2);
@@ -21,7 +23,6 @@ std::vector<std::uint8_t> little_endian(std::span<const float> numbers) {
 }  // namespace
 
 std::string base64_floats(std::span<const float> numbers) {
-  constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<std::uint8_t> bytes = little_endian(numbers);
   const std::size_t padding = (3 - bytes.size() % 3) % 3;
   bytes.resize(bytes.size() + padding);
@@ -33,6 +34,25 @@ std::string base64_floats(std::span<const float> numbers) {
   }
   for (std::size_t i = 0; i < padding; ++i) text[text.size() - 1 - i] = '=';
   return text;
+}
+
+std::optional<std::string> bytes_from_base64(std::string_view text) {
+  if (text.size() % 4 != 0) return std::nullopt;
+  std::size_t padding = 0;
+  while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  for (std::size_t i = 0; i < text.size(); i += 4) {
+    std::uint32_t group = 0;
+    for (std::size_t k = i; k < i + 4; ++k) {
+      const std::size_t value = k < text.size() - padding ? kLetters.find(text[k]) : 0;
+      if (value == std::string_view::npos) return std::nullopt;
+      group = group << 6U | static_cast<std::uint32_t>(value);
+    }
+    for (const unsigned shift : {16U, 8U, 0U}) bytes += static_cast<char>(group >> shift & 255U);
+  }
+  bytes.resize(bytes.size() - padding);
+  return bytes;
 }
 
 }  // namespace overbend
