@@ -51,7 +51,7 @@ struct HydrodynamicsSource {
   /// Stiffness for files without any: heave, roll and pitch about the centre of gravity, with weight.
   std::optional<Vec3> stated_stiffness = {};
   std::optional<int> body = {};                ///< Number of the body, from 1; needed if a file has several.
-  std::string vessel_type, draught;            ///< Names to select if an OrcaFlex file holds several.
+  std::string vessel_type = {}, draught = {};  ///< Names to select if an OrcaFlex file holds several.
   Vec3 file_origin = Vec3::Zero();             ///< Origin of the axes of the file, frame V [m].
   std::optional<WaveColumn> frequencies = {};  ///< Contents of the first column of WAMIT files; default: periods.
   /// Frequency below which mean drift is set to zero, because panel programs give noise there [rad/s].

@@ -32,10 +32,10 @@ struct SteelDescription {
   double youngs_modulus = 207e9;           ///< [Pa]
   double poissons_ratio = 0.3;             ///< [-]
   double yield_stress = 0.0;               ///< SMYS [Pa]
-  bool yield_assumed = false;              ///< True if the SMYS is not that of the pipe but an assumption.
   std::optional<double> tensile_strength;  ///< SMTS [Pa]
   double weight_density = 77e3;            ///< [N/m3]
   MaterialDescription material = {};
+  bool yield_assumed = false;  ///< True if the SMYS is not that of the pipe but an assumption.
 };
 
 struct CoatingDescription {
