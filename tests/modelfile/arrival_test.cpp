@@ -51,7 +51,7 @@ TEST(arrival, of_the_environment) {
   ASSERT_EQ(e.current.size(), 2U);
   expect_from(1, {e.current[0].depth, e.current[0].speed, e.current[0].towards, e.current[1].depth, e.current[1].speed,
                   e.current[1].towards});
-  const WavesDescription& w = e.waves;
+  const WavesDescription& w = e.waves.front();
   EXPECT_EQ(w.type, WaveType::stokes5);
   expect_from(1, {w.hs, w.tp, w.height, w.period, w.phase, w.from, w.gamma.value(), w.spreading.value(),
                   static_cast<double>(w.components), static_cast<double>(w.seed)});

@@ -14,6 +14,7 @@
 
 #include "base/constants.h"
 #include "seafiles/hydrodynamics_reader.h"
+#include "support/damaged_text.h"
 
 namespace overbend::testing {
 
@@ -149,35 +150,6 @@ inline std::string with_change(std::string text, const std::string& find, const 
   return place == std::string::npos ? text : text.replace(place, find.size(), replacement);
 }
 
-/// One random damage: a byte changed, characters removed, a cut, a line lost or doubled, numbers that are none.
-inline std::string damaged_text(std::string text, std::mt19937& random) {
-  const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
-  const std::size_t place = below(text.size());
-  const std::size_t begin = text.rfind('\n', place) == std::string::npos ? 0 : text.rfind('\n', place) + 1;
-  const std::size_t end = std::min(text.find('\n', place), text.size() - 1) + 1;
-  constexpr const char* kInserted[] = {"nan", "inf", "-1", "1e308", "*****", "99999999999", "", "0", "\xff", "\""};
-  switch (below(6)) {
-    case 0:
-      text[place] = static_cast<char>(below(256));
-      break;
-    case 1:
-      text.erase(place, 1 + below(20));
-      break;
-    case 2:
-      text.resize(place);
-      break;
-    case 3:
-      text.erase(begin, end - begin);
-      break;
-    case 4:
-      text.insert(begin, text.substr(begin, end - begin));
-      break;
-    default:
-      text.replace(place, below(8), kInserted[below(std::size(kInserted))]);
-  }
-  return text;
-}
-
 /// True if all values are finite and complete.
 inline bool is_whole(const HydrodynamicData& data) {
   bool whole = data.hydrostatic_stiffness.allFinite() && data.added_mass_infinite.allFinite() &&
@@ -208,12 +180,6 @@ inline void expect_answers_to_damage(const std::string& folder, const std::strin
       EXPECT_TRUE(is_whole(*reading.data)) << trial;
     }
   }
-}
-
-/// Number of damaged files in a test; OVERBEND_FUZZ_TRIALS gives another one.
-inline int damage_trials() {
-  const char* given = std::getenv("OVERBEND_FUZZ_TRIALS");
-  return given != nullptr ? std::max(1, std::atoi(given)) : 150;
 }
 
 }  // namespace overbend::testing

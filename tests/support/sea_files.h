@@ -4,17 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "model/description/waves_description.h"
 #include "seafiles/wave_file_reader.h"
+#include "support/damaged_text.h"
 
 namespace overbend::testing {
 
@@ -78,44 +77,12 @@ class WrittenFiles {
   std::filesystem::path folder_;
 };
 
-/// Text with one change at random: a byte, a cut, or a line doubled, removed or moved.
-inline std::string damaged(std::string text, std::mt19937& random) {
-  const auto below = [&random](std::size_t size) {
-    return std::uniform_int_distribution<std::size_t>(0, std::max<std::size_t>(size, 1) - 1)(random);
-  };
-  const std::size_t place = below(text.size());
-  switch (below(5)) {
-    case 0:
-      text[place] = static_cast<char>(below(256));
-      return text;
-    case 1:
-      return text.substr(0, place);
-    case 2:
-      return text.insert(place, std::string(1 + below(3), "0-9.eMx \n"[below(9)]));
-    default:
-      break;
-  }
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  const auto line = static_cast<std::ptrdiff_t>(below(lines.size()));
-  if (below(2) == 0) {
-    lines.erase(lines.begin() + line);
-  } else {
-    lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(below(lines.size())),
-                 lines[static_cast<std::size_t>(line)]);
-  }
-  std::string joined;
-  for (const std::string& one_line : lines) joined += one_line + "\n";
-  return joined;
-}
-
 /// Reads damaged copies of a file: each gives finite waves or an error with a text.
 inline void read_damaged_copies(const std::string& text, const std::string& time, WaveType type, int count) {
   const WrittenFiles files("overbend_damaged");
   std::mt19937 random(1);
   for (int i = 0; i < count; ++i) {
-    const std::string copy = damaged(text, random);
+    const std::string copy = damaged_text(text, random);
     const WavesRead read = read_waves(files.write("waves", copy), time, type);
     for (const std::string& error : read.errors) EXPECT_NE(error.find("found "), std::string::npos) << error;
     EXPECT_TRUE(std::isfinite(read.waves.hs) && std::isfinite(read.waves.tp) && std::isfinite(read.waves.from));
