@@ -79,7 +79,7 @@ TEST(elevation_reader, what_it_cannot_use_is_rejected_with_line_and_remedy) {
 }
 
 TEST(elevation_reader, damaged_files_are_read_or_rejected) {
-  testing::read_damaged_copies(testing::sea_file_text("elevation.csv"), "", WaveType::elevation, 200);
+  testing::read_damaged_copies(testing::sea_file_text("elevation.csv"), "", WaveType::elevation, 100);
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ TEST(ndbc_reader, damaged_files_are_read_or_rejected) {
                {"ndbc-density.txt", "2025-11-03 01:40", WaveType::user},
                {"46990/46990.data_spec", "", WaveType::user}};
   for (const auto& one_case : cases) {
-    testing::read_damaged_copies(testing::sea_file_text(one_case.file), one_case.time, one_case.type, 200);
+    testing::read_damaged_copies(testing::sea_file_text(one_case.file), one_case.time, one_case.type, 120);
   }
 }
 

@@ -133,7 +133,7 @@ TEST(swan_reader, what_it_cannot_read_is_rejected_with_line_and_remedy) {
 
 TEST(swan_reader, damaged_files_are_read_or_rejected) {
   for (const char* file : {"swan-1d.spc", "swan-2d.sp2"}) {
-    testing::read_damaged_copies(testing::sea_file_text(file), "", WaveType::user, 250);
+    testing::read_damaged_copies(testing::sea_file_text(file), "", WaveType::user, 120);
   }
 }
 

@@ -58,6 +58,23 @@ TEST(serve_model, fields_report_what_is_written_and_what_could_be) {
   EXPECT_EQ(field(fields, "supports.ramp.boxes")["count"], 3);
 }
 
+TEST(serve_model, fields_of_several_groups_of_waves_are_those_of_each) {
+  const Serving serving(kSmallLay);
+  const Reply changed = serving.post(
+      "/api/model/set", {{"revision", 1},
+                         {"changes",
+                          {{{"path", "environment.waves"},
+                            {"value",
+                             {{{"type", "jonswap"}, {"hs", "2 m"}, {"tp", "7 s"}, {"from", "240 deg"}},
+                              {{"type", "airy"}, {"height", "1 m"}, {"period", "13 s"}, {"from", "300 deg"}}}}}}}});
+  ASSERT_EQ(changed.status, 200) << changed.body;
+  const Json fields = changed.json["fields"];
+  EXPECT_EQ(field(fields, "environment.waves")["count"], 2);
+  EXPECT_EQ(field(fields, "environment.waves[0].hs")["value"], "2 m");
+  EXPECT_EQ(field(fields, "environment.waves[1].type")["value"], "airy");
+  EXPECT_TRUE(field(fields, "environment.waves.type").is_null());
+}
+
 TEST(serve_model, setting_a_key_keeps_comments_and_layout) {
   const std::string text = with(kSmallLay, "title: small lay", "title: small lay   # a comment");
   const Serving serving(text);

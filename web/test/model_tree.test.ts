@@ -36,6 +36,16 @@ describe('the tree of objects', () => {
     expect(['environment', 'environment.current', 'pipe', 'supports', 'supports.stinger'].map((path) => summaryValue(node(path), values)))
       .toEqual(['89 m', '1 row', '16 in × 11.1 mm', '2 boxes', '2']);
   });
+  it('shows height and period of each group of waves', () => {
+    const groups = [
+      field('environment', 'map'), field('environment.waves', 'list', null, { count: 2 }),
+      field('environment.waves[0]', 'map'), field('environment.waves[0].hs', 'quantity', '2 m'), field('environment.waves[0].tz', 'quantity', '6 s'),
+      field('environment.waves[1]', 'map'), field('environment.waves[1].height', 'quantity', '1 m'), field('environment.waves[1].period', 'quantity', '13 s'),
+    ];
+    const summary = summaryValue(findNode(tree(groups), 'environment.waves')!, new Map(groups.map((f) => [f.path, f])));
+    expect(summary).toBe('Hs 2 m, Tz 6 s; 1 m, 13 s');
+    expect(partsWithin(findNode(tree(groups), 'environment.waves')!).length).toBe(2);
+  });
   it('finds the object that shows a key', () => {
     expect(objectOfKey(sections, 'supports.stinger.boxes[1].x')).toBe('supports.stinger.boxes[1]');
     expect(objectOfKey(sections, 'environment.water_depth')).toBe('environment');

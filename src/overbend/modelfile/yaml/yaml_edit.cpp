@@ -132,7 +132,12 @@ class Editor {
 
   std::string append(const YamlNode& list, const std::vector<std::string>& parts, const std::string& value) const {
     const auto index = leading_index(parts[0]);
-    if (!index) throw YamlEditError("a list has numbered items, not keys");
+    if (!index) {
+      throw YamlEditError("the list of " + std::to_string(list.items.size()) +
+                          " has numbered items, not keys: name one, "
+                          "such as [0]." +
+                          parts[0]);
+    }
     if (index->first != list.items.size()) {
       throw YamlEditError("the list has " + std::to_string(list.items.size()) + " items; the next is [" +
                           std::to_string(list.items.size()) + "]");
