@@ -121,6 +121,9 @@ TEST(bathymetry_cases, a_depth_column_of_heights_needs_the_key) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_table(text, diagnostics));
   expect_part(testing::all_messages(diagnostics), "bathymetry_values: elevation");
+  Diagnostics positive;
+  EXPECT_FALSE(read_table("east,north,elevation\n0,0,5\n20,0,6\n0,20,5\n", positive));
+  expect_part(testing::all_messages(positive), "no height below 0");
   Diagnostics with_key;
   const auto depths = read_table(text, with_key, {.values = BathymetryValues::elevation});
   ASSERT_TRUE(depths);

@@ -165,6 +165,10 @@ class SoundingsReader {
     const auto above = ranges::count_if(depth, [](double value) { return value > 0.0; });
     if (!values && below > 0 && above > 0) return reject_signs(below < above);
     if (!values && below == 0) return;
+    if (below == 0) {
+      return messages_.error(0, "", "no height below 0", "heights of the seabed, negative below the mean water level",
+                             "environment.seabed.bathymetry_values: depth reads depths");
+    }
     leave_out_land();
     for (double& value : file_.depths.depth) value = 0.0 - value;
     messages_.notice("its values are heights, negative below the mean water level");
