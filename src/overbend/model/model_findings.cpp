@@ -78,9 +78,9 @@ void report_assumed_yield(Findings& findings, const PipeDescription& pipe) {
   findings.push_back(Finding{FindingCode::yield_assumed,
                              fmt::format("the yield stress of {} is an assumption, {}: its checks of stress, strain "
                                          "and moment mean nothing until pipe.steel.yield_stress is that of the steel",
-                                         fmt::join(names, ", "), shown_digits(min_yield, "N/m^2", 4))}
+                                         fmt::join(names, ", "), shown_digits(min_yield, "Pa", 4))}
                          .on(names.front())
-                         .with("yield_stress", min_yield, "N/m^2"));
+                         .with("yield_stress", min_yield, "Pa"));
 }
 
 }  // namespace

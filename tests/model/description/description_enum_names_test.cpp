@@ -20,7 +20,7 @@ void expect_one_word_each(Enum last) {
 
 TEST(description_enum_names, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(MaterialLaw::moment_curvature);
-  expect_one_word_each(WaveType::user);
+  expect_one_word_each(WaveType::elevation);
   expect_one_word_each(VesselMotion::coupled);
   expect_one_word_each(Guide::pinned);
   expect_one_word_each(TensionerMode::constant);
