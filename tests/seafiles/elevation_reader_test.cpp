@@ -78,6 +78,19 @@ TEST(elevation_reader, what_it_cannot_use_is_rejected_with_line_and_remedy) {
   EXPECT_NE(message(flat).find("the same elevation in every row"), std::string::npos);
 }
 
+TEST(elevation_reader, a_table_of_a_spreadsheet_with_clock_times_is_read) {
+  std::string text = "Time;Surface elevation (cm)\n";
+  for (int i = 0; i < 40; ++i) {
+    text += "23:59:" + std::to_string(10 + i) + ";" + (i % 2 == 0 ? "12,5\n" : "-7,5\n");
+  }
+  Diagnostics diagnostics;
+  const auto record = read_elevation_text(text, "a.csv", diagnostics);
+  ASSERT_TRUE(record) << diagnostics.lines(Severity::error).at(0);
+  EXPECT_DOUBLE_EQ(record->step, 1.0);
+  EXPECT_NEAR(record->mean, 0.025, 1e-12);
+  EXPECT_NEAR(record->elevation[0], 0.1, 1e-12);
+}
+
 TEST(elevation_reader, damaged_files_are_read_or_rejected) {
   testing::read_damaged_copies(testing::sea_file_text("elevation.csv"), "", WaveType::elevation, 100);
 }

@@ -68,7 +68,8 @@ std::vector<Field> wave_rows(const std::string& p) {
                             "Number of the location in a SWAN file of several.", {.low = 1.0, .high = 100000.0}),
                 "the only location"),
       row_of_kind(FieldKind::text, p + ".elevation_file", fills(&Waves::elevation_file),
-                  "For type elevation: CSV file with the columns time_s,elevation_m in even steps; t = 0 is its first "
+                  "For type elevation: table of times and elevations in even steps, such as time_s,elevation_m; t = 0 "
+                  "is its first "
                   "row."),
   };
   for (Field& row : rows) row.file = row.path.ends_with("_file");
