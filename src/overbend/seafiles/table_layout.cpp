@@ -46,8 +46,8 @@ std::vector<Line> content_lines(std::string_view text, std::vector<TextRow>& rem
   return lines;
 }
 
-/// Returns true if nearly all of the first lines contain the character outside quotes; a damaged line does not change
-/// the layout of a file.
+/// Returns true if the first line and nearly all of those after it contain the character outside quotes; a damaged line
+/// does not change the layout of a file.
 bool separates(const std::vector<Line>& lines, char c) {
   constexpr double kNearlyAll = 0.8;
   const std::size_t count = std::min(lines.size(), kSampleLines);
@@ -58,8 +58,9 @@ bool separates(const std::vector<Line>& lines, char c) {
       return next == c && !quoted;
     });
   };
+  if (!contains(lines.front())) return false;
   const auto found = std::count_if(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count), contains);
-  return found > 0 && static_cast<double>(found) >= kNearlyAll * static_cast<double>(count);
+  return static_cast<double>(found) >= kNearlyAll * static_cast<double>(count);
 }
 
 /// Returns true if a cell holds several numbers separated by blanks.

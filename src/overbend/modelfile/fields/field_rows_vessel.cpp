@@ -74,6 +74,22 @@ std::vector<Field> harmonic_motion() {
   return rows;
 }
 
+/// Titles of a recorded motion, read by modelfile/reading/motion_files.h.
+std::vector<Field> motion_columns() {
+  return {
+      {.path = "vessel.motion.columns",
+       .member = read_elsewhere(),
+       .text = "Meaning of columns of the motion history by their titles in the file.",
+       .fallback_text = "by their titles",
+       .min_items = 1,
+       .max_items = 50},
+      {.path = "vessel.motion.columns.*",
+       .member = read_elsewhere(),
+       .kind = FieldKind::text,
+       .text = "Quantity with its unit, such as time, time_ms, heave_m or roll_rad, or `unused`."},
+  };
+}
+
 }  // namespace
 
 std::vector<Field> vessel() {
@@ -153,18 +169,9 @@ std::vector<Field> vessel() {
                   "Table of the motion history, in the folder of the model file: time and any of surge to yaw, with "
                   "units in the "
                   "titles (time_s, heave_m, roll_deg) or in a line below them."),
-      {.path = "vessel.motion.columns",
-       .member = read_elsewhere(),
-       .text = "Meaning of columns of the motion history by their titles in the file.",
-       .fallback_text = "by their titles",
-       .min_items = 1,
-       .max_items = 50},
-      {.path = "vessel.motion.columns.*",
-       .member = read_elsewhere(),
-       .kind = FieldKind::text,
-       .text = "Quantity with its unit, such as time, time_ms, heave_m or roll_rad, or `unused`."},
   };
   append(rows, harmonic_motion());
+  append(rows, motion_columns());
   return rows;
 }
 
