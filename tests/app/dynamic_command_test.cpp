@@ -321,7 +321,6 @@ TEST(dynamic_command, rejects_what_it_can_not_run_in_one_clear_line_and_writes_n
       {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN], velocity: 0.2 m/s"), "",
        "lay.yaml:13: tensioner.range: "},
       {"short record", with(kSmallLay, kMoving, "motion: {history: motion.csv}"), "", "to 9 s"},
-      {"late record", with(kSmallLay, kMoving, "motion: {history: late.csv}"), "", "from t = 2 s"},
       {"spectrum", with(kSmallLay, kWaves, "waves: {type: user, spectrum_file: nowhere.csv}"), "",
        "lay.yaml:6: environment.waves.spectrum_file: "},
       {"seed twice", with(kSmallLay, duration, "seeds: [4, 5, 4], " + duration), "", "4 is given twice"},
@@ -333,7 +332,6 @@ TEST(dynamic_command, rejects_what_it_can_not_run_in_one_clear_line_and_writes_n
     SCOPED_TRACE(rejection.what);
     const TemporaryFolder folder;
     testing::write_file(folder / "motion.csv", "time_s,heave_m\n-10,0\n0,0.1\n9,0\n");
-    testing::write_file(folder / "late.csv", "time_s,heave_m\n2,0\n5,0.1\n20,0\n");
     const ProgramRun run = run_dynamic_model(folder, rejection.model, rejection.more);
     EXPECT_EQ(run.code, 2);
     EXPECT_EQ(run.out, "");

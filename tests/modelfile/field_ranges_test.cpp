@@ -202,7 +202,8 @@ TEST_F(field_ranges, only_places_and_angles_may_be_negative) {
     const bool vector =
         component(field.path) &&
         (field.path.find("moorings") == 0 || field.path.find("lines") == 0 || field.path.find("operation") == 0 ||
-         field.path.find("vessel") == 0 || field.path.find("bodies[].place") == 0 || field.path.find("supports.") == 0);
+         field.path.find("vessel") == 0 || field.path.find("bodies[].place") == 0 ||
+         field.path.find("supports.") == 0 || field.path.find("environment.waves") == 0);
     const bool floats = field.path.ends_with(".weight_submerged");  // a line that is lighter than water
     const bool direction = field.path == "operation.distance" || field.path.ends_with(".paid_out") ||
                            field.path.find(".release.") != std::string::npos;  // astern, hauled in, either way

@@ -127,7 +127,7 @@ TEST(swan_reader, what_it_cannot_read_is_rejected_with_line_and_remedy) {
   expect(replaced(table, "   15.0000", "   17.0000"), "directions in even steps");
   expect(replaced(table, "    9.33576994E-08", "    0"), "a factor above 0");
   expect(table.substr(0, table.find("FACTOR")) + "ZERO\n", "found ZERO");
-  expect(table.substr(0, table.find("   75.0000")), "the end of the file");
+  expect(table.substr(0, table.find("   75.0000")), "found 36 with 7 lines left");
   expect("SWAN   1\n", "the end of the file");
 }
 

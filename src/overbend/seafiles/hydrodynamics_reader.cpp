@@ -159,6 +159,7 @@ std::vector<std::string> hydrodynamic_files(const std::string& path) {
   const auto kind = find_hull_file_kind(path);
   std::vector<std::string> files = {path};
   if (kind == HullFileKind::nemoh) files = nemoh_files(path);
+  if (kind == HullFileKind::wamit_files) files.clear();  // the path is the stem, or one of those below
   if (!kind || kind == HullFileKind::wamit_files || kind == HullFileKind::hydrodyn) {
     const std::string stem = kind == HullFileKind::hydrodyn ? hydrodyn_stem(path) : hydrodynamics_stem(path);
     for (const char* ending : kWamitEndings) files.push_back(stem + ending);

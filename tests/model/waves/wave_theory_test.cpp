@@ -90,26 +90,5 @@ TEST(wave_theory, the_highest_wave_has_its_known_limits) {
   EXPECT_NEAR(highest_wave(1e5, 1.0), 0.833, 1e-3);    // solitary wave
 }
 
-TEST(peak_to_crossing_period, is_that_of_the_whole_spectrum) {
-  EXPECT_NEAR(peak_to_crossing_period(1.0), std::pow(1.25 * kPi, 0.25), 1e-8);  // closed form
-  EXPECT_NEAR(peak_to_crossing_period(1.0), 1.4077, 5e-5);
-  EXPECT_NEAR(peak_to_crossing_period(3.3), 1.2863, 5e-5);
-  EXPECT_NEAR(peak_to_crossing_period(3.3), 1.286340390, 1e-8);
-  double before = 2.0;
-  for (const double gamma : {1.0, 2.0, 5.0, 10.0}) {
-    EXPECT_LT(peak_to_crossing_period(gamma), before);
-    before = peak_to_crossing_period(gamma);
-  }
-}
-
-TEST(peak_period_by_rule, agrees_with_the_gamma_that_follows_from_it) {
-  for (const double hs : {0.5, 2.0, 4.0, 12.0}) {
-    for (const double tz : {2.0, 5.0, 7.0, 10.0, 14.0}) {
-      const double tp = peak_period_by_rule(hs, tz);
-      EXPECT_NEAR(tp / tz, peak_to_crossing_period(jonswap_gamma(hs, tp)), 1e-9) << hs << " " << tz;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace overbend

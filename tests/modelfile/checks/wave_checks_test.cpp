@@ -138,7 +138,7 @@ TEST(wave_files, give_direction_or_leave_it_to_the_model) {
   EXPECT_TRUE(waves.file_gives_direction);
   EXPECT_EQ(waves.directions.sectors.size(), 36U);
   EXPECT_TRUE(has(error("{type: user, spectrum_file: " + swan + ", from: 20 deg}"),
-                  "found 20 deg as well as the directions of the file"));
+                  "found '20 deg' as well as the directions of the file"));
   EXPECT_TRUE(has(warning("{type: user, spectrum_file: " + buoy + ", time: 2025-11-03 00:40}"),
                   "no direction is given (from)"));
   EXPECT_TRUE(
