@@ -1,9 +1,9 @@
 // Properties of objects: vessel motion, fields required by a sea state, errors that name their key and lead to it.
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { goTo, openField, selectObject, solved, start, type Bench } from './harness';
+import { goTo, openField, root, selectObject, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -68,6 +68,22 @@ test('a selection made while an answer is pending is kept', async () => {
   await expect.poll(() => page.locator('[aria-label="Upload a file"]').count()).toBe(0);
   await kind.selectOption('raos');
   await page.setInputFiles('[aria-label="Upload a file"]', join(bench.folder, '../data/bgl1/rao.csv'));
+  await expect.poll(text).toMatch(/raos: rao\.csv/);
+  await solved(page);
+});
+
+test('a file is taken by its contents, regardless of its name, byte for byte', async () => {
+  const upload = '[aria-label="Upload a file"]', hulls = join(root, 'validation', 'hull_files');
+  await page.locator('#motion-kind').selectOption('coupled');
+  await page.setInputFiles(upload, { name: 'barge 2026.txt', mimeType: 'text/plain', buffer: readFileSync(join(hulls, 'wamit-out/barge.out')) });
+  await expect.poll(text).toMatch(/hydrodynamics: .?barge 2026\.txt/);
+  await page.setInputFiles(upload, join(hulls, 'bemio/barge.h5'));
+  await expect.poll(text).toMatch(/hydrodynamics: barge\.h5/);
+  expect(readFileSync(join(bench.folder, 'barge.h5')).equals(readFileSync(join(hulls, 'bemio/barge.h5')))).toBe(true);
+  await page.setInputFiles(upload, { name: 'sea.csv', mimeType: 'text/csv', buffer: Buffer.from('omega_rad_s,density_m2s\n0.4,0\n0.8,1\n') });
+  await expect.poll(() => page.locator('.notices').innerText()).toMatch(/sea\.csv: not the hydrodynamics of a hull/);
+  await page.locator('#motion-kind').selectOption('raos');
+  await page.setInputFiles(upload, join(bench.folder, '../data/bgl1/rao.csv'));
   await expect.poll(text).toMatch(/raos: rao\.csv/);
   await solved(page);
 });
