@@ -76,6 +76,24 @@ TEST(study_reader, items_that_a_list_does_not_have_are_rejected) {
   EXPECT_TRUE(has(line, "an item in the list")) << line;
 }
 
+TEST(study_reader, a_list_taken_for_a_group_or_the_reverse_is_named_with_the_key_that_fits) {
+  const std::string group = first_study_error("axes: [{key: \"environment.waves[0].hs\", values: [1 m]}]\n");
+  EXPECT_TRUE(has(group, "environment.waves without brackets, a group in this model, as in environment.waves.hs"))
+      << group;
+
+  const Scratch scratch;
+  std::string lay = testing::kSmallLay;
+  const std::size_t from = lay.find("waves: {"), to = lay.find('}', from);
+  ASSERT_TRUE(from != std::string::npos && to != std::string::npos);
+  scratch.write("lay.yaml", lay.insert(to + 1, "]").insert(from + 7, "["));
+  const StudyReading reading =
+      read_study_text("overbend_study: 1\nbase: lay.yaml\naxes: [{key: environment.waves.hs, values: [1 m]}]\n",
+                      scratch.file("study.yaml"));
+  ASSERT_EQ(reading.diagnostics.lines(Severity::error).size(), 1U);
+  const std::string list = reading.diagnostics.lines(Severity::error).front();
+  EXPECT_TRUE(has(list, "environment.waves with an item, a list in this model, as in environment.waves[0].hs")) << list;
+}
+
 TEST(study_reader, the_radius_of_listed_boxes_is_no_key_to_vary) {
   for (const char* structure : {"ramp", "stinger"}) {
     const std::string key = std::string("supports.") + structure + ".radius";

@@ -74,6 +74,38 @@ const YamlNode* member(const YamlNode* group, const std::string& key) {
   return found == group->entries.end() ? nullptr : &found->value;
 }
 
+/// Returns the parts of the key up to the first list of the model of which it chooses no item, or up to the first group
+/// of which it chooses one; empty if it fits the model so far.
+std::vector<PathPart> misread_container(const YamlNode& model, const std::vector<PathPart>& key) {
+  const YamlNode* node = &model;
+  for (std::size_t i = 0; i + 1 < key.size() && node != nullptr && !key[i].item; ++i) {
+    node = member(node, key[i].text);
+    const auto unexpected = key[i + 1].item ? YamlNode::Kind::map : YamlNode::Kind::list;
+    if (node != nullptr && node->kind == unexpected)
+      return {key.begin(), key.begin() + static_cast<std::ptrdiff_t>(i) + 1};
+  }
+  return {};
+}
+
+/// Reports a key that takes a list of the model for a group, or the reverse, with the key that fits.
+bool reject_container(Checker& check, const FieldValue& value, const YamlNode& model,
+                      const std::vector<PathPart>& key) {
+  const std::vector<PathPart> container = misread_container(model, key);
+  if (container.empty()) return false;
+  const bool is_group = key[container.size()].item;
+  std::vector<PathPart> fitting = key;
+  const auto place = fitting.begin() + static_cast<std::ptrdiff_t>(container.size());
+  if (is_group) {
+    fitting.erase(place);
+  } else {
+    fitting.insert(place, {"0", true});
+  }
+  check.error(value, "'" + for_display(join_result_path(key)) + "'",
+              join_result_path(container) + (is_group ? " without brackets, a group" : " with an item, a list") +
+                  " in this model, as in " + join_result_path(fitting));
+  return true;
+}
+
 /// Returns true for the radius of a ramp or stinger with listed boxes.
 bool is_radius_of_listed_boxes(const YamlNode& model, const std::vector<PathPart>& key) {
   if (key.size() != 3 || key[0].text != "supports" || key[2].text != "radius") return false;
@@ -212,6 +244,7 @@ const Field* StudyKeys::take(Checker& check, const FieldValue& value, const std:
     check.error(value, "'" + key + "' of listed boxes", "the radius of a row of boxes", kListedBoxesHint);
     return nullptr;
   }
+  if (reject_container(check, value, model_, *parts)) return nullptr;
   const std::vector<ChosenKey> chosen = chosen_keys(model_, *parts);
   if (chosen.empty()) {
     const std::vector<std::string> names = names_to_choose(model_, *parts);
