@@ -74,12 +74,15 @@ void WaveSpectrum::set_peaks(std::vector<SpectralPeak> peaks) {
   omega_.push_back(kLowest * lowest);
   energy_.push_back(0.0);
   double sum = 0.0;
-  for (double a = omega_.front(); a < kFarthest * highest; a *= kRatio) {
+  double a = omega_.front();
+  while (a < kFarthest * highest) {
     const double b = a * kRatio;
     sum += (b - a) / 6.0 * (density(a) + 4.0 * density(0.5 * (a + b)) + density(b));
-    if (b > kHighest * highest) continue;
-    omega_.push_back(b);
-    energy_.push_back(sum);
+    if (b <= kHighest * highest) {
+      omega_.push_back(b);
+      energy_.push_back(sum);
+    }
+    a = b;
   }
   variance_ = sum;
   share_inside_ = energy_.back() / sum;

@@ -67,8 +67,9 @@ std::optional<GridHead> grid_head(const TextTable& table, BathymetryMessages& me
   for (const char* key : needed) {
     if (!keys.contains(key)) messages.error(0, key, "nothing (the key is missing)", "the head of an ESRI ASCII grid");
   }
-  if (oblong && keys.contains("cellsize"))
+  if (oblong && keys.contains("cellsize")) {
     messages.error(0, "cellsize", "cellsize with dx or dy", "cellsize, or dx and dy");
+  }
   if (!messages.good()) return std::nullopt;
   GridHead head;
   head.lines = keys.size();

@@ -26,8 +26,9 @@ class ColumnFinder {
     if (good_) check_keys();
     if (good_) check_columns();
     if (!good_) return std::nullopt;
-    if (!unused_.empty())
+    if (!unused_.empty()) {
       add_notice(diagnostics_, path_, 0, "columns that are not used: " + join_items(unused_, "and"));
+    }
     return std::move(columns_);
   }
 

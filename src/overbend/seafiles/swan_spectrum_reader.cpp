@@ -109,8 +109,9 @@ class SwanReader {
   std::vector<double> axis(const std::string& what) {
     const std::size_t size = count("the number of " + what);
     std::vector<double> values;
-    for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < size; ++i) {
       values.push_back(number(take("one of the " + what), 0, "one of the " + what));
+    }
     return values;
   }
 

@@ -27,7 +27,7 @@ std::size_t quoted_cell_end(std::string_view line, std::size_t from, char separa
       ++quote;  // a doubled quote is part of the text
       continue;
     }
-    const std::size_t end = line.find_first_not_of(" ", quote + 1);
+    const std::size_t end = line.find_first_not_of(' ', quote + 1);
     if (end == std::string_view::npos) return line.size();
     return line[end] == separator ? end : std::string_view::npos;
   } while (true);

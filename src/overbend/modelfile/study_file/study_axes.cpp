@@ -81,8 +81,9 @@ std::vector<PathPart> misread_container(const YamlNode& model, const std::vector
   for (std::size_t i = 0; i + 1 < key.size() && node != nullptr && !key[i].item; ++i) {
     node = member(node, key[i].text);
     const auto unexpected = key[i + 1].item ? YamlNode::Kind::map : YamlNode::Kind::list;
-    if (node != nullptr && node->kind == unexpected)
+    if (node != nullptr && node->kind == unexpected) {
       return {key.begin(), key.begin() + static_cast<std::ptrdiff_t>(i) + 1};
+    }
   }
   return {};
 }
