@@ -19,6 +19,7 @@ import sys
 import tempfile
 import time
 import unittest
+import urllib.error
 import urllib.request
 
 KIND = sys.argv[1]
@@ -78,9 +79,13 @@ class Program(unittest.TestCase):
                                 encoding="utf-8", env=self.environment)
 
     def run_program(self, *arguments, code=0):
+        """What the program says; `code` is its exit code, None for any but 0."""
         process = self.start(*arguments)
         said, _ = process.communicate(timeout=900)
-        self.assertEqual(process.returncode, code, said)
+        if code is None:
+            self.assertNotEqual(process.returncode, 0, said)
+        else:
+            self.assertEqual(process.returncode, code, said)
         return said
 
     def summary(self, folder):
@@ -173,6 +178,54 @@ class Program(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, "(?i)too large|no space")
         self.assertFalse((self.root / "full" / "summary.json").exists())
+
+    @unittest.skipUnless(WINDOWS and os.geteuid() == 0, "needs the rights of root: a small disk is mounted")
+    def test_a_full_disk_under_wine_leaves_no_half_of_a_result(self):
+        small = self.root / "small"
+        small.mkdir()
+        subprocess.run(["mount", "-t", "tmpfs", "-o", "size=200k", "tmpfs", small], check=True)
+        try:
+            said = self.run_program("static", self.path("examples/bgl1.yaml"), "-o", self.path("small/full"), code=None)
+            self.assertRegex(said, "(?i)no space|disk full|not enough space")
+            self.assertFalse((small / "full" / "summary.json").exists())
+        finally:
+            subprocess.run(["umount", "--lazy", small], check=True)
+
+    def test_ctrl_c_leaves_a_run_that_resumes(self):
+        arguments = ("dynamic", self.path("examples/bgl1.yaml"), "--duration", "30 s", "--checkpoint", "1", "-o", self.path("interrupted"))
+        process = self.start(*arguments)
+        until = time.monotonic() + 300
+        while time.monotonic() < until and not list((self.root / "interrupted").glob("**/*checkpoint*")) and process.poll() is None:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        said, _ = process.communicate(timeout=300)
+        self.assertEqual(process.returncode, 130, said)
+        self.assertIn("--resume", said)
+        self.run_program(*arguments, "--resume")
+        self.assertEqual(self.summary("interrupted")["dynamic"]["duration"], 30.0)
+
+    @unittest.skipUnless(WINDOWS, "a terminal of its own is given by Windows")
+    def test_a_double_click_opens_the_page(self):
+        with tempfile.TemporaryDirectory() as work:  # wine hands addresses to xdg-open
+            browser = pathlib.Path(work, "xdg-open")
+            browser.write_text(f'#!/bin/sh\necho "$1" > {work}/part && mv {work}/part {work}/address\n', encoding="utf-8")
+            browser.chmod(0o755)
+            environment = dict(self.environment, PATH=f"{work}:{os.environ['PATH']}")
+            process = subprocess.Popen([WINE, "start", "/wait", self.path("overbend.exe")], env=environment)
+            try:
+                until = time.monotonic() + 120
+                while time.monotonic() < until and not pathlib.Path(work, "address").exists():
+                    time.sleep(0.1)
+                address = pathlib.Path(work, "address").read_text(encoding="utf-8").strip()
+                self.assertRegex(address, r"^http://127\.0\.0\.1:\d+/open/\w+$")
+                # This process is none of wine's, which knows its user; a browser of Windows is let in.
+                with self.assertRaises(urllib.error.HTTPError) as rejected:
+                    urllib.request.urlopen(address)
+                self.assertEqual(rejected.exception.code, 403)
+                self.assertIn(b"belongs to another user", rejected.exception.read())
+            finally:
+                subprocess.run([WINE, "taskkill", "/f", "/im", "overbend.exe"], env=environment, check=False)
+                process.wait(timeout=60)
 
     @unittest.skipUnless(WINDOWS, "paths of Windows")
     def test_names_outside_ascii_work(self):
