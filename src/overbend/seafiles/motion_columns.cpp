@@ -80,7 +80,7 @@ class ColumnFinder {
   }
 
   static bool identify(const ColumnTitle& title, MotionColumn& column) {
-    column.unix = is_unix_title(title);
+    column.is_unix = is_unix_title(title);
     if (is_time_title(title)) {
       column.quantity = MotionColumn::Quantity::time;
       column.label = "time_s";

@@ -18,7 +18,7 @@ struct MotionColumn {
   std::size_t freedom = 0;  ///< 0 to 5, surge to yaw.
   double factor = 1.0;      ///< To m or rad; not of time.
   std::string unit;         ///< Unit of time; empty if it is not stated.
-  bool unix = false;        ///< True if the title says that times are Unix times.
+  bool is_unix = false;     ///< True if the title says that times are Unix times.
   std::string label;        ///< Name with unit for messages: "heave_m".
 };
 

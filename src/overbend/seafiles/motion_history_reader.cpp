@@ -50,7 +50,7 @@ class HistoryReader {
   void read_rows(const ExportedTable& table) {
     const auto time = static_cast<std::size_t>(
         ranges::find(columns_, MotionColumn::Quantity::time, &MotionColumn::quantity) - columns_.begin());
-    RecordClock clock(file_, columns_[time].unit, columns_[time].unix, diagnostics_);
+    RecordClock clock(file_, columns_[time].unit, columns_[time].is_unix, diagnostics_);
     for (std::size_t i = 1; i < table.rows.size() && errors() < kMaxErrors; ++i) {
       read_row(table, table.rows[i], time, clock);
       if (errors() > 0 && !clock.is_recognised()) return;

@@ -32,8 +32,8 @@ double last_digit(std::string_view cell) {
 
 }  // namespace
 
-RecordClock::RecordClock(const std::string& path, std::string unit, bool unix, Diagnostics& diagnostics)
-    : path_(path), unit_(std::move(unit)), unix_(unix), diagnostics_(diagnostics) {}
+RecordClock::RecordClock(const std::string& path, std::string unit, bool is_unix, Diagnostics& diagnostics)
+    : path_(path), unit_(std::move(unit)), is_unix_(is_unix), diagnostics_(diagnostics) {}
 
 std::optional<double> RecordClock::reject(int line, std::string found, std::string expected, std::string hint) {
   diagnostics_.add({Severity::error, path_, line, 0, "", std::move(found), std::move(expected), std::move(hint)});
@@ -47,17 +47,17 @@ bool RecordClock::recognise(int line, std::string_view cell) {
     kind_ = Kind::number;
     factor_ = factor.value_or(1.0);
     const auto is_unix = [](double seconds) { return seconds >= kFirstUnixTime && seconds < kLastUnixTime; };
-    if (is_unix(factor_ * *number)) kind_ = Kind::unix;
+    if (is_unix(factor_ * *number)) kind_ = Kind::unix_time;
     if (!factor && is_unix(1e-3 * *number)) {
-      kind_ = Kind::unix;
+      kind_ = Kind::unix_time;
       factor_ = 1e-3;
     }
-    if (kind_ == Kind::unix || (factor && !unix_)) return true;
-    reject(
-        line,
-        unix_ ? "a Unix time of '" + for_display(cell) + "'" : "a time of '" + for_display(cell) + "' without a unit",
-        unix_ ? "seconds or milliseconds since 1970, of the years 2001 to 2100"
-              : "the unit of time in the header, in a line of units or in columns, such as time_s or 'time, ms'");
+    if (kind_ == Kind::unix_time || (factor && !is_unix_)) return true;
+    reject(line,
+           is_unix_ ? "a Unix time of '" + for_display(cell) + "'"
+                    : "a time of '" + for_display(cell) + "' without a unit",
+           is_unix_ ? "seconds or milliseconds since 1970, of the years 2001 to 2100"
+                    : "the unit of time in the header, in a line of units or in columns, such as time_s or 'time, ms'");
     return false;
   }
   if (parse_clock(cell)) kind_ = Kind::clock;
@@ -79,12 +79,12 @@ std::optional<double> RecordClock::parse_number(int line, std::string_view cell)
   if (!number) return reject(line, "'" + for_display(cell) + "'", "a number for the time");
   resolution_ = std::max(resolution_, factor_ * last_digit(cell));
   const double seconds = factor_ * *number;
-  if (!last_ && kind_ == Kind::unix) origin_ = seconds;
+  if (!last_ && kind_ == Kind::unix_time) origin_ = seconds;
   return seconds - origin_;
 }
 
 std::optional<double> RecordClock::parse(int line, std::string_view cell) {
-  if (kind_ == Kind::number || kind_ == Kind::unix) return parse_number(line, cell);
+  if (kind_ == Kind::number || kind_ == Kind::unix_time) return parse_number(line, cell);
   if (kind_ == Kind::date) {
     const std::optional<DateTime> time = parse_date_time(cell);
     if (!time) return reject(line, "'" + for_display(cell) + "'", "a date with time, as in the first row");
@@ -135,7 +135,7 @@ std::string RecordClock::description() const {
     }
     case Kind::date:
       return "dates with times, " + first_cell_ + " to " + last_cell_;
-    case Kind::unix:
+    case Kind::unix_time:
       return "Unix times from " + unix_time_label(origin_);
     default:
       return "times from " + first_cell_ + (unit_.empty() ? "" : " " + unit_);

@@ -21,9 +21,9 @@ namespace overbend {
 /// In the last three, t = 0 is the first row.
 class RecordClock {
  public:
-  /// `unit` is the unit of the column, empty if it is not stated; `unix` is true if its title says that times are Unix
-  /// times. References must outlive the object.
-  RecordClock(const std::string& path, std::string unit, bool unix, Diagnostics& diagnostics);
+  /// `unit` is the unit of the column, empty if it is not stated; `is_unix` is true if its title says that times are
+  /// Unix times. References must outlive the object.
+  RecordClock(const std::string& path, std::string unit, bool is_unix, Diagnostics& diagnostics);
 
   /// Returns the time of a row [s]; reports an error and returns nothing for a cell that is no time or not later than
   /// the one before it.
@@ -37,7 +37,7 @@ class RecordClock {
   bool finish(std::vector<double>& times);
 
  private:
-  enum class Kind { unknown, number, unix, clock, date };
+  enum class Kind { unknown, number, unix_time, clock, date };
 
   std::optional<double> parse(int line, std::string_view cell);
   std::optional<double> parse_number(int line, std::string_view cell);
@@ -48,7 +48,7 @@ class RecordClock {
 
   const std::string& path_;
   std::string unit_;
-  bool unix_;
+  bool is_unix_;
   Diagnostics& diagnostics_;
   Kind kind_ = Kind::unknown;
   double factor_ = 1.0;          ///< Seconds per unit of numbers.
