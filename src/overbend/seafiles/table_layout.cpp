@@ -80,9 +80,9 @@ char recognise_separator(const std::vector<Line>& lines) {
     if (!separates(lines, c)) continue;
     return c != ';' && blanks_separate_within(lines, c) ? ' ' : c;
   }
+  const auto sample = lines.begin() + static_cast<std::ptrdiff_t>(std::min(lines.size(), kSampleLines));
   const bool blanks =
-      ranges::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(lines.size(), kSampleLines)),
-                     [](const Line& line) { return split_line(line.text, ' ', false).size() > 1; });
+      std::all_of(lines.begin(), sample, [](const Line& line) { return split_line(line.text, ' ', false).size() > 1; });
   return blanks ? ' ' : ',';
 }
 
